@@ -217,7 +217,7 @@ int beginClass(const QString& classFile)
 int showClass(QApplication& application, const app::WindowStart& start)
 {
     const ui::Classroom classroom = app::ClassFile::read(start.classFile);
-    const app::ClassPaths paths = app::ClassPaths::of(start.classFile);
+    const app::ClassPaths paths = app::ClassPaths::prepare(start.classFile, classroom.folder);
     QCoreApplication::setApplicationName(QStringLiteral("FettleClass"));
     QSettings().clear();
     if (classroom.language != ui::Language::System) {

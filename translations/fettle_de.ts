@@ -11,8 +11,8 @@
 <context>
     <name>app::CheckCommand</name>
     <message>
-        <source>%1 is in fine fettle.</source>
-        <translation>%1 ist bestens in Form.</translation>
+        <source>%1 is watertight.</source>
+        <translation>%1 ist wasserdicht.</translation>
     </message>
     <message>
         <source>file</source>
@@ -102,12 +102,132 @@
         <source>Width, depth and height that the printer holds, in mm (default: not looked at).</source>
         <translation>Breite, Tiefe und Höhe, die der Drucker fasst, in mm (Vorgabe: wird nicht geprüft).</translation>
     </message>
+    <message>
+        <source>vertices</source>
+        <translation>Eckpunkte</translation>
+    </message>
+    <message>
+        <source>triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>geschlossen</translation>
+    </message>
+    <message>
+        <source>two faces at each edge</source>
+        <translation>zwei Flächen an jeder Kante</translation>
+    </message>
+    <message>
+        <source>faces turned alike</source>
+        <translation>Flächen gleich gerichtet</translation>
+    </message>
+    <message>
+        <source>bounds a solid</source>
+        <translation>umschließt einen Körper</translation>
+    </message>
+    <message>
+        <source>self-intersections</source>
+        <translation>Selbstdurchdringungen</translation>
+    </message>
+    <message>
+        <source>parts</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>holes through it</source>
+        <translation>durchgehende Löcher</translation>
+    </message>
+    <message>
+        <source>volume, mm³</source>
+        <translation>Volumen, mm³</translation>
+    </message>
+    <message>
+        <source>surface, mm²</source>
+        <translation>Oberfläche, mm²</translation>
+    </message>
+    <message>
+        <source>shortest edge, mm</source>
+        <translation>kürzeste Kante, mm</translation>
+    </message>
+    <message>
+        <source>longest edge, mm</source>
+        <translation>längste Kante, mm</translation>
+    </message>
+    <message>
+        <source>triangles without area</source>
+        <translation>Dreiecke ohne Fläche</translation>
+    </message>
+    <message>
+        <source>stays sound when opened</source>
+        <translation>bleibt beim Öffnen in Ordnung</translation>
+    </message>
+    <message>
+        <source>strokes</source>
+        <translation>Striche</translation>
+    </message>
+    <message>
+        <source>time of work, s</source>
+        <translation>Arbeitszeit, s</translation>
+    </message>
+    <message>
+        <source>thinnest wall allowed, mm</source>
+        <translation>dünnste erlaubte Wand, mm</translation>
+    </message>
+    <message>
+        <source>thinnest wall by rays, mm</source>
+        <translation>dünnste Wand nach Strahlen, mm</translation>
+    </message>
+    <message>
+        <source>thinnest wall by balls, mm</source>
+        <translation>dünnste Wand nach Kugeln, mm</translation>
+    </message>
+    <message>
+        <source>surface that is too thin</source>
+        <translation>zu dünne Oberfläche</translation>
+    </message>
+    <message>
+        <source>surface that overhangs</source>
+        <translation>überhängende Oberfläche</translation>
+    </message>
+    <message>
+        <source>fits the bed</source>
+        <translation>passt aufs Druckbett</translation>
+    </message>
+    <message>
+        <source>perhaps made in</source>
+        <translation>vielleicht gemacht in</translation>
+    </message>
+    <message>
+        <source>pupil</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>turn begun</source>
+        <translation>Beginn des Durchgangs</translation>
+    </message>
+    <message>
+        <source>time of the turn, s</source>
+        <translation>Dauer des Durchgangs, s</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
 </context>
 <context>
     <name>app::ClassEnd</name>
     <message>
         <source>End the class? The current pupil&apos;s work will be saved.</source>
         <translation>Die Klasse beenden? Die Arbeit, die gerade offen ist, wird gespeichert.</translation>
+    </message>
+    <message>
+        <source>End the class? It is nobody&apos;s turn, and all works are saved.</source>
+        <translation>Die Klasse beenden? Gerade ist niemand an der Reihe, und alle Arbeiten sind gespeichert.</translation>
     </message>
     <message numerus="yes">
         <source>%n models are not yet in the class folder.</source>
@@ -157,6 +277,31 @@
     <message>
         <source>&amp;Not Now</source>
         <translation>Ni&amp;cht jetzt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n models of a class are still on this computer.</source>
+        <translation>
+            <numerusform>%n Modell einer Klasse ist noch auf diesem Rechner.</numerusform>
+            <numerusform>%n Modelle einer Klasse sind noch auf diesem Rechner.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n models are still on this computer and not in %1.</source>
+        <translation>
+            <numerusform>%n Modell ist noch auf diesem Rechner und nicht in %1.</numerusform>
+            <numerusform>%n Modelle sind noch auf diesem Rechner und nicht in %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>They go to the class folder when the class begins and its folder is there.</source>
+        <translation>Sie kommen in den Ordner der Klasse, wenn die Klasse beginnt und er da ist.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n models were moved to %1.</source>
+        <translation>
+            <numerusform>%n Modell wurde nach %1 verschoben.</numerusform>
+            <numerusform>%n Modelle wurden nach %1 verschoben.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -342,7 +487,7 @@
         <translation>sagen, ob Modelle in Ordnung sind und sich drucken lassen; mehrere Dateien oder ein Ordner: eine Tabelle</translation>
     </message>
     <message>
-        <source>write a model in another format or size, mended, or with fewer triangles</source>
+        <source>write a model in another format or size, repaired, or with fewer triangles</source>
         <translation>ein Modell in anderem Format oder anderer Größe schreiben, repariert oder mit weniger Dreiecken</translation>
     </message>
     <message>
@@ -393,7 +538,7 @@
         <source>Fettle sculpts closed models that stay ready to print.
 
   fettle [--vr] [FILE]             open the window, with a model or with a ball of clay; --vr enters VR with it
-  fettle --vr-simulator [FILE]     the same without a headset: a window shows what it would, mouse and keys are head and wands
+  fettle --vr-simulator [FILE]     the same without a headset: a window shows what it would, mouse and keys are head and controllers
   fettle [--vr] --classroom CLASS.fettleclass
                                    begin a class in turns, as its teacher set it up (Edit &gt; Classroom)
 </source>
@@ -449,11 +594,11 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>%1 ließ sich auf %2 Dreiecke verringern, nicht auf %3: Mit weniger fand sich keine Fläche, deren Dreiecke einander nicht schneiden und deren Löcher offen bleiben. Es wurde nichts geschrieben.</translation>
     </message>
     <message>
-        <source>--legalise may mend it.</source>
-        <translation>Vielleicht repariert --legalise es.</translation>
+        <source>--repair may make it watertight.</source>
+        <translation>Vielleicht macht --repair es wasserdicht.</translation>
     </message>
     <message>
-        <source>--wrap may make its surface anew.</source>
+        <source>--wrap may make a new surface.</source>
         <translation>Vielleicht baut --wrap die Oberfläche neu auf.</translation>
     </message>
     <message>
@@ -481,20 +626,20 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>So viele Dreiecke hat OUT höchstens, 4 oder mehr (Vorgabe: so viele, wie es sind); sie gehen dort, wo Form und Farben am wenigsten verlieren.</translation>
     </message>
     <message>
-        <source>Mend a model that is not in order, and say what changed.</source>
-        <translation>Ein Modell reparieren, das nicht in Ordnung ist, und sagen, was sich geändert hat.</translation>
+        <source>Repair a model that is not watertight, and say what changed.</source>
+        <translation>Ein Modell reparieren, das nicht wasserdicht ist, und sagen, was sich geändert hat.</translation>
     </message>
     <message>
-        <source>With --legalise: make the whole surface anew where nothing else keeps it; detail is lost.</source>
-        <translation>Mit --legalise: die ganze Oberfläche neu aufbauen, wo nichts anderes sie erhält; Einzelheiten gehen verloren.</translation>
+        <source>With --repair: make a new surface where nothing else keeps the model; detail is lost.</source>
+        <translation>Mit --repair: die ganze Oberfläche neu aufbauen, wo nichts anderes sie erhält; Einzelheiten gehen verloren.</translation>
     </message>
     <message>
-        <source>With --legalise: what to do with holes longer than a quarter of the model (default: fill).</source>
-        <translation>Mit --legalise: was mit Löchern geschieht, die länger als ein Viertel des Modells sind (Vorgabe: fill).</translation>
+        <source>With --repair: what to do with holes longer than a quarter of the model (default: fill).</source>
+        <translation>Mit --repair: was mit Löchern geschieht, die länger als ein Viertel des Modells sind (Vorgabe: fill).</translation>
     </message>
     <message>
-        <source>With --legalise: what to do with parts inside of others that face outwards (default: fill).</source>
-        <translation>Mit --legalise: was mit Teilen im Innern anderer geschieht, die nach außen zeigen (Vorgabe: fill).</translation>
+        <source>With --repair: what to do with parts inside of others that face outwards (default: fill).</source>
+        <translation>Mit --repair: was mit Teilen im Innern anderer geschieht, die nach außen zeigen (Vorgabe: fill).</translation>
     </message>
     <message numerus="yes">
         <source>convert: needs two files, IN and OUT; %n were given.</source>
@@ -511,8 +656,8 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Die früheren Schritte lassen sich nicht mehr rückgängig machen: Ihre Datei auf der Festplatte ist nicht lesbar. Das Modell ist in Ordnung.</translation>
     </message>
     <message>
-        <source>Sculpting rests until the model is ready.</source>
-        <translation>Das Formen ruht, bis das Modell fertig ist.</translation>
+        <source>Sculpting is paused until the model is ready.</source>
+        <translation>Das Formen ist angehalten, bis das Modell bereit ist.</translation>
     </message>
 </context>
 <context>
@@ -543,14 +688,14 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
 <context>
     <name>app::HeadsetController</name>
     <message>
-        <source>%1 It can be mended at the window.</source>
+        <source>%1 It can be repaired at the window.</source>
         <translation>%1 Im Fenster lässt es sich reparieren.</translation>
     </message>
 </context>
 <context>
     <name>app::RuntimeProbe</name>
     <message>
-        <source>The headset&apos;s program does not answer. If it is not just starting, start it anew.</source>
+        <source>The headset&apos;s program does not answer. If it is not just starting, restart it.</source>
         <translation>Das Programm der VR-Brille antwortet nicht. Falls es nicht gerade startet, bitte neu starten.</translation>
     </message>
 </context>
@@ -592,40 +737,40 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
 <context>
     <name>app::RecoveryStore</name>
     <message>
-        <source>The program ended from outside; the changes to %1 are kept, and offered at the next start.</source>
+        <source>Fettle was ended from outside. The changes to %1 are kept; the next start offers them.</source>
         <translation>Das Programm wurde von außen beendet; die Änderungen an %1 sind aufbewahrt und werden beim nächsten Start angeboten.</translation>
     </message>
     <message>
-        <source>Should the program end unexpectedly, changes since the last save would be lost: %1</source>
-        <translation>Endete das Programm unerwartet, gingen Änderungen seit dem letzten Speichern verloren: %1</translation>
+        <source>Changes are not being recorded, so save often: %1</source>
+        <translation>Änderungen werden nicht aufgezeichnet, speichern Sie also oft: %1</translation>
     </message>
     <message>
-        <source>%1 cannot be recovered: what was kept of it is damaged.</source>
-        <translation>%1 kann nicht wiederhergestellt werden: Das Aufbewahrte ist beschädigt.</translation>
+        <source>%1 cannot be recovered: its recording is damaged.</source>
+        <translation>%1 kann nicht wiederhergestellt werden: Die Aufzeichnung ist beschädigt.</translation>
     </message>
     <message>
         <source>%1: there is not enough memory for this model.</source>
         <translation>%1: Für dieses Modell reicht der Speicher nicht.</translation>
     </message>
     <message>
-        <source>What was kept of an unsaved model is damaged and cannot be opened. It is in %1.</source>
-        <translation>Was von einem nicht gespeicherten Modell aufbewahrt wurde, ist beschädigt und lässt sich nicht öffnen. Es liegt in %1.</translation>
+        <source>The recording of an unsaved model is damaged and cannot be opened. It is in %1.</source>
+        <translation>Die Aufzeichnung eines nicht gespeicherten Modells ist beschädigt und lässt sich nicht öffnen. Sie liegt in %1.</translation>
     </message>
     <message>
-        <source>What was kept of %1 is damaged and cannot be opened. It is in %2.</source>
-        <translation>Was von %1 aufbewahrt wurde, ist beschädigt und lässt sich nicht öffnen. Es liegt in %2.</translation>
+        <source>The recording of %1 is damaged and cannot be opened. It is in %2.</source>
+        <translation>Die Aufzeichnung von %1 ist beschädigt und lässt sich nicht öffnen. Sie liegt in %2.</translation>
     </message>
     <message>
-        <source>Some of what was kept of %1 is damaged: its last steps may be missing. It is in %2.</source>
-        <translation>Ein Teil dessen, was von %1 aufbewahrt wurde, ist beschädigt: Die letzten Schritte können fehlen. Er liegt in %2.</translation>
+        <source>A part of the recording of %1 is damaged: its last steps may be missing. It is in %2.</source>
+        <translation>Ein Teil der Aufzeichnung von %1 ist beschädigt: Die letzten Schritte können fehlen. Er liegt in %2.</translation>
     </message>
     <message>
         <source>The disk is slow: a power cut could cost the changes of the last %1 seconds.</source>
         <translation>Die Festplatte ist langsam: Ein Stromausfall könnte die Änderungen der letzten %1 Sekunden kosten.</translation>
     </message>
     <message>
-        <source>Changes are recorded again: should the program end unexpectedly, they come back.</source>
-        <translation>Änderungen werden wieder aufgezeichnet: Endete das Programm unerwartet, kämen sie zurück.</translation>
+        <source>Changes are being recorded again.</source>
+        <translation>Änderungen werden wieder aufgezeichnet.</translation>
     </message>
 </context>
 <context>
@@ -715,8 +860,8 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Datei für das Modell, das der letzte Schritt hinterlässt.</translation>
     </message>
     <message>
-        <source>One JSON object.</source>
-        <translation>Ein JSON-Objekt.</translation>
+        <source>JSON: one object; of a folder of models, one for each, on a line of its own; without a lesson, the list of the program&apos;s.</source>
+        <translation>JSON: ein Objekt; bei einem Ordner mit Modellen eines für jedes, je in einer Zeile; ohne Lektion die Liste der Lektionen des Programms.</translation>
     </message>
     <message>
         <source>CSV with a header row: a row for each goal; of a folder, for each model.</source>
@@ -750,10 +895,6 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>%1 wird geöffnet</translation>
     </message>
     <message>
-        <source>something sculpted in this step</source>
-        <translation>in diesem Schritt modelliert</translation>
-    </message>
-    <message>
         <source>Step %1 is not done yet. You can go back, or start from the teacher&apos;s model.</source>
         <translation>Schritt %1 ist noch nicht fertig: zurückgehen, oder mit dem Modell der Lehrkraft anfangen.</translation>
     </message>
@@ -765,8 +906,8 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
 <context>
     <name>app::LessonEditorController</name>
     <message>
-        <source>This was taken back: a lesson cannot hold images and models from other files.</source>
-        <translation>Das wurde zurückgenommen: Eine Lektion kann keine Bilder und Modelle aus anderen Dateien enthalten.</translation>
+        <source>Undone: a lesson cannot contain images or models from other files.</source>
+        <translation>Rückgängig gemacht: Eine Lektion kann keine Bilder und Modelle aus anderen Dateien enthalten.</translation>
     </message>
     <message>
         <source>The model is too large for a lesson.</source>
@@ -789,7 +930,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Nicht gespeicherte Lektion</translation>
     </message>
     <message>
-        <source>The lesson has changes that were not saved.</source>
+        <source>The lesson has unsaved changes.</source>
         <translation>Die Lektion hat Änderungen, die nicht gespeichert wurden.</translation>
     </message>
     <message>
@@ -803,6 +944,43 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>New Lesson</source>
         <translation>Neue Lektion</translation>
+    </message>
+</context>
+<context>
+    <name>app::LessonProgress</name>
+    <message numerus="yes">
+        <source>You met %1 of %n goals.</source>
+        <extracomment>%1: how many of them</extracomment>
+        <translation>
+            <numerusform>%1 von %n Ziel hast du erreicht.</numerusform>
+            <numerusform>%1 von %n Zielen hast du erreicht.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Keep sculpting, export your model, or save the steps as a handout.</source>
+        <translation>Modelliere weiter, exportiere dein Modell oder speichere die Schritte als Arbeitsblatt.</translation>
+    </message>
+    <message>
+        <source>Keep sculpting, if you like.</source>
+        <translation>Modelliere weiter, wenn du magst.</translation>
+    </message>
+    <message>
+        <source>Well done!</source>
+        <translation>Gut gemacht!</translation>
+    </message>
+    <message>
+        <source>That was the last step</source>
+        <translation>Das war der letzte Schritt</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3</source>
+        <comment>step: goals met of goals</comment>
+        <translation>%1: %2 von %3</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>two sentences</comment>
+        <translation>%1 %2</translation>
     </message>
 </context>
 <context>
@@ -907,8 +1085,52 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>„%1“ fehlt</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is of the wrong type, or holds nothing that a lesson can use</source>
-        <translation>„%1“ ist von falscher Art oder enthält nichts, womit eine Lektion etwas anfangen kann</translation>
+        <source>&quot;%1&quot; must hold texts by language, as in {&quot;en&quot;: &quot;A mug&quot;}</source>
+        <translation>„%1“ muss Texte nach Sprachen enthalten, wie in {&quot;de&quot;: &quot;Eine Tasse&quot;}</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be a list of steps, as in [{…}, {…}]</source>
+        <translation>„%1“ muss eine Liste von Schritten sein, wie in [{…}, {…}]</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be a list of tools, as in [&quot;pull&quot;, &quot;smooth&quot;]</source>
+        <translation>„%1“ muss eine Liste von Werkzeugen sein, wie in [&quot;pull&quot;, &quot;smooth&quot;]</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must hold goals, as in {&quot;height_mm&quot;: {&quot;least&quot;: 60}}</source>
+        <translation>„%1“ muss Ziele enthalten, wie in {&quot;height_mm&quot;: {&quot;least&quot;: 60}}</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be angles, as in {&quot;yaw_deg&quot;: 75, &quot;pitch_deg&quot;: -25}</source>
+        <translation>„%1“ müssen Winkel sein, wie in {&quot;yaw_deg&quot;: 75, &quot;pitch_deg&quot;: -25}</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must hold a distance, as in {&quot;tolerance_mm&quot;: 2}</source>
+        <translation>„%1“ muss einen Abstand enthalten, wie in {&quot;tolerance_mm&quot;: 2}</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be a name in quotation marks</source>
+        <translation>„%1“ muss ein Name in Anführungszeichen sein</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be a whole number</source>
+        <translation>„%1“ muss eine ganze Zahl sein</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be a number</source>
+        <translation>„%1“ muss eine Zahl sein</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be true</source>
+        <translation>„%1“ muss true sein</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be a whole number, or bounds, as in {&quot;least&quot;: 1, &quot;most&quot;: 2}</source>
+        <translation>„%1“ muss eine ganze Zahl sein, oder Grenzen, wie in {&quot;least&quot;: 1, &quot;most&quot;: 2}</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be a number, or bounds, as in {&quot;least&quot;: 1, &quot;most&quot;: 2}</source>
+        <translation>„%1“ muss eine Zahl sein, oder Grenzen, wie in {&quot;least&quot;: 1, &quot;most&quot;: 2}</translation>
     </message>
     <message>
         <source>unknown value, %1</source>
@@ -1021,8 +1243,8 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>%1 tief</translation>
     </message>
     <message>
-        <source>%1 at its widest</source>
-        <translation>%1 an der breitesten Stelle</translation>
+        <source>%1 long, seen from above</source>
+        <translation>von oben gesehen %1 lang</translation>
     </message>
     <message>
         <source>legs on the ground: %1</source>
@@ -1064,6 +1286,14 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>%1 %2 mm (strength %3)</source>
         <translation>%1 %2 mm (Stärke %3)</translation>
+    </message>
+    <message>
+        <source>like the teacher&apos;s to %1 mm</source>
+        <translation>wie das der Lehrkraft, bis auf %1 mm</translation>
+    </message>
+    <message>
+        <source>something sculpted in this step</source>
+        <translation>in diesem Schritt modelliert</translation>
     </message>
     <message>
         <source>like the teacher&apos;s to %1 mm (now up to %2)</source>
@@ -1139,8 +1369,8 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>%1 wurde geschrieben, enthält aber nicht, was geschrieben wurde. Vielleicht ist der Datenträger schadhaft, oder ein anderes Programm ändert die Datei.</translation>
     </message>
     <message>
-        <source>%1: %2 × %3 × %4 mm, %5 triangles; read back bit for bit, in fine fettle.</source>
-        <translation>%1: %2 × %3 × %4 mm, %5 Dreiecke; Bit für Bit wieder gelesen, in bester Ordnung.</translation>
+        <source>%1: %2 × %3 × %4 mm, %5 triangles; verified, watertight.</source>
+        <translation>%1: %2 × %3 × %4 mm, %5 Dreiecke; geprüft, wasserdicht.</translation>
     </message>
     <message>
         <source>Its format does not hold the colours; GLB and 3MF do.</source>
@@ -1162,7 +1392,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>%1 wird geprüft</translation>
     </message>
     <message>
-        <source>%1 cannot be sculpted where it lies: so far from the origin its coordinates are too coarse for its detail.</source>
+        <source>%1 cannot be sculpted where it is: so far from the origin its coordinates are too coarse for its detail.</source>
         <translation>%1 kann nicht bearbeitet werden, wo es liegt: So weit vom Ursprung sind seine Koordinaten zu grob für seine Einzelheiten.</translation>
     </message>
     <message>
@@ -1366,7 +1596,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Das Modell bleibt, wie es ist, weil sich einige seiner Flächen auf dem Arbeitsraster des Programms treffen würden (Flächen: %1).</translation>
     </message>
     <message>
-        <source>The model stays as it is: nothing may lie farther from the origin than four times its size.</source>
+        <source>The model stays as it is: nothing may be farther from the origin than four times its size.</source>
         <translation>Das Modell bleibt, wie es ist: Nichts darf weiter vom Ursprung entfernt liegen als das Vierfache seiner Größe.</translation>
     </message>
     <message>
@@ -1374,7 +1604,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Das Modell bleibt, wie es ist: Es kann zwischen einem Millionstel Millimeter und zehn Kilometern groß sein.</translation>
     </message>
     <message>
-        <source>%1 was not inserted, because one model would lie inside the other; it has to be outside, or in a void.</source>
+        <source>%1 was not inserted, because one model would be inside the other. It must be outside, or in a hollow.</source>
         <translation>%1 wurde nicht eingefügt, weil ein Modell im anderen läge; es muss außerhalb oder in einem Hohlraum liegen.</translation>
     </message>
     <message>
@@ -1382,7 +1612,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>%1 wurde nicht eingefügt, weil es dort das Modell berühren würde.</translation>
     </message>
     <message>
-        <source>The model stays as it is, because nothing of it lies on the side that was to be kept.</source>
+        <source>The model stays as it is, because no part of it is on the side to keep.</source>
         <translation>Das Modell bleibt, wie es ist, denn auf der Seite, die bleiben sollte, liegt nichts davon.</translation>
     </message>
     <message>
@@ -1837,7 +2067,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>Fettle %1
 
-Sculpt a model with mouse, pen or VR wands, and export it ready to print.</source>
+Sculpt a model with mouse, pen or VR controllers, and export it ready to print.</source>
         <translation>Fettle %1
 
 Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.</translation>
@@ -1866,16 +2096,16 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Rückgängig</translation>
     </message>
     <message>
-        <source>Takes the last stroke back.</source>
-        <translation>Nimmt den letzten Strich zurück.</translation>
+        <source>Undoes the last step.</source>
+        <translation>Macht den letzten Schritt rückgängig.</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
         <translation>&amp;Wiederherstellen</translation>
     </message>
     <message>
-        <source>Does again what was taken back.</source>
-        <translation>Stellt wieder her, was zurückgenommen wurde.</translation>
+        <source>Redoes the last undone step.</source>
+        <translation>Stellt den zuletzt rückgängig gemachten Schritt wieder her.</translation>
     </message>
     <message>
         <source>&amp;Pull</source>
@@ -1890,8 +2120,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Glätten</translation>
     </message>
     <message>
-        <source>Evens out what is rough.</source>
-        <translation>Ebnet Unebenheiten ein.</translation>
+        <source>Smooths the surface.</source>
+        <translation>Glättet die Oberfläche.</translation>
     </message>
     <message>
         <source>S&amp;maller Brush</source>
@@ -1970,23 +2200,23 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Parallelprojektion</translation>
     </message>
     <message>
-        <source>Shows what is far as large as what is near, or as the eye sees it.</source>
-        <translation>Zeigt Fernes so groß wie Nahes, oder so, wie das Auge es sieht.</translation>
+        <source>Turns perspective off and on.</source>
+        <translation>Schaltet die Perspektive aus und ein.</translation>
     </message>
     <message>
         <source>&amp;Look for a Headset</source>
         <translation>VR-&amp;Brille suchen</translation>
     </message>
     <message>
-        <source>Says whether a VR headset is ready.</source>
-        <translation>Sagt, ob eine VR-Brille bereit ist.</translation>
+        <source>Checks whether a VR headset is ready.</source>
+        <translation>Prüft, ob eine VR-Brille bereit ist.</translation>
     </message>
     <message>
         <source>&amp;About Fettle</source>
         <translation>Ü&amp;ber Fettle</translation>
     </message>
     <message>
-        <source>Says what this program is, and its version.</source>
+        <source>Shows what this program is, and its version.</source>
         <translation>Sagt, was dieses Programm ist und in welcher Version.</translation>
     </message>
     <message>
@@ -2018,8 +2248,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Anhalten</translation>
     </message>
     <message>
-        <source>Ends what is going on and leaves the model as it is.</source>
-        <translation>Beendet, was gerade läuft, und lässt das Modell, wie es ist.</translation>
+        <source>Stops what is running. The model stays as it is.</source>
+        <translation>Hält an, was gerade läuft. Das Modell bleibt, wie es ist.</translation>
     </message>
     <message>
         <source>&amp;Move…</source>
@@ -2082,7 +2312,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Gleichmäßig neu vernetzen …</translation>
     </message>
     <message>
-        <source>Makes all triangles of the model about as large.</source>
+        <source>Makes all triangles of the model about the same size.</source>
         <translation>Macht alle Dreiecke des Modells etwa gleich groß.</translation>
     </message>
     <message>
@@ -2090,8 +2320,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Ab&amp;flachen</translation>
     </message>
     <message>
-        <source>Levels the surface towards its mean plane. Shift smooths.</source>
-        <translation>Ebnet die Oberfläche zu ihrer mittleren Ebene hin. Mit Umschalt wird geglättet.</translation>
+        <source>Levels the surface. Shift smooths.</source>
+        <translation>Ebnet die Oberfläche ein. Mit Umschalt wird geglättet.</translation>
     </message>
     <message>
         <source>P&amp;aint</source>
@@ -2106,8 +2336,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Strahlpinsel</translation>
     </message>
     <message>
-        <source>Takes what lies near along the surface, and leaves the other side of a fold.</source>
-        <translation>Erfasst, was entlang der Oberfläche nahe liegt, und lässt die andere Seite einer Falte in Ruhe.</translation>
+        <source>Affects only points connected along the surface, not the far side of a fold.</source>
+        <translation>Wirkt nur auf Punkte, die entlang der Oberfläche nahe sind, nicht auf die andere Seite einer Falte.</translation>
     </message>
     <message>
         <source>Un&amp;iform Topology</source>
@@ -2122,16 +2352,16 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Verschmelzen</translation>
     </message>
     <message>
-        <source>Surfaces that meet join and thin necks part; without it they stop at contact.</source>
-        <translation>Flächen, die sich treffen, verbinden sich, dünne Hälse trennen sich; ohne dies halten sie bei Berührung an.</translation>
+        <source>Joins surfaces that touch and parts thin necks. When off, surfaces stop where they touch.</source>
+        <translation>Verbindet Flächen, die sich berühren, und trennt dünne Hälse. Ausgeschaltet halten Flächen an, wo sie sich berühren.</translation>
     </message>
     <message>
         <source>S&amp;ymmetry</source>
         <translation>S&amp;ymmetrie</translation>
     </message>
     <message>
-        <source>Does on the other side of the plane what you do on this one.</source>
-        <translation>Tut auf der anderen Seite der Ebene, was Sie auf dieser tun.</translation>
+        <source>Mirrors your strokes across the symmetry plane.</source>
+        <translation>Spiegelt Ihre Striche an der Symmetrieebene.</translation>
     </message>
     <message>
         <source>&amp;Commands and Keys…</source>
@@ -2212,6 +2442,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Writes the name of each tool below its icon.</source>
         <translation>Schreibt den Namen jedes Werkzeugs unter sein Symbol.</translation>
+    </message>
+    <message>
+        <source>Panels on the Left Si&amp;de</source>
+        <translation>Bedienfelder auf der linken Sei&amp;te</translation>
+    </message>
+    <message>
+        <source>Moves the panels to the left of the view, for left-handed use.</source>
+        <translation>Stellt die Bedienfelder links neben die Ansicht, für Linkshänder.</translation>
     </message>
     <message>
         <source>Brus&amp;h Palette</source>
@@ -2362,16 +2600,16 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>R&amp;uhiger Strich</translation>
     </message>
     <message>
-        <source>Draws the brush on a string behind the pointer, so that a trembling hand draws smooth lines.</source>
-        <translation>Zieht den Pinsel an einer Schnur hinter dem Zeiger her, damit eine zitternde Hand glatte Linien zeichnet.</translation>
+        <source>Drags the brush on a string behind the pointer, for smooth lines even with a trembling hand.</source>
+        <translation>Zieht den Pinsel an einer Schnur hinter dem Zeiger her, für glatte Linien auch mit zitternder Hand.</translation>
     </message>
     <message>
         <source>Paint &amp;Colour</source>
         <translation>&amp;Malfarbe</translation>
     </message>
     <message>
-        <source>Shows the panel that says what Paint colours with.</source>
-        <translation>Zeigt das Bedienfeld, das sagt, womit Malen färbt.</translation>
+        <source>Shows the panel with the paint colour.</source>
+        <translation>Zeigt das Bedienfeld mit der Malfarbe.</translation>
     </message>
     <message>
         <source>Pic&amp;k Colour</source>
@@ -2402,8 +2640,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Einstellungen …</translation>
     </message>
     <message>
-        <source>Chooses colours, language, and how pen and mouse are taken.</source>
-        <translation>Wählt Farben, Sprache und wie Stift und Maus verstanden werden.</translation>
+        <source>Sets colours, language, keys, pen and mouse.</source>
+        <translation>Stellt Farben, Sprache, Tasten, Stift und Maus ein.</translation>
     </message>
     <message>
         <source>Add &amp;Ball</source>
@@ -2462,16 +2700,16 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Vase</translation>
     </message>
     <message>
-        <source>Begins with the turned blank of a vase.</source>
-        <translation>Beginnt mit dem gedrehten Rohling einer Vase.</translation>
+        <source>Begins with a vase.</source>
+        <translation>Beginnt mit einer Vase.</translation>
     </message>
     <message>
         <source>&amp;Head</source>
         <translation>K&amp;opf</translation>
     </message>
     <message>
-        <source>Begins with the blank of a head on its neck.</source>
-        <translation>Beginnt mit dem Rohling eines Kopfes auf seinem Hals.</translation>
+        <source>Begins with a head and neck.</source>
+        <translation>Beginnt mit Kopf und Hals.</translation>
     </message>
     <message>
         <source>T&amp;ablet</source>
@@ -2490,32 +2728,32 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Drehs&amp;cheibe</translation>
     </message>
     <message>
-        <source>Turns the model under the hand: a hand that rests makes a groove all around.</source>
-        <translation>Dreht das Modell unter der Hand: eine ruhende Hand macht eine Rille ringsum.</translation>
+        <source>Turns the model under your hand. Hold still to cut a groove all around.</source>
+        <translation>Dreht das Modell unter Ihrer Hand. Halten Sie still, um ringsum eine Rille zu schneiden.</translation>
     </message>
     <message>
         <source>&amp;Save</source>
         <translation>&amp;Speichern</translation>
     </message>
     <message>
-        <source>Writes the model to its file.</source>
-        <translation>Schreibt das Modell in seine Datei.</translation>
+        <source>Saves the model to its file.</source>
+        <translation>Speichert das Modell in seiner Datei.</translation>
     </message>
     <message>
         <source>Save &amp;As…</source>
         <translation>Speichern &amp;unter …</translation>
     </message>
     <message>
-        <source>Writes the model to another file, which is its own from then on.</source>
-        <translation>Schreibt das Modell in eine andere Datei, die von da an seine eigene ist.</translation>
+        <source>Saves the model to another file and continues with that one.</source>
+        <translation>Speichert das Modell in einer anderen Datei und arbeitet mit dieser weiter.</translation>
     </message>
     <message>
         <source>Reset to S&amp;tart</source>
         <translation>Auf &amp;Anfang zurücksetzen</translation>
     </message>
     <message>
-        <source>Gives the model the shape and the colours that it was opened with; Undo takes that back.</source>
-        <translation>Gibt dem Modell Form und Farben zurück, mit denen es geöffnet wurde; Rückgängig nimmt das zurück.</translation>
+        <source>Gives the model the shape and the colours that it was opened with. You can undo this.</source>
+        <translation>Gibt dem Modell Form und Farben zurück, mit denen es geöffnet wurde. Das lässt sich rückgängig machen.</translation>
     </message>
     <message>
         <source>Save Nu&amp;mbered Copy</source>
@@ -2582,8 +2820,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Vorlage &amp;entfernen</translation>
     </message>
     <message>
-        <source>Takes away the image of the side from which the view looks.</source>
-        <translation>Nimmt das Bild der Seite weg, von der die Ansicht blickt.</translation>
+        <source>Removes the image of the side from which the view looks.</source>
+        <translation>Entfernt das Bild der Seite, von der die Ansicht blickt.</translation>
     </message>
     <message>
         <source>Refere&amp;nce Image</source>
@@ -2594,7 +2832,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Öffnen</translation>
     </message>
     <message>
-        <source>Opens the model that is marked in the Files panel, or enters the folder.</source>
+        <source>Opens the selected model of the Files panel, or enters the folder.</source>
         <translation>Öffnet das im Bedienfeld „Dateien“ markierte Modell oder geht in den Ordner.</translation>
     </message>
     <message>
@@ -2602,15 +2840,15 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Umbenennen</translation>
     </message>
     <message>
-        <source>Gives the file that is marked in the Files panel another name; its ending stays.</source>
-        <translation>Gibt der im Bedienfeld „Dateien“ markierten Datei einen anderen Namen; ihre Endung bleibt.</translation>
+        <source>Renames the selected file of the Files panel; its ending stays.</source>
+        <translation>Benennt die im Bedienfeld „Dateien“ gewählte Datei um; ihre Endung bleibt.</translation>
     </message>
     <message>
         <source>&amp;Duplicate</source>
         <translation>&amp;Verdoppeln</translation>
     </message>
     <message>
-        <source>Puts a copy of the file that is marked in the Files panel beside it.</source>
+        <source>Makes a copy of the selected file of the Files panel beside it.</source>
         <translation>Legt neben die im Bedienfeld „Dateien“ markierte Datei eine Kopie.</translation>
     </message>
     <message>
@@ -2618,15 +2856,15 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>In den &amp;Papierkorb</translation>
     </message>
     <message>
-        <source>Puts the file that is marked in the Files panel into the trash, from which it can be taken back.</source>
-        <translation>Legt die im Bedienfeld „Dateien“ markierte Datei in den Papierkorb, aus dem sie zurückgeholt werden kann.</translation>
+        <source>Moves the selected file of the Files panel to the trash.</source>
+        <translation>Legt die im Bedienfeld „Dateien“ gewählte Datei in den Papierkorb.</translation>
     </message>
     <message>
         <source>&amp;Show in Folder</source>
         <translation>Im Ordner &amp;zeigen</translation>
     </message>
     <message>
-        <source>Shows the file that is marked in the Files panel in the desktop&apos;s program for files.</source>
+        <source>Shows the selected file of the Files panel in the desktop&apos;s file manager.</source>
         <translation>Zeigt die im Bedienfeld „Dateien“ markierte Datei in der Dateiverwaltung.</translation>
     </message>
     <message>
@@ -2634,8 +2872,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Hinauf</translation>
     </message>
     <message>
-        <source>Shows in the Files panel the folder in which this one lies.</source>
-        <translation>Zeigt im Bedienfeld „Dateien“ den Ordner, in dem dieser liegt.</translation>
+        <source>Goes up one folder in the Files panel.</source>
+        <translation>Geht im Bedienfeld „Dateien“ einen Ordner hinauf.</translation>
     </message>
     <message>
         <source>&amp;Choose Folder…</source>
@@ -2654,16 +2892,16 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Öffnet ein Modell aus einer Datei.</translation>
     </message>
     <message>
-        <source>Writes the model to a file of any format; its own stays as it is.</source>
-        <translation>Schreibt das Modell in eine Datei in beliebigem Format; seine eigene bleibt, wie sie ist.</translation>
+        <source>Writes the model to an STL, OBJ, PLY, OFF, GLB or 3MF file. Its own file stays as it is.</source>
+        <translation>Schreibt das Modell als STL, OBJ, PLY, OFF, GLB oder 3MF. Seine eigene Datei bleibt, wie sie ist.</translation>
     </message>
     <message>
         <source>Export for &amp;Print or Game…</source>
         <translation>Für Druc&amp;k oder Spiel exportieren …</translation>
     </message>
     <message>
-        <source>Writes STL, 3MF or GLB with as many triangles as you like, and judges the file.</source>
-        <translation>Schreibt STL, 3MF oder GLB mit so vielen Dreiecken, wie Sie möchten, und beurteilt die Datei.</translation>
+        <source>Writes STL, 3MF or GLB with as many triangles as you like, and verifies the file.</source>
+        <translation>Schreibt STL, 3MF oder GLB mit so vielen Dreiecken, wie Sie möchten, und prüft die Datei.</translation>
     </message>
     <message>
         <source>P&amp;lace on Bed</source>
@@ -2678,8 +2916,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>F&amp;uß abflachen …</translation>
     </message>
     <message>
-        <source>Cuts the model level a little above its lowest point, so that it stands flat.</source>
-        <translation>Schneidet das Modell knapp über seinem tiefsten Punkt waagrecht ab, damit es flach steht.</translation>
+        <source>Cuts the bottom off level, so that the model stands flat.</source>
+        <translation>Schneidet das untere Ende waagrecht ab, damit das Modell flach steht.</translation>
     </message>
     <message>
         <source>&amp;Print Check</source>
@@ -2694,8 +2932,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>VR be&amp;treten</translation>
     </message>
     <message>
-        <source>Puts the model before the person with the headset, who sculpts it with two wands; once more leaves VR.</source>
-        <translation>Stellt das Modell vor die Person mit der VR-Brille, die es mit zwei Controllern formt; noch einmal verlässt VR.</translation>
+        <source>Sculpts in VR with a headset. Choose it again to leave VR.</source>
+        <translation>Formt in VR mit der VR-Brille. Noch einmal gewählt, verlässt es VR.</translation>
     </message>
     <message>
         <source>&amp;Follow the Head</source>
@@ -2710,11 +2948,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Auf&amp;blähen</translation>
     </message>
     <message>
-        <source>Swells the surface along each point&apos;s own direction. %1 shrinks it instead, Shift smooths.</source>
-        <translation>Bläht die Oberfläche auf, jeden Punkt in seiner eigenen Richtung. Mit %1 schrumpft sie, mit Umschalt wird geglättet.</translation>
+        <source>Swells the surface in all directions. %1 shrinks it instead, Shift smooths.</source>
+        <translation>Bläht die Oberfläche nach allen Seiten auf. Mit %1 schrumpft sie, mit Umschalt wird geglättet.</translation>
     </message>
     <message>
-        <source>Lays on a flat layer and fills hollows first. %1 digs instead, Shift smooths.</source>
+        <source>Adds a flat layer and fills hollows first. %1 digs instead, Shift smooths.</source>
         <translation>Trägt eine flache Schicht auf und füllt zuerst Vertiefungen. Mit %1 wird gegraben, mit Umschalt geglättet.</translation>
     </message>
     <message>
@@ -2726,15 +2964,15 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>S&amp;chaben</translation>
     </message>
     <message>
-        <source>Takes down what stands above the mean plane. %1 fills what lies below instead, Shift smooths.</source>
-        <translation>Trägt ab, was über der mittleren Ebene steht. Mit %1 wird gefüllt, was darunter liegt, mit Umschalt geglättet.</translation>
+        <source>Removes what is above the average plane. %1 fills what is below instead, Shift smooths.</source>
+        <translation>Trägt ab, was über der mittleren Ebene liegt. Mit %1 wird gefüllt, was darunter liegt, mit Umschalt geglättet.</translation>
     </message>
     <message>
         <source>Pi&amp;nch</source>
         <translation>&amp;Kneifen</translation>
     </message>
     <message>
-        <source>Draws the surface together towards the stroke&apos;s line. %1 spreads it instead, Shift smooths.</source>
+        <source>Pulls the surface together towards the stroke. %1 spreads it instead, Shift smooths.</source>
         <translation>Zieht die Oberfläche zur Linie des Strichs hin zusammen. Mit %1 wird sie auseinandergezogen, mit Umschalt geglättet.</translation>
     </message>
     <message>
@@ -2750,15 +2988,15 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Gre&amp;ifen</translation>
     </message>
     <message>
-        <source>Takes hold of what is under the brush and moves it with the hand. Shift smooths.</source>
-        <translation>Greift, was unter dem Pinsel ist, und bewegt es mit der Hand. Mit Umschalt wird geglättet.</translation>
+        <source>Moves what is under the brush with your hand. Shift smooths.</source>
+        <translation>Bewegt mit Ihrer Hand, was unter dem Pinsel ist. Mit Umschalt wird geglättet.</translation>
     </message>
     <message>
         <source>Snake &amp;Hook</source>
         <translation>&amp;Tentakel</translation>
     </message>
     <message>
-        <source>Draws a tentacle out, and the brush follows its tip. Shift smooths.</source>
+        <source>Pulls out a tentacle, and the brush follows its tip. Shift smooths.</source>
         <translation>Zieht einen Tentakel heraus, und der Pinsel folgt seiner Spitze. Mit Umschalt wird geglättet.</translation>
     </message>
     <message>
@@ -2766,12 +3004,12 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Verdrehen</translation>
     </message>
     <message>
-        <source>Turns what is under the brush around its middle, as far as you drag away. %1 turns it the other way, Shift smooths.</source>
-        <translation>Dreht, was unter dem Pinsel ist, um seine Mitte, so weit Sie wegziehen. Mit %1 dreht es sich andersherum, mit Umschalt wird geglättet.</translation>
+        <source>Twists what is under the brush as you drag away from it. %1 twists it the other way, Shift smooths.</source>
+        <translation>Verdreht, was unter dem Pinsel ist, so weit Sie davon wegziehen. Mit %1 andersherum, mit Umschalt wird geglättet.</translation>
     </message>
     <message>
-        <source>Held on the model, %1 inverts the tool, and %2 smooths.</source>
-        <translation>Auf dem Modell gehalten, kehrt %1 das Werkzeug um, %2 glättet.</translation>
+        <source>Hold %1 on the model to invert the tool, %2 to smooth.</source>
+        <translation>Halten Sie auf dem Modell %1, um das Werkzeug umzukehren, %2, um zu glätten.</translation>
     </message>
     <message>
         <source>Tool&amp;s</source>
@@ -2874,15 +3112,15 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Drückt eine Kugel oder ein Modell von Ihnen in die Oberfläche. Mit %1 wird gehoben, mit Umschalt geglättet.</translation>
     </message>
     <message>
-        <source>Does what you do in several sectors around the model&apos;s upright axis; the Symmetry panel says in how many.</source>
-        <translation>Tut, was Sie tun, in mehreren Sektoren rings um die senkrechte Achse des Modells; in wie vielen, sagt das Bedienfeld Symmetrie.</translation>
+        <source>Repeats strokes around the vertical axis. Set the count in the Symmetry panel.</source>
+        <translation>Wiederholt Striche rings um die senkrechte Achse. Die Anzahl steht im Bedienfeld Symmetrie.</translation>
     </message>
     <message>
         <source>Mas&amp;k</source>
         <translation>&amp;Maske</translation>
     </message>
     <message>
-        <source>Puts a ball of the brush&apos;s radius, or the stamp&apos;s model, where you click next.</source>
+        <source>Adds a ball of the brush&apos;s radius, or the stamp&apos;s model, where you click next.</source>
         <translation>Setzt eine Kugel mit dem Radius des Pinsels oder das Modell des Stempels, wo Sie als Nächstes klicken.</translation>
     </message>
     <message>
@@ -2922,8 +3160,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Modell als &amp;Pinsel verwenden</translation>
     </message>
     <message>
-        <source>Makes the stamp&apos;s model of this model as it is now.</source>
-        <translation>Macht dieses Modell, wie es jetzt ist, zum Modell des Stempels.</translation>
+        <source>Uses this model, as it is now, as the stamp.</source>
+        <translation>Nimmt dieses Modell, wie es jetzt ist, als Stempel.</translation>
     </message>
     <message>
         <source>Caption in &amp;VR</source>
@@ -2938,7 +3176,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Zeigen</translation>
     </message>
     <message>
-        <source>Shows the person in VR a light where the pointer is on the model; held, the key points until it is let go.</source>
+        <source>Shows the person in VR a light where the pointer is on the model. Hold the key to point only meanwhile.</source>
         <translation>Zeigt der Person in VR ein Licht, wo der Zeiger auf dem Modell ist; gehalten zeigt die Taste, bis sie losgelassen wird.</translation>
     </message>
     <message>
@@ -2954,7 +3192,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Lektion auf&amp;zeichnen …</translation>
     </message>
     <message>
-        <source>Makes a lesson of what you sculpt, step by step, or changes one that is there.</source>
+        <source>Makes a lesson from what you sculpt, step by step, or changes an existing one.</source>
         <translation>Macht aus dem, was Sie formen, Schritt für Schritt eine Lektion oder ändert eine vorhandene.</translation>
     </message>
     <message>
@@ -2962,8 +3200,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Letzten Strich ändern …</translation>
     </message>
     <message>
-        <source>Does the last stroke again with another tool, radius or strength.</source>
-        <translation>Führt den letzten Strich mit anderem Werkzeug, Radius oder anderer Stärke noch einmal aus.</translation>
+        <source>Changes tool, radius or strength of the last stroke.</source>
+        <translation>Ändert Werkzeug, Radius oder Stärke des letzten Strichs.</translation>
     </message>
     <message>
         <source>Export Time-&amp;Lapse…</source>
@@ -3038,8 +3276,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Ein&amp;händig</translation>
     </message>
     <message>
-        <source>From the next visit to VR on, one wand does all, and panels stand before you.</source>
-        <translation>Ab dem nächsten Besuch in VR macht ein Controller alles, und die Tafeln stehen vor Ihnen.</translation>
+        <source>Uses one controller, with the panels in front of you, from the next time you enter VR.</source>
+        <translation>Ab dem nächsten Betreten von VR genügt ein Controller, und die Tafeln stehen vor Ihnen.</translation>
     </message>
     <message>
         <source>From the next visit to VR on, the left hand sculpts.</source>
@@ -3137,8 +3375,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Reichweite</translation>
     </message>
     <message>
-        <source>Within a ball</source>
-        <translation>In einer Kugel</translation>
+        <source>Sphere</source>
+        <translation>Kugel</translation>
     </message>
     <message>
         <source>Along the surface</source>
@@ -3169,8 +3407,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Gleichmäßig</translation>
     </message>
     <message>
-        <source>Surfaces that meet join</source>
-        <translation>Flächen verbinden sich bei Berührung</translation>
+        <source>Fuse touching surfaces</source>
+        <translation>Flächen verschmelzen bei Berührung</translation>
     </message>
     <message>
         <source>Symmetry</source>
@@ -3197,8 +3435,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Vorn und hinten (z = 0)</translation>
     </message>
     <message>
-        <source>The brush hangs on a string behind the pointer, so long: a trembling hand draws smooth lines.</source>
-        <translation>Der Pinsel hängt an einer so langen Schnur hinter dem Zeiger: eine zitternde Hand zeichnet glatte Linien.</translation>
+        <source>Length of the string between pointer and brush. A longer one makes smoother lines.</source>
+        <translation>Länge der Schnur zwischen Zeiger und Pinsel. Eine längere macht glattere Linien.</translation>
     </message>
     <message>
         <source>Airbrush</source>
@@ -3233,8 +3471,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Sektoren der radialen Symmetrie</translation>
     </message>
     <message>
-        <source>What you do is done in so many sectors around the upright axis (y), and mirrored in each if Mirror is on.</source>
-        <translation>Was Sie tun, geschieht in so vielen Sektoren rings um die senkrechte Achse (y), und in jedem gespiegelt, wenn eine Spiegelung an ist.</translation>
+        <source>Repeats your strokes in this number of sectors around the vertical axis (y), mirrored in each if Mirror is on.</source>
+        <translation>Wiederholt Ihre Striche in so vielen Sektoren rings um die senkrechte Achse (y), in jedem gespiegelt, wenn eine Spiegelung an ist.</translation>
     </message>
     <message>
         <source>Off</source>
@@ -3289,8 +3527,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Klasse</translation>
     </message>
     <message>
-        <source>Takes back Next Pupil: the work is opened again as it was kept, and the turn goes on. Possible until somebody sculpts.</source>
-        <translation>Nimmt Nächstes Kind zurück: Die Arbeit wird wieder geöffnet, wie sie aufgehoben wurde, und es geht damit weiter. Möglich, bis jemand formt.</translation>
+        <source>Undoes Next Pupil: reopens the work and continues the turn. Possible until somebody sculpts.</source>
+        <translation>Macht Nächstes Kind rückgängig: öffnet die Arbeit wieder, und es geht damit weiter. Möglich, bis jemand formt.</translation>
     </message>
     <message>
         <source>&amp;Next Pupil</source>
@@ -3424,7 +3662,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>A class has turns: each pupil begins with fresh clay, and Next Pupil keeps the work in the class&apos;s folder. Pupils cannot reach other files; leaving asks for your PIN.</source>
-        <translation>In einer Klasse ist eins nach dem anderen an der Reihe: Jedes Kind beginnt mit frischem Ton, und Nächstes Kind hebt die Arbeit im Ordner der Klasse auf. Niemand kommt an andere Dateien, und das Verlassen braucht Ihre PIN.</translation>
+        <translation>Jedes Kind beginnt mit frischem Ton, und Nächstes Kind speichert die Arbeit im Ordner der Klasse. Niemand kommt an andere Dateien; das Verlassen braucht Ihre PIN.</translation>
     </message>
     <message>
         <source>Starting shapes</source>
@@ -3439,15 +3677,27 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Speichern …</translation>
     </message>
     <message>
-        <source>Stands in the topmost bar, such as the name of the class.</source>
-        <translation>Steht in der obersten Leiste, etwa der Name der Klasse.</translation>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation>Speichern &amp;unter …</translation>
+    </message>
+    <message>
+        <source>Keeps the class in another file.</source>
+        <translation>Hebt die Klasse in einer anderen Datei auf.</translation>
+    </message>
+    <message>
+        <source>Shown in the top bar, such as the name of the class.</source>
+        <translation>Wird in der obersten Leiste gezeigt, etwa der Name der Klasse.</translation>
     </message>
     <message>
         <source>&amp;Title:</source>
         <translation>&amp;Titel:</translation>
     </message>
     <message>
-        <source>There each turn gets a folder with model, picture and record.</source>
+        <source>Each turn gets a folder there, with model, picture and recording.</source>
         <translation>Dort bekommt jede Arbeit einen Ordner mit Modell, Bild und Aufzeichnung.</translation>
     </message>
     <message>
@@ -3467,28 +3717,28 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>unbegrenzt</translation>
     </message>
     <message>
-        <source>So long is a turn. Nothing is taken away when it is over.</source>
-        <translation>So lange ist ein Kind an der Reihe. Danach wird nichts weggenommen.</translation>
+        <source>The length of a turn. Nothing is lost when it is over.</source>
+        <translation>Die Zeit je Kind. Ist sie um, geht nichts verloren.</translation>
     </message>
     <message>
         <source>none</source>
         <translation>keine</translation>
     </message>
     <message>
-        <source>So long before the end a notice appears, in the headset, too.</source>
-        <translation>So lange vor dem Ende wird ein Wort gesagt, auch im Headset.</translation>
+        <source>How long before the end a notice appears, also in the headset.</source>
+        <translation>So lange vor dem Ende erscheint ein Hinweis, auch in der VR-Brille.</translation>
     </message>
     <message>
         <source>Full &amp;screen</source>
         <translation>&amp;Ganzer Bildschirm</translation>
     </message>
     <message>
-        <source>Nothing else is to be seen on the screen.</source>
-        <translation>Auf dem Bildschirm ist nichts anderes zu sehen.</translation>
+        <source>Hides everything else on the screen.</source>
+        <translation>Verdeckt alles andere auf dem Bildschirm.</translation>
     </message>
     <message>
-        <source>The words of the window in this class.</source>
-        <translation>In dieser Sprache spricht das Fenster der Klasse.</translation>
+        <source>The language of the window in this class.</source>
+        <translation>Die Sprache des Fensters in dieser Klasse.</translation>
     </message>
     <message>
         <source>T&amp;urn:</source>
@@ -3503,11 +3753,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Sp&amp;rache:</translation>
     </message>
     <message>
-        <source>Leaving the class takes it. It is kept as a fingerprint, not as you type it.</source>
-        <translation>Das Verlassen der Klasse braucht sie. Aufgehoben wird ein Fingerabdruck, nicht was Sie tippen.</translation>
+        <source>Needed to leave the class. Stored as a hash, not as you type it.</source>
+        <translation>Wird gebraucht, um die Klasse zu verlassen. Gespeichert wird nur ein Prüfwert, nicht die PIN.</translation>
     </message>
     <message>
-        <source>&amp;PIN:</source>
+        <source>P&amp;IN:</source>
         <translation>&amp;PIN:</translation>
     </message>
     <message>
@@ -3568,14 +3818,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>This folder cannot be made.</source>
         <translation>Dieser Ordner lässt sich nicht anlegen.</translation>
-    </message>
-    <message>
-        <source>A name in each line, as it can be pasted from anywhere. Pupils choose theirs; who has had a turn today is marked.</source>
-        <translation>In jeder Zeile ein Name, auch von anderswo eingefügt. Die Kinder wählen ihren; wer heute schon dran war, ist gekennzeichnet.</translation>
-    </message>
-    <message>
-        <source>One name in a line; none: pupils type theirs.</source>
-        <translation>Ein Name je Zeile; keiner: Die Kinder tippen ihren.</translation>
     </message>
     <message>
         <source>Other &amp;names may be typed</source>
@@ -3766,8 +4008,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>In &amp;Farbe drucken: 3MF</translation>
     </message>
     <message>
-        <source>Shape and colours, in millimetres for certain, Z up. Newer slicers read it.</source>
-        <translation>Form und Farben, sicher in Millimetern, Z nach oben. Neuere Slicer lesen es.</translation>
+        <source>Shape and colours, always in millimetres, Z up. Newer slicers read it.</source>
+        <translation>Form und Farben, immer in Millimetern, Z nach oben. Neuere Slicer lesen es.</translation>
     </message>
     <message>
         <source>&amp;Game: GLB</source>
@@ -3786,35 +4028,35 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Wofür ist die Datei?</translation>
     </message>
     <message>
-        <source>At &amp;most so many triangles:</source>
-        <translation>&amp;Höchstens so viele Dreiecke:</translation>
+        <source>&amp;Limit triangles to:</source>
+        <translation>Dreiecke &amp;höchstens:</translation>
     </message>
     <message>
-        <source>Takes away triangles where the shape and the colours lose least by it. The model in the window keeps its own.</source>
-        <translation>Nimmt Dreiecke dort weg, wo Form und Farben am wenigsten verlieren. Das Modell im Fenster behält seine.</translation>
+        <source>Removes triangles where shape and colours change least. The model in the window stays as it is.</source>
+        <translation>Entfernt Dreiecke dort, wo sich Form und Farben am wenigsten ändern. Das Modell im Fenster bleibt, wie es ist.</translation>
     </message>
     <message>
         <source>Most triangles</source>
         <translation>Höchstzahl der Dreiecke</translation>
     </message>
     <message>
-        <source>The file has at most so many triangles, unless its holes and parts need more; that is said then.</source>
-        <translation>Die Datei hat höchstens so viele Dreiecke, außer wenn Löcher und Teile mehr brauchen; das wird dann gesagt.</translation>
+        <source>Maximum number of triangles in the file. A notice appears if holes and parts need more.</source>
+        <translation>Höchstzahl der Dreiecke in der Datei. Brauchen Löcher und Teile mehr, erscheint ein Hinweis.</translation>
     </message>
     <message>
-        <source>The model has %1 triangles. The file is read back and judged when it is written.</source>
-        <translation>Das Modell hat %1 Dreiecke. Ist die Datei geschrieben, wird sie wieder gelesen und beurteilt.</translation>
+        <source>The model has %1 triangles. The file is verified after saving.</source>
+        <translation>Das Modell hat %1 Dreiecke. Die Datei wird nach dem Speichern geprüft.</translation>
     </message>
     <message>
         <source>&amp;Export…</source>
         <translation>&amp;Exportieren …</translation>
     </message>
     <message>
-        <source>&amp;Try whether PrusaSlicer slices it</source>
-        <translation>&amp;Versuchen, ob PrusaSlicer es schneidet</translation>
+        <source>&amp;Test in PrusaSlicer</source>
+        <translation>In PrusaSlicer &amp;testen</translation>
     </message>
     <message>
-        <source>Slices the file with PrusaSlicer&apos;s own settings, and tells layers and time or its complaint; Esc stops it.</source>
+        <source>Slices the file with PrusaSlicer&apos;s own settings and reports layers and time, or its error. Esc stops it.</source>
         <translation>Schneidet die Datei mit PrusaSlicers eigenen Einstellungen und nennt Schichten und Zeit oder seine Beschwerde; Esc hält es an.</translation>
     </message>
 </context>
@@ -4137,8 +4379,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Dateien</translation>
     </message>
     <message>
-        <source>No models lie here (%1).</source>
-        <translation>Hier liegen keine Modelle (%1).</translation>
+        <source>No models in this folder (%1).</source>
+        <translation>In diesem Ordner sind keine Modelle (%1).</translation>
     </message>
 </context>
 <context>
@@ -4183,8 +4425,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
 <context>
     <name>ui::InputActions</name>
     <message>
-        <source>Click where the ball should be. Esc puts it away.</source>
-        <translation>Klicken Sie dahin, wo die Kugel sein soll. Esc legt sie weg.</translation>
+        <source>Click to place the ball. Esc cancels.</source>
+        <translation>Klicken Sie, um die Kugel zu setzen. Esc bricht ab.</translation>
     </message>
     <message>
         <source>Arrow keys move the cross. Space presses while it is held, Return until the next Return.</source>
@@ -4230,8 +4472,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>verfallen</translation>
     </message>
     <message>
-        <source>taken back</source>
-        <translation>zurückgenommen</translation>
+        <source>undone</source>
+        <translation>rückgängig gemacht</translation>
     </message>
     <message numerus="yes">
         <source>%Ln dabs</source>
@@ -4265,8 +4507,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Speicher für den Verlauf</translation>
     </message>
     <message>
-        <source>So much memory the history may take; older steps then go to disk, and if that is full they expire.</source>
-        <translation>So viel Speicher darf der Verlauf belegen; ältere Schritte kommen dann auf die Platte, und ist sie voll, verfallen sie.</translation>
+        <source>The memory that the history may use. Older steps are moved to disk; if the disk is full, they expire.</source>
+        <translation>Der Speicher, den der Verlauf belegen darf. Ältere Schritte kommen auf die Platte; ist sie voll, verfallen sie.</translation>
     </message>
     <message>
         <source> MB</source>
@@ -4275,6 +4517,29 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>%1 MB of</source>
         <translation>%1 MB von</translation>
+    </message>
+</context>
+<context>
+    <name>ui::NamesField</name>
+    <message>
+        <source>A name in each line, as it can be pasted from anywhere. Pupils choose theirs; who has had a turn today is marked.</source>
+        <translation>In jeder Zeile ein Name, auch von anderswo eingefügt. Die Kinder wählen ihren; wer heute schon dran war, ist gekennzeichnet.</translation>
+    </message>
+    <message>
+        <source>One name in a line; none: pupils type theirs.</source>
+        <translation>Ein Name je Zeile; keiner: Die Kinder tippen ihren.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is longer than %2 characters.</source>
+        <translation>„%1“ hat mehr als %2 Zeichen.</translation>
+    </message>
+    <message>
+        <source>A class has at most %1 names; these are %2.</source>
+        <translation>Eine Klasse hat höchstens %1 Namen; das sind %2.</translation>
+    </message>
+    <message>
+        <source>In the list more than once, and counted once: %1.</source>
+        <translation>Mehrmals in der Liste und einmal gezählt: %1.</translation>
     </message>
 </context>
 <context>
@@ -4452,7 +4717,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <name>ui::LessonEditor</name>
     <message>
         <source>A lesson records what you sculpt, step by step, here or in the headset. It begins with:</source>
-        <translation>Eine Lektion zeichnet auf, was Sie formen, Schritt für Schritt, hier oder im Headset. Sie beginnt mit:</translation>
+        <translation>Eine Lektion zeichnet auf, was Sie formen, Schritt für Schritt, hier oder in der VR-Brille. Sie beginnt mit:</translation>
     </message>
     <message>
         <source>Begins with</source>
@@ -4551,7 +4816,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Speichern …</translation>
     </message>
     <message>
-        <source>Plays the lesson to its end, judges each step, and writes it as one file or a folder.</source>
+        <source>Plays the lesson to its end, checks each step, and writes it as one file or a folder.</source>
         <translation>Spielt die Lektion bis zum Ende ab, prüft jeden Schritt und schreibt sie als eine Datei oder einen Ordner.</translation>
     </message>
     <message>
@@ -4596,7 +4861,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <name>ui::LessonPanel</name>
     <message>
         <source>Choose a lesson. It begins with a model of its own.</source>
-        <translation>Wählen Sie eine Lektion. Sie beginnt mit einem eigenen Modell.</translation>
+        <translation>Wähle eine Lektion. Sie beginnt mit einem eigenen Modell.</translation>
     </message>
     <message>
         <source>Open a Lesson…</source>
@@ -4640,8 +4905,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Versuchen</translation>
     </message>
     <message>
-        <source>Takes the step&apos;s strokes back: now it is your turn.</source>
-        <translation>Nimmt die Striche des Schritts zurück: nun sind Sie dran.</translation>
+        <source>Undoes the strokes of this step. Now it is your turn.</source>
+        <translation>Macht die Striche dieses Schritts rückgängig. Jetzt bist du dran.</translation>
     </message>
     <message>
         <source>Show the difference</source>
@@ -4660,8 +4925,12 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Weiter</translation>
     </message>
     <message>
+        <source>Finish</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
         <source>Leave</source>
-        <translation>Beenden</translation>
+        <translation>Verlassen</translation>
     </message>
     <message>
         <source>Ends the lesson. The model stays as it is.</source>
@@ -4736,7 +5005,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Strich herausnehmen</translation>
     </message>
     <message>
-        <source>Takes this stroke out of the lesson. Those after it are played without it when the lesson is saved.</source>
+        <source>Removes this stroke from the lesson. Later ones are played without it when the lesson is saved.</source>
         <translation>Nimmt diesen Strich aus der Lektion. Die danach werden beim Speichern ohne ihn abgespielt.</translation>
     </message>
     <message>
@@ -4800,8 +5069,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Dreiecke</translation>
     </message>
     <message>
-        <source>So near the pupil&apos;s shape is to come to the one that the teacher&apos;s strokes leave.</source>
-        <translation>So nahe soll die Form des Kindes der kommen, die die Striche der Lehrkraft ergeben.</translation>
+        <source>How close the pupil&apos;s shape must come to the one that the teacher&apos;s strokes make.</source>
+        <translation>Wie nahe die Form des Kindes der kommen muss, die die Striche der Lehrkraft ergeben.</translation>
     </message>
     <message>
         <source>Near the teacher&apos;s, mm</source>
@@ -4833,8 +5102,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1. %2</translation>
     </message>
     <message>
-        <source>At its widest, mm</source>
-        <translation>Breiteste Stelle, mm</translation>
+        <source>Length from above, mm</source>
+        <translation>Länge von oben, mm</translation>
     </message>
     <message>
         <source>Legs on the ground</source>
@@ -4934,51 +5203,51 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
 <context>
     <name>ui::RepairDialogs</name>
     <message>
-        <source>Mend the Model</source>
+        <source>Repair the Model</source>
         <translation>Modell reparieren</translation>
     </message>
     <message>
-        <source>Fill large holes, too: longer than a quarter of the model</source>
-        <translation>Auch große Löcher füllen: länger als ein Viertel des Modells</translation>
+        <source>Also fill large holes (over a quarter of the model&apos;s size)</source>
+        <translation>Auch große Löcher füllen (über ein Viertel der Modellgröße)</translation>
     </message>
     <message>
-        <source>Parts inside of others are cavities, not solid</source>
-        <translation>Teile im Innern anderer sind Hohlräume, nicht voll</translation>
+        <source>Treat enclosed parts as cavities</source>
+        <translation>Eingeschlossene Teile als Hohlräume behandeln</translation>
     </message>
     <message>
-        <source>Mend and Open</source>
+        <source>Repair and Open</source>
         <translation>Reparieren und öffnen</translation>
     </message>
     <message>
-        <source>Fettle can mend it: holes are filled, faces turned outwards, and parts that intersect become one. You will see what changed. The file stays as it is.</source>
-        <translation>Fettle kann es reparieren: Löcher werden gefüllt, Flächen nach außen gewendet, und Teile, die sich schneiden, werden eins. Sie sehen, was sich geändert hat. Die Datei bleibt, wie sie ist.</translation>
+        <source>Fettle can repair it: it fills holes, turns faces outwards and joins parts that intersect. You will see what changed. The file stays as it is.</source>
+        <translation>Fettle kann es reparieren: Es füllt Löcher, wendet Flächen nach außen und verbindet Teile, die sich schneiden. Sie sehen, was sich geändert hat. Die Datei bleibt, wie sie ist.</translation>
     </message>
     <message>
         <source>Fettle</source>
         <translation>Fettle</translation>
     </message>
     <message>
-        <source>%1 was mended. It has no file of its own until you save it.</source>
-        <translation>%1 wurde repariert. Es hat keine eigene Datei, bis Sie es speichern.</translation>
+        <source>%1 was repaired. Save to keep the repaired model; the original file stays as it is.</source>
+        <translation>%1 wurde repariert. Speichern Sie, um das reparierte Modell zu behalten; die ursprüngliche Datei bleibt, wie sie ist.</translation>
     </message>
     <message>
-        <source>Mend and Insert</source>
+        <source>Repair and Insert</source>
         <translation>Reparieren und einfügen</translation>
     </message>
     <message>
-        <source>%1 was mended and inserted. Undo takes both back.</source>
-        <translation>%1 wurde repariert und eingefügt. „Rückgängig“ nimmt beides zurück.</translation>
+        <source>%1 was repaired and inserted. Undo reverts both.</source>
+        <translation>%1 wurde repariert und eingefügt. „Rückgängig“ macht beides rückgängig.</translation>
     </message>
     <message>
-        <source>Mended, But Not the Same</source>
-        <translation>Repariert, aber nicht mehr dasselbe</translation>
+        <source>Repaired, but Changed</source>
+        <translation>Repariert, aber verändert</translation>
     </message>
     <message>
         <source>In the file</source>
         <translation>In der Datei</translation>
     </message>
     <message>
-        <source>Mended</source>
+        <source>Repaired</source>
         <translation>Repariert</translation>
     </message>
     <message>
@@ -5025,12 +5294,12 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Teile im Innern anderer: %1</translation>
     </message>
     <message>
-        <source>Pairs of faces that met, cut and joined: %1</source>
-        <translation>Flächenpaare, die sich trafen, zerschnitten und verbunden: %1</translation>
+        <source>Intersections resolved: %1</source>
+        <translation>Aufgelöste Durchdringungen: %1</translation>
     </message>
     <message>
-        <source>Edges and points at which parts merely touched, drawn apart: %1</source>
-        <translation>Kanten und Punkte, an denen Teile einander nur berührten, auseinandergezogen: %1</translation>
+        <source>Touching edges and points separated: %1</source>
+        <translation>Getrennte Kanten und Punkte, die sich nur berührten: %1</translation>
     </message>
     <message>
         <source>Tangles that could not be cut apart, covered by small solids: %1, the widest %2 mm</source>
@@ -5041,7 +5310,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Winzige dünne Teile weggelassen: %1</translation>
     </message>
     <message>
-        <source>The surface was made anew, with edges of about %1 mm.</source>
+        <source>The surface was rebuilt, with edges of about %1 mm.</source>
         <translation>Die Oberfläche wurde neu gebildet, mit Kanten von etwa %1 mm.</translation>
     </message>
     <message>
@@ -5049,11 +5318,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Die neue Oberfläche ist höchstens %1 mm (im Mittel %2 mm) von der alten entfernt, die alte höchstens %3 mm (im Mittel %4 mm) von der neuen.</translation>
     </message>
     <message>
-        <source>%1 was not mended: it has holes longer than a quarter of it (%2).</source>
-        <translation>%1 wurde nicht repariert: Es hat Löcher, die länger als ein Viertel von ihm sind (%2).</translation>
+        <source>%1 was not repaired: it has holes longer than a quarter of its size (%2).</source>
+        <translation>%1 wurde nicht repariert: Es hat Löcher, die länger als ein Viertel seiner Größe sind (%2).</translation>
     </message>
     <message>
-        <source>%1 cannot be mended: its faces enclose no space.</source>
+        <source>%1 cannot be repaired: its faces enclose no space.</source>
         <translation>%1 kann nicht repariert werden: Seine Flächen umschließen keinen Raum.</translation>
     </message>
     <message>
@@ -5061,35 +5330,35 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Offene Punkte an Rissen verbunden: %1, innerhalb von %2 mm</translation>
     </message>
     <message>
-        <source>Mending %1: points and faces</source>
+        <source>Repairing %1: points and faces</source>
         <translation>%1 wird repariert: Punkte und Flächen</translation>
     </message>
     <message>
-        <source>Mending %1: cracks</source>
+        <source>Repairing %1: cracks</source>
         <translation>%1 wird repariert: Risse</translation>
     </message>
     <message>
-        <source>Mending %1: directions of the faces</source>
+        <source>Repairing %1: face directions</source>
         <translation>%1 wird repariert: Richtung der Flächen</translation>
     </message>
     <message>
-        <source>Mending %1: holes</source>
+        <source>Repairing %1: holes</source>
         <translation>%1 wird repariert: Löcher</translation>
     </message>
     <message>
-        <source>Mending %1: intersections</source>
+        <source>Repairing %1: intersections</source>
         <translation>%1 wird repariert: Durchdringungen</translation>
     </message>
     <message>
-        <source>Mending %1: a new surface</source>
+        <source>Repairing %1: new surface</source>
         <translation>%1 wird repariert: neue Oberfläche</translation>
     </message>
     <message>
-        <source>Mending %1: the check</source>
+        <source>Repairing %1: check</source>
         <translation>%1 wird repariert: Prüfung</translation>
     </message>
     <message>
-        <source>Mending %1: measuring what moved</source>
+        <source>Repairing %1: measuring the changes</source>
         <translation>%1 wird repariert: Abweichung messen</translation>
     </message>
     <message>
@@ -5109,35 +5378,35 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Teile: %1, vorher %2</translation>
     </message>
     <message>
-        <source>%1 could only be made anew, with edges of about %2 mm: its form is near the old one, its detail is lost.</source>
+        <source>%1 could only be rebuilt, with edges of about %2 mm: its shape is close to the old one, but detail is lost.</source>
         <translation>%1 ließ sich nur neu aufbauen, mit Kanten von etwa %2 mm: Die Form ist nahe an der alten, Einzelheiten sind verloren.</translation>
     </message>
     <message>
-        <source>%1 was mended, but has %2 % of its volume now.</source>
+        <source>%1 was repaired, but now has %2 % of its volume.</source>
         <translation>%1 wurde repariert, hat aber nun %2 % seines Volumens.</translation>
     </message>
     <message>
-        <source>%1 was mended, but parts that could be holes were taken for parts that face the wrong way: %2 % of the space.</source>
+        <source>%1 was repaired, but parts that could be holes were treated as parts that face the wrong way: %2 % of the space.</source>
         <translation>%1 wurde repariert, aber Teile, die Löcher sein könnten, wurden für falsch herum stehende Teile gehalten: %2 % des Raums.</translation>
     </message>
     <message>
-        <source>%1 was mended, but what it encloses now differs by %2 % from what its faces stood around.</source>
-        <translation>%1 wurde repariert; was es nun umschließt, weicht um %2 % von dem ab, worum seine Flächen standen.</translation>
+        <source>%1 was repaired, but the space that it encloses differs by %2 % from what its faces enclosed before.</source>
+        <translation>%1 wurde repariert, aber der Raum, den es umschließt, weicht um %2 % von dem ab, den seine Flächen vorher umschlossen.</translation>
     </message>
     <message>
-        <source>%1 was mended, but some of its surface went: it lies %2 mm from the new one on average, %3 % of the size.</source>
+        <source>%1 was repaired, but part of its surface was lost: it is %2 mm from the new one on average, %3 % of the size.</source>
         <translation>%1 wurde repariert, aber ein Teil der Oberfläche ist weg: Sie liegt im Mittel %2 mm von der neuen entfernt, %3 % der Größe.</translation>
     </message>
     <message>
-        <source>%1 cannot be mended as it is: its faces could not be cut apart near %2, %3, %4.</source>
+        <source>%1 cannot be repaired as it is: its faces could not be separated near %2, %3, %4.</source>
         <translation>%1 lässt sich so nicht reparieren: Bei %2, %3, %4 ließen sich die Flächen nicht zerschneiden.</translation>
     </message>
     <message>
-        <source>%1 cannot be mended as it is: its faces could not be cut apart.</source>
+        <source>%1 cannot be repaired as it is: its faces could not be separated.</source>
         <translation>%1 lässt sich so nicht reparieren: Die Flächen ließen sich nicht zerschneiden.</translation>
     </message>
     <message>
-        <source>%1 cannot be mended as it is: its faces hang together too badly, and most of it would be lost.</source>
+        <source>%1 cannot be repaired as it is: its faces are too badly connected, and most of it would be lost.</source>
         <translation>%1 lässt sich so nicht reparieren: Die Flächen hängen zu schlecht zusammen, das meiste ginge verloren.</translation>
     </message>
     <message numerus="yes">
@@ -5148,7 +5417,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1 cannot be mended: it has %n open sheets that enclose no space, the largest %2 x %3 mm.</source>
+        <source>%1 cannot be repaired: it has %n open sheets that enclose no space, the largest %2 x %3 mm.</source>
         <translation>
             <numerusform>%1 lässt sich nicht reparieren: Es hat nur %n offene Haut, die keinen Raum umschließt, %2 x %3 mm groß.</numerusform>
             <numerusform>%1 lässt sich nicht reparieren: Es hat %n offene Häute, die keinen Raum umschließen, die größte %2 x %3 mm groß.</numerusform>
@@ -5263,7 +5532,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1: „%2“ ist keine endliche Zahl.</translation>
     </message>
     <message>
-        <source>%1: a face names vertex %2, but there are %3 vertices.</source>
+        <source>%1: a face refers to vertex %2, but there are only %3 vertices.</source>
         <translation>%1: Eine Fläche nennt Eckpunkt %2, es gibt aber %3 Eckpunkte.</translation>
     </message>
     <message>
@@ -5271,7 +5540,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1: zu viele Elemente (%2); höchstens %3 sind möglich.</translation>
     </message>
     <message>
-        <source>%1 holds no faces.</source>
+        <source>%1 contains no faces.</source>
         <translation>%1 enthält keine Flächen.</translation>
     </message>
     <message>
@@ -5307,20 +5576,20 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1 kann nicht geschrieben werden: Es gibt keinen Ordner %2.</translation>
     </message>
     <message>
-        <source>Nothing happened here: the surface would have met itself.</source>
+        <source>Nothing happened here: the surface would have intersected itself.</source>
         <translation>Hier ist nichts geschehen: Die Oberfläche hätte sich selbst berührt.</translation>
     </message>
     <message>
-        <source>The brush stopped where surfaces met that may not join.</source>
-        <translation>Der Pinsel hielt an, wo sich Oberflächen trafen, die sich nicht verbinden dürfen.</translation>
+        <source>The brush stopped: surfaces touch, and they may not join here.</source>
+        <translation>Der Pinsel hielt an: Flächen berühren sich und dürfen sich hier nicht verbinden.</translation>
     </message>
     <message>
-        <source>The brush stopped at the wall of the working volume.</source>
+        <source>The brush stopped at the edge of the workspace.</source>
         <translation>Der Pinsel hielt am Rand des Arbeitsraums an.</translation>
     </message>
     <message>
-        <source>That was too much work for one touch of the brush, which stopped early; stroke again to go on.</source>
-        <translation>Das war zu viel Arbeit für einen einzigen Pinseltupfer, der deshalb vorzeitig endete; noch ein Strich macht weiter.</translation>
+        <source>The brush is too large for this much detail. Continue with another stroke.</source>
+        <translation>Der Pinsel ist zu groß für so viele Einzelheiten. Machen Sie mit einem weiteren Strich weiter.</translation>
     </message>
     <message>
         <source>Radius</source>
@@ -5460,7 +5729,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1 kann keine Pinselform sein, weil seine Oberfläche keinen Körper begrenzt (%2).</translation>
     </message>
     <message>
-        <source>Nothing was added, because it would lie inside the model.</source>
+        <source>Nothing was added, because it would be inside the model.</source>
         <translation>Es wurde nichts hinzugefügt, weil es im Inneren des Modells läge.</translation>
     </message>
     <message>
@@ -5747,8 +6016,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Modell verschieben</translation>
     </message>
     <message>
-        <source>By how much is the whole model moved?</source>
-        <translation>Um wie viel wird das ganze Modell verschoben?</translation>
+        <source>Move the model by:</source>
+        <translation>Modell verschieben um:</translation>
     </message>
     <message>
         <source>Move</source>
@@ -5779,8 +6048,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Modell skalieren</translation>
     </message>
     <message>
-        <source>How large is the model to be?</source>
-        <translation>Wie groß soll das Modell sein?</translation>
+        <source>New size of the model:</source>
+        <translation>Neue Größe des Modells:</translation>
     </message>
     <message>
         <source>Longest side</source>
@@ -5799,8 +6068,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Modell spiegeln</translation>
     </message>
     <message>
-        <source>The mirror goes through the origin. What changes sides?</source>
-        <translation>Der Spiegel geht durch den Ursprung. Was tauscht die Seiten?</translation>
+        <source>Mirror across the origin:</source>
+        <translation>Am Ursprung spiegeln:</translation>
     </message>
     <message>
         <source>Left and right (X)</source>
@@ -5859,8 +6128,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Gleichmäßig neu vernetzen</translation>
     </message>
     <message>
-        <source>All triangles of the model become about as large. How long may their edges be?</source>
-        <translation>Alle Dreiecke des Modells werden etwa gleich groß. Wie lang dürfen ihre Kanten sein?</translation>
+        <source>Rebuild the mesh with triangles of about the same size. Maximum edge length:</source>
+        <translation>Das Netz mit etwa gleich großen Dreiecken neu aufbauen. Längste Kante:</translation>
     </message>
     <message>
         <source>Longest edge</source>
@@ -5919,8 +6188,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Abflachen</translation>
     </message>
     <message>
-        <source>It was made in</source>
-        <translation>Gemacht in</translation>
+        <source>Original unit</source>
+        <translation>Ursprüngliche Einheit</translation>
     </message>
     <message>
         <source>Millimetres</source>
@@ -5978,20 +6247,20 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Speichern &amp;unter …</translation>
     </message>
     <message>
-        <source>%1 is not there any more; the model is, and Save writes it again.</source>
-        <translation>%1 ist nicht mehr da; das Modell ist es, und Speichern schreibt es neu.</translation>
+        <source>%1 was deleted or moved. Save to write it again.</source>
+        <translation>%1 wurde gelöscht oder verschoben. Speichern schreibt die Datei neu.</translation>
     </message>
     <message>
-        <source>%1 was not there any more and was written anew.</source>
-        <translation>%1 war nicht mehr da und wurde neu geschrieben.</translation>
+        <source>%1 had been deleted or moved and was written again.</source>
+        <translation>%1 war gelöscht oder verschoben und wurde neu geschrieben.</translation>
     </message>
     <message>
         <source>%1 was written. View, brush, symmetry and reference images are kept by GLB files only: Save As.</source>
         <translation>%1 wurde geschrieben. Ansicht, Pinsel, Symmetrie und Vorlagen behalten nur GLB-Dateien: Speichern unter.</translation>
     </message>
     <message>
-        <source>The model %1 has changes that were not saved.</source>
-        <translation>Das Modell %1 hat Änderungen, die nicht gespeichert wurden.</translation>
+        <source>Save changes to %1?</source>
+        <translation>Änderungen an %1 speichern?</translation>
     </message>
 </context>
 <context>
@@ -6024,7 +6293,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Teile</translation>
     </message>
     <message>
-        <source>Parts of the surface that do not hang together, hollows among them.</source>
+        <source>Parts of the surface that are not connected, including hollows.</source>
         <translation>Teile der Oberfläche, die nicht zusammenhängen, auch Hohlräume.</translation>
     </message>
     <message>
@@ -6080,28 +6349,28 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1 bis %2 mm</translation>
     </message>
     <message>
-        <source>In fine fettle</source>
-        <translation>In bestem Zustand</translation>
+        <source>Watertight</source>
+        <translation>Wasserdicht</translation>
     </message>
     <message>
-        <source>Closed, without self-intersections, and it bounds a solid: checked exactly, as it is now.</source>
-        <translation>Geschlossen, ohne Selbstdurchdringungen, und es begrenzt einen Körper: exakt geprüft, so wie es jetzt ist.</translation>
+        <source>Closed and free of self-intersections. Checked exactly.</source>
+        <translation>Geschlossen und frei von Selbstdurchdringungen. Exakt geprüft.</translation>
     </message>
     <message>
-        <source>Not sound</source>
-        <translation>Nicht in Ordnung</translation>
+        <source>Needs repair</source>
+        <translation>Muss repariert werden</translation>
     </message>
     <message>
-        <source>The surface is not closed, meets itself, or bounds no solid.</source>
-        <translation>Die Oberfläche ist nicht geschlossen, trifft sich selbst oder begrenzt keinen Körper.</translation>
+        <source>The surface is open, intersects itself or encloses no space.</source>
+        <translation>Die Oberfläche ist offen, durchdringt sich selbst oder umschließt keinen Raum.</translation>
     </message>
     <message>
         <source>Not checked since the last change</source>
         <translation>Seit der letzten Änderung nicht geprüft</translation>
     </message>
     <message>
-        <source>The figures are of before. They are found anew when the model rests.</source>
-        <translation>Die Zahlen sind von vorher. Sie werden neu bestimmt, wenn das Modell ruht.</translation>
+        <source>These values are from before the last change. They are updated when the model is idle.</source>
+        <translation>Diese Werte sind von vor der letzten Änderung. Sie werden aktualisiert, sobald das Modell ruht.</translation>
     </message>
     <message>
         <source>Model</source>
@@ -6124,7 +6393,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Wer als Nächstes dran ist</translation>
     </message>
     <message>
-        <source>Whose turn is it?</source>
+        <source>Who is next?</source>
         <translation>Wer ist dran?</translation>
     </message>
     <message>
@@ -6281,7 +6550,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Eingabe</translation>
     </message>
     <message>
-        <source>A pen&apos;s pressure is the &amp;strength</source>
+        <source>Pen pressure controls &amp;strength</source>
         <translation>Stiftdruck bestimmt die &amp;Stärke</translation>
     </message>
     <message>
@@ -6289,7 +6558,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Ein leichter Druck ändert wenig, ein fester viel.</translation>
     </message>
     <message>
-        <source>A pen&apos;s pressure is the &amp;radius</source>
+        <source>Pen pressure controls &amp;radius</source>
         <translation>Stiftdruck bestimmt den &amp;Radius</translation>
     </message>
     <message>
@@ -6297,7 +6566,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Ein leichter Druck macht einen schmalen Strich, ein fester einen breiten.</translation>
     </message>
     <message>
-        <source>Alt and the &amp;mouse move the view</source>
+        <source>Alt and &amp;mouse navigate</source>
         <translation>Alt und &amp;Maus bewegen die Ansicht</translation>
     </message>
     <message>
@@ -6309,8 +6578,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Setzt nach einer Rückfrage alles im Programm auf den Anfang zurück.</translation>
     </message>
     <message>
-        <source>Should everything be as it was at first?</source>
-        <translation>Soll alles sein wie am Anfang?</translation>
+        <source>Reset all settings to defaults?</source>
+        <translation>Alle Einstellungen zurücksetzen?</translation>
     </message>
     <message>
         <source>This is about colours, language, keys, pen and mouse, brush, view and the panels&apos; places. Models, recent files and swatches stay. The language is spoken from the next start on.</source>
@@ -6321,7 +6590,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Zu&amp;rücksetzen</translation>
     </message>
     <message>
-        <source>With Alt held, left orbits, middle pans and right zooms, on the model too; the keys of ZBrush have it otherwise.</source>
+        <source>Hold Alt: left orbits, middle pans and right zooms, on the model too. The keys of ZBrush differ.</source>
         <translation>Mit gehaltener Alt-Taste dreht links, verschiebt die Mitte und zoomt rechts, auch auf dem Modell; mit den Tasten von ZBrush ist es anders.</translation>
     </message>
     <message>
@@ -6341,12 +6610,12 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Beim Speichern die letzten drei &amp;Fassungen der Datei behalten</translation>
     </message>
     <message>
-        <source>What a file held before stays beside it, as vase.glb~1, vase.glb~2 and so on; it can be opened like any other.</source>
-        <translation>Was eine Datei vorher enthielt, bleibt neben ihr, als vase.glb~1, vase.glb~2 und so weiter; es lässt sich öffnen wie jede andere.</translation>
+        <source>Older versions stay beside the file, as vase.glb~1, vase.glb~2 and so on. Open them like any other file.</source>
+        <translation>Ältere Fassungen bleiben neben der Datei, als vase.glb~1, vase.glb~2 und so weiter. Sie lassen sich öffnen wie jede andere Datei.</translation>
     </message>
     <message>
-        <source>Changes that are not saved yet are kept in any case, should Fettle end unexpectedly; the next start offers them.</source>
-        <translation>Noch nicht gespeicherte Änderungen bleiben in jedem Fall erhalten, sollte Fettle unerwartet enden; der nächste Start bietet sie an.</translation>
+        <source>Unsaved changes are always kept if Fettle ends unexpectedly. The next start offers to recover them.</source>
+        <translation>Ungespeicherte Änderungen bleiben immer erhalten, wenn Fettle unerwartet endet. Der nächste Start bietet an, sie wiederherzustellen.</translation>
     </message>
     <message>
         <source>&amp;Text size</source>
@@ -6357,8 +6626,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Macht die Texte des Fensters größer, als der Schreibtisch sie hat.</translation>
     </message>
     <message>
-        <source>Another language and another text size hold from the next start on.</source>
-        <translation>Eine andere Sprache und eine andere Schriftgröße gelten ab dem nächsten Start.</translation>
+        <source>Restart Fettle to apply language and text size.</source>
+        <translation>Sprache und Schriftgröße gelten ab dem nächsten Start.</translation>
     </message>
     <message>
         <source>&amp;Reduced motion</source>
@@ -6459,20 +6728,20 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1°</translation>
     </message>
     <message>
-        <source>Sound surface</source>
-        <translation>Einwandfreie Oberfläche</translation>
+        <source>Watertight surface</source>
+        <translation>Wasserdichte Oberfläche</translation>
     </message>
     <message>
         <source>Closed, every face looks outward, nothing meets itself: checked exactly.</source>
         <translation>Geschlossen, jede Fläche schaut nach außen, nichts berührt sich selbst: exakt geprüft.</translation>
     </message>
     <message>
-        <source>The surface is not sound</source>
-        <translation>Die Oberfläche ist nicht in Ordnung</translation>
+        <source>The surface needs repair</source>
+        <translation>Die Oberfläche muss repariert werden</translation>
     </message>
     <message>
-        <source>It is not closed, meets itself, or bounds no solid; walls were not measured.</source>
-        <translation>Sie ist nicht geschlossen, berührt sich selbst oder umschließt keinen Körper; Wände wurden nicht gemessen.</translation>
+        <source>It is open, intersects itself or encloses no space; walls were not measured.</source>
+        <translation>Sie ist offen, durchdringt sich selbst oder umschließt keinen Raum; Wände wurden nicht gemessen.</translation>
     </message>
     <message numerus="yes">
         <source>%Ln parts</source>
@@ -6482,7 +6751,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         </translation>
     </message>
     <message>
-        <source>Parts of the surface that do not hang together; hollows count, too.</source>
+        <source>Parts of the surface that are not connected; hollows count, too.</source>
         <translation>Teile der Oberfläche, die nicht zusammenhängen; Hohlräume zählen mit.</translation>
     </message>
     <message>
@@ -6555,7 +6824,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Steht auf %1</translation>
     </message>
     <message>
-        <source>Stands on a point or an edge</source>
+        <source>Rests on a point or an edge</source>
         <translation>Steht auf einer Spitze oder Kante</translation>
     </message>
     <message>
@@ -6570,7 +6839,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Farben am Modell</translation>
     </message>
     <message>
-        <source>What the colours on the model mean. What is hatched is beyond the limit.</source>
+        <source>The meaning of the colours on the model. Hatched places are beyond the limit.</source>
         <translation>Was die Farben am Modell bedeuten. Schraffiert ist, was die Grenze verletzt.</translation>
     </message>
     <message>
@@ -6621,11 +6890,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Drucker</translation>
     </message>
     <message>
-        <source>Whose bed the model is compared with.</source>
-        <translation>Mit dessen Bett das Modell verglichen wird.</translation>
+        <source>The printer to check against.</source>
+        <translation>Der Drucker, für den geprüft wird.</translation>
     </message>
     <message>
-        <source>Least wall</source>
+        <source>Minimum wall</source>
         <translation>Wand ab</translation>
     </message>
     <message>
@@ -6661,7 +6930,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Vorsicht</translation>
     </message>
     <message>
-        <source>to be changed</source>
+        <source>to fix</source>
         <translation>zu ändern</translation>
     </message>
     <message>
@@ -6681,16 +6950,16 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Prüft das Modell, wie es jetzt ist.</translation>
     </message>
     <message>
-        <source>Prints as it is</source>
-        <translation>Druckt, wie es ist</translation>
+        <source>Ready to print</source>
+        <translation>Druckfertig</translation>
     </message>
     <message>
-        <source>Prints with some care</source>
-        <translation>Druckt mit etwas Vorsicht</translation>
+        <source>Printable, with warnings</source>
+        <translation>Druckbar, mit Warnungen</translation>
     </message>
     <message>
-        <source>Should be changed before it is printed</source>
-        <translation>Sollte vor dem Druck geändert werden</translation>
+        <source>Fix before printing</source>
+        <translation>Vor dem Druck ändern</translation>
     </message>
     <message>
         <source>Checking…</source>
@@ -6830,8 +7099,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Fragen am Ende</translation>
     </message>
     <message>
-        <source>Six questions about the program. Answer what you like: press a number, and once more to take it back.</source>
-        <translation>Sechs Fragen über das Programm. Antworte, worauf du magst: Drück eine Zahl, und noch einmal, um sie zurückzunehmen.</translation>
+        <source>Six questions about the program. Answer what you like: press a number; press it again to clear it.</source>
+        <translation>Sechs Fragen über das Programm. Antworte, worauf du magst: Drück eine Zahl; noch einmal gedrückt, löscht sie sich.</translation>
     </message>
     <message>
         <source>S&amp;kip</source>
@@ -6857,8 +7126,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Ungespeichertes Modell</translation>
     </message>
     <message>
-        <source>%1 was not saved when Fettle ended: %2, %3.</source>
-        <translation>%1 war nicht gespeichert, als Fettle endete: %2, %3.</translation>
+        <source>Unsaved changes to %1 can be recovered: %2, %3.</source>
+        <translation>Ungespeicherte Änderungen an %1 lassen sich wiederherstellen: %2, %3.</translation>
     </message>
     <message numerus="yes">
         <source>%Ln steps</source>
@@ -6872,16 +7141,16 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Wiederherstellen</translation>
     </message>
     <message>
-        <source>Opens it as it was, with its steps to undo and do again.</source>
-        <translation>Öffnet es, wie es war, samt seinen Schritten zum Zurücknehmen und Wiederholen.</translation>
+        <source>Opens the model as it was, with its history.</source>
+        <translation>Öffnet das Modell, wie es war, samt Verlauf.</translation>
     </message>
     <message>
         <source>&amp;Discard…</source>
         <translation>&amp;Verwerfen…</translation>
     </message>
     <message>
-        <source>Removes what was kept of it, after a question.</source>
-        <translation>Entfernt nach einer Rückfrage, was davon aufbewahrt ist.</translation>
+        <source>Deletes these changes, after a question.</source>
+        <translation>Löscht diese Änderungen nach einer Rückfrage.</translation>
     </message>
     <message>
         <source>&amp;Later</source>
@@ -6896,8 +7165,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Fettle</translation>
     </message>
     <message>
-        <source>Should the unsaved changes to %1 be removed for good?</source>
-        <translation>Sollen die ungespeicherten Änderungen an %1 endgültig entfernt werden?</translation>
+        <source>Permanently delete the unsaved changes to %1?</source>
+        <translation>Die ungespeicherten Änderungen an %1 endgültig löschen?</translation>
     </message>
     <message>
         <source>&amp;Remove</source>
@@ -7006,8 +7275,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
 <context>
     <name>ui::RevealFile</name>
     <message>
-        <source>There is no program here that shows folders; the file lies in %1.</source>
-        <translation>Hier gibt es kein Programm, das Ordner zeigt; die Datei liegt in %1.</translation>
+        <source>No file manager was found; the file is in %1.</source>
+        <translation>Es wurde keine Dateiverwaltung gefunden; die Datei liegt in %1.</translation>
     </message>
 </context>
 <context>
@@ -7165,7 +7434,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Maus</translation>
     </message>
     <message>
-        <source>moves the wand on the surface</source>
+        <source>moves the controller on the surface</source>
         <translation>bewegt den Controller auf der Oberfläche</translation>
     </message>
     <message>
@@ -7181,8 +7450,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Umschalt und Mausrad</translation>
     </message>
     <message>
-        <source>turns the wand about itself</source>
-        <translation>dreht den Controller um sich selbst</translation>
+        <source>turns the controller about its own axis</source>
+        <translation>dreht den Controller um seine Achse</translation>
     </message>
     <message>
         <source>Left button, Space</source>
@@ -7197,7 +7466,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Tab</translation>
     </message>
     <message>
-        <source>the other wand</source>
+        <source>the other controller</source>
         <translation>der andere Controller</translation>
     </message>
     <message>
@@ -7229,7 +7498,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>G</translation>
     </message>
     <message>
-        <source>squeezes the wand</source>
+        <source>squeezes the controller</source>
         <translation>drückt die Seitentaste</translation>
     </message>
     <message>
@@ -7237,7 +7506,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>B</translation>
     </message>
     <message>
-        <source>squeezes both wands</source>
+        <source>squeezes both controllers</source>
         <translation>drückt beide Seitentasten</translation>
     </message>
     <message>
@@ -7245,7 +7514,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Rechte Taste</translation>
     </message>
     <message>
-        <source>looks about</source>
+        <source>looks around</source>
         <translation>sieht sich um</translation>
     </message>
     <message>
@@ -7281,11 +7550,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Was die VR-Brille zeigt</translation>
     </message>
     <message>
-        <source>The mouse moves the left wand.</source>
+        <source>The mouse moves the left controller.</source>
         <translation>Die Maus bewegt den linken Controller.</translation>
     </message>
     <message>
-        <source>The mouse moves the right wand.</source>
+        <source>The mouse moves the right controller.</source>
         <translation>Die Maus bewegt den rechten Controller.</translation>
     </message>
 </context>
@@ -7328,7 +7597,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Diese Seite beim Start &amp;zeigen</translation>
     </message>
     <message>
-        <source>Else Fettle begins with the ball of clay; Help › Start Page brings this page back.</source>
+        <source>Otherwise Fettle starts with a ball of clay; Help › Start Page brings this page back.</source>
         <translation>Sonst beginnt Fettle mit der Kugel aus Ton; Hilfe › Startseite bringt diese Seite zurück.</translation>
     </message>
 </context>
@@ -7347,8 +7616,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Werkzeug des letzten Strichs</translation>
     </message>
     <message>
-        <source>Does the stroke again with another tool.</source>
-        <translation>Führt den Strich mit einem anderen Werkzeug noch einmal aus.</translation>
+        <source>Changes the tool of the stroke.</source>
+        <translation>Ändert das Werkzeug des Strichs.</translation>
     </message>
     <message>
         <source>&amp;Keep</source>
@@ -7363,8 +7632,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Abbrechen</translation>
     </message>
     <message>
-        <source>Gives the stroke back as it was, and hides this bar.</source>
-        <translation>Gibt den Strich zurück, wie er war, und blendet diese Leiste aus.</translation>
+        <source>Restores the stroke as it was, and hides this bar.</source>
+        <translation>Stellt den Strich wieder her, wie er war, und blendet diese Leiste aus.</translation>
     </message>
 </context>
 <context>
@@ -7490,8 +7759,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>ändern, anpassen, korrigieren</translation>
     </message>
     <message>
-        <source>settings, options, language, dark</source>
-        <translation>Optionen, Sprache, dunkel</translation>
+        <source>settings, options, language, dark, pen, pressure, tablet</source>
+        <translation>Optionen, Sprache, dunkel, Stift, Stiftdruck</translation>
     </message>
     <message>
         <source>size, bigger, smaller, resize, unit</source>
@@ -7510,8 +7779,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>schneiden, Boden, stehen</translation>
     </message>
     <message>
-        <source>watertight, thickness, overhang, hollow</source>
-        <translation>wasserdicht, Dicke, Überhang, hohl</translation>
+        <source>watertight, thickness, overhang, hollow, support</source>
+        <translation>wasserdicht, dick, Überhang, hohl, Stütze</translation>
     </message>
     <message>
         <source>stl, slicer, reduce, decimate</source>
@@ -7534,8 +7803,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>parallel, isometrisch</translation>
     </message>
     <message>
-        <source>headset, goggles, vive</source>
-        <translation>Brille, Headset</translation>
+        <source>VR, headset, goggles, vive</source>
+        <translation>VR, Brille, Headset</translation>
     </message>
     <message>
         <source>manual, documentation</source>
@@ -7544,6 +7813,18 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>tutorial, course, learn</source>
         <translation>Kurs, lernen, üben</translation>
+    </message>
+    <message>
+        <source>recover, restore, reload</source>
+        <translation>wiederherstellen, neu laden</translation>
+    </message>
+    <message>
+        <source>shadow, contrast, relief</source>
+        <translation>Schatten, Kontrast</translation>
+    </message>
+    <message>
+        <source>bright, daylight</source>
+        <translation>Licht, Tageslicht</translation>
     </message>
 </context>
 <context>
@@ -7560,8 +7841,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Zeitraffer exportieren</translation>
     </message>
     <message>
-        <source>Draws the model after its steps, as it is seen now, into numbered PNG files in a folder that you choose. Sculpting rests meanwhile.</source>
-        <translation>Zeichnet das Modell nach seinen Schritten, so wie es jetzt zu sehen ist, in nummerierte PNG-Dateien in einem Ordner, den Sie wählen. Das Formen ruht so lange.</translation>
+        <source>Draws the model after each step, from the current view, as numbered PNG files in a folder that you choose. Sculpting is paused while it runs.</source>
+        <translation>Zeichnet das Modell nach seinen Schritten, aus der jetzigen Ansicht, als nummerierte PNG-Dateien in einen Ordner, den Sie wählen. So lange ist das Formen angehalten.</translation>
     </message>
     <message>
         <source>%1 × %2 pixels</source>
@@ -7572,7 +7853,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Größe:</translation>
     </message>
     <message>
-        <source>Steps to a &amp;picture:</source>
+        <source>Steps per &amp;picture:</source>
         <translation>&amp;Schritte je Bild:</translation>
     </message>
     <message>
@@ -7632,8 +7913,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Das Modell dreht sich</translation>
     </message>
     <message>
-        <source>Turns the model under the hand: a hand that rests makes a groove all around (T).</source>
-        <translation>Dreht das Modell unter der Hand: eine ruhende Hand macht eine Rille ringsum (T).</translation>
+        <source>Turns the model under your hand. Hold still to cut a groove all around (T).</source>
+        <translation>Dreht das Modell unter Ihrer Hand. Halten Sie still, um ringsum eine Rille zu schneiden (T).</translation>
     </message>
     <message>
         <source>Direction</source>
@@ -7671,8 +7952,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
 <context>
     <name>ui::UnitBar</name>
     <message>
-        <source>%1 is %2 units long: metres? That would be %3 mm.</source>
-        <translation>%1 ist %2 Einheiten lang: Meter? Das wären %3 mm.</translation>
+        <source>%1 is %2 units long. Is it in metres (%3 mm)?</source>
+        <translation>%1 ist %2 Einheiten lang. Sind es Meter (%3 mm)?</translation>
     </message>
     <message>
         <source>As Me&amp;tres</source>
@@ -7683,8 +7964,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Macht das Modell 1000-mal so groß, in einem Schritt.</translation>
     </message>
     <message>
-        <source>%1 is %2 units long: inches? That would be %3 mm.</source>
-        <translation>%1 ist %2 Einheiten lang: Zoll? Das wären %3 mm.</translation>
+        <source>%1 is %2 units long. Is it in inches (%3 mm)?</source>
+        <translation>%1 ist %2 Einheiten lang. Sind es Zoll (%3 mm)?</translation>
     </message>
     <message>
         <source>As I&amp;nches</source>
@@ -7750,6 +8031,17 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>&amp;End Class</source>
         <translation>Klasse &amp;beenden</translation>
+    </message>
+</context>
+<context>
+    <name>ui::WaitingWorksNote</name>
+    <message>
+        <source>Mo&amp;ve to a Folder…</source>
+        <translation>In einen Ordner &amp;verschieben …</translation>
+    </message>
+    <message>
+        <source>The works go there whole, each in its folder, and wait no longer.</source>
+        <translation>Die Arbeiten kommen ganz dorthin, jede in ihrem Ordner, und warten nicht länger.</translation>
     </message>
 </context>
 <context>
@@ -7865,8 +8157,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>VR läuft, aber die VR-Brille zeigt ein anderes Programm.</translation>
     </message>
     <message>
-        <source>The headset&apos;s own menu is open: the wands rest here.</source>
-        <translation>Das Menü der VR-Brille ist offen: Die Controller ruhen hier.</translation>
+        <source>The headset&apos;s own menu is open: the controllers are paused here.</source>
+        <translation>Das Menü der VR-Brille ist offen: Die Controller sind hier angehalten.</translation>
     </message>
     <message>
         <source>In VR with %1.</source>
@@ -7886,9 +8178,9 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>VR wurde im Programm der VR-Brille beendet.</translation>
     </message>
     <message>
-        <source>The headset&apos;s program takes no pictures from windows of the kind “%1”. Start Fettle with QT_QPA_PLATFORM=xcb and QT_XCB_GL_INTEGRATION=xcb_glx, then enter VR again.</source>
+        <source>The headset&apos;s program does not support windows of the kind “%1”. Start Fettle with QT_QPA_PLATFORM=xcb and QT_XCB_GL_INTEGRATION=xcb_glx, then enter VR again.</source>
         <extracomment>%1: a window system, such as wayland</extracomment>
-        <translation>Das Programm der VR-Brille nimmt keine Bilder von Fenstern der Art „%1“ an. Bitte Fettle mit QT_QPA_PLATFORM=xcb und QT_XCB_GL_INTEGRATION=xcb_glx starten und VR erneut betreten.</translation>
+        <translation>Das Programm der VR-Brille unterstützt Fenster der Art „%1“ nicht. Bitte Fettle mit QT_QPA_PLATFORM=xcb und QT_XCB_GL_INTEGRATION=xcb_glx starten und VR erneut betreten.</translation>
     </message>
     <message>
         <source>VR cannot be drawn with this OpenGL.</source>
@@ -7903,11 +8195,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Die VR-Brille ist nicht mehr da. Das Modell ist, wie es war; bitte die VR-Brille anschließen und VR erneut betreten.</translation>
     </message>
     <message>
-        <source>The headset&apos;s program does not answer. The model is as it was; start that program anew, then enter VR again.</source>
+        <source>The headset&apos;s program does not answer. The model is as it was; restart that program, then enter VR again.</source>
         <translation>Das Programm der VR-Brille antwortet nicht. Das Modell ist, wie es war; bitte jenes Programm neu starten und VR erneut betreten.</translation>
     </message>
     <message>
-        <source>The headset&apos;s program still does not answer, and VR cannot be entered. Start that program anew; if that does not help, save the model and start Fettle anew.</source>
+        <source>The headset&apos;s program still does not answer, and VR cannot be entered. Restart that program; if that does not help, save the model and restart Fettle.</source>
         <translation>Das Programm der VR-Brille antwortet noch immer nicht, und VR lässt sich nicht betreten. Bitte jenes Programm neu starten; hilft das nicht, das Modell speichern und Fettle neu starten.</translation>
     </message>
     <message>
@@ -7943,6 +8235,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Weiter</translation>
     </message>
     <message>
+        <source>Finish</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
         <source>%1: step %2 of %3</source>
         <extracomment>%1: a lesson&apos;s name; %2 of %3: its step</extracomment>
         <translation>%1: Schritt %2 von %3</translation>
@@ -7953,7 +8249,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>No OpenXR runtime answers (%1). Start SteamVR, Monado or the headset&apos;s own program, then ask again.</source>
         <extracomment>%1: a name from OpenXR, such as XR_ERROR_RUNTIME_UNAVAILABLE</extracomment>
-        <translation>Es antwortet keine OpenXR-Laufzeit (%1). Bitte SteamVR, Monado oder das Programm der VR-Brille starten und erneut suchen.</translation>
+        <translation>Es antwortet keine OpenXR-Laufzeitumgebung (%1). Bitte SteamVR, Monado oder das Programm der VR-Brille starten und erneut suchen.</translation>
     </message>
     <message>
         <source>%1 is running, but no headset is ready (%2). Plug it in and switch it on, then ask again.</source>
@@ -7974,7 +8270,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>%1 asks for OpenGL %2 and refuses OpenGL %3, which Fettle uses. Another OpenXR runtime may take it.</source>
         <extracomment>%1: the headset&apos;s program; %2, %3: versions, such as 4.5</extracomment>
-        <translation>%1 verlangt OpenGL %2 und lehnt OpenGL %3 ab, das Fettle verwendet. Eine andere OpenXR-Laufzeit nimmt es vielleicht an.</translation>
+        <translation>%1 verlangt OpenGL %2 und lehnt OpenGL %3 ab, das Fettle verwendet. Eine andere OpenXR-Laufzeitumgebung nimmt es vielleicht an.</translation>
     </message>
 </context>
 <context>
@@ -8506,8 +8802,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Importieren</translation>
     </message>
     <message>
-        <source>Takes a preset from a file.</source>
-        <translation>Nimmt eine Vorlage aus einer Datei.</translation>
+        <source>Imports a preset from a file.</source>
+        <translation>Importiert eine Vorlage aus einer Datei.</translation>
     </message>
     <message>
         <source>Export</source>
@@ -8715,8 +9011,44 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>„%1“ fehlt</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is of the wrong type, or holds too few or too many values</source>
-        <translation>„%1“ ist vom falschen Typ oder hat zu wenige oder zu viele Werte</translation>
+        <source>&quot;%1&quot; must be a number</source>
+        <translation>„%1“ muss eine Zahl sein</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be a whole number</source>
+        <translation>„%1“ muss eine ganze Zahl sein</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be three numbers, as in [0, 1, 0]</source>
+        <translation>„%1“ müssen drei Zahlen sein, wie in [0, 1, 0]</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be four numbers, as in [0, 0, 0, 1]</source>
+        <translation>„%1“ müssen vier Zahlen sein, wie in [0, 0, 0, 1]</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be three whole numbers from 0 to 255, as in [200, 120, 80]</source>
+        <translation>„%1“ müssen drei ganze Zahlen von 0 bis 255 sein, wie in [200, 120, 80]</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be true or false</source>
+        <translation>„%1“ muss true oder false sein</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be a word in quotation marks</source>
+        <translation>„%1“ muss ein Wort in Anführungszeichen sein</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be a word in quotation marks, true or false</source>
+        <translation>„%1“ muss ein Wort in Anführungszeichen, true oder false sein</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be an object in braces</source>
+        <translation>„%1“ muss ein Objekt in geschweiften Klammern sein</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be a list of objects, as in [{…}, {…}]</source>
+        <translation>„%1“ muss eine Liste von Objekten sein, wie in [{…}, {…}]</translation>
     </message>
     <message>
         <source>unknown value, %1</source>

@@ -19,6 +19,30 @@
     </message>
 </context>
 <context>
+    <name>app::ClassFileController</name>
+    <message numerus="yes">
+        <source>%n models of a class are still on this computer.</source>
+        <translation>
+            <numerusform>%n model of a class is still on this computer.</numerusform>
+            <numerusform>%n models of a class are still on this computer.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n models are still on this computer and not in %1.</source>
+        <translation>
+            <numerusform>%n model is still on this computer and not in %1.</numerusform>
+            <numerusform>%n models are still on this computer and not in %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n models were moved to %1.</source>
+        <translation>
+            <numerusform>%n model was moved to %1.</numerusform>
+            <numerusform>%n models were moved to %1.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>app::ClassroomMode</name>
     <message numerus="yes">
         <source>%n minutes left. Please finish soon.</source>
@@ -45,6 +69,17 @@
         <translation>
             <numerusform>convert: needs two files, IN and OUT; %n was given.</numerusform>
             <numerusform>convert: needs two files, IN and OUT; %n were given.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>app::LessonProgress</name>
+    <message numerus="yes">
+        <source>You met %1 of %n goals.</source>
+        <extracomment>%1: how many of them</extracomment>
+        <translation>
+            <numerusform>You met %1 of %n goal.</numerusform>
+            <numerusform>You met %1 of %n goals.</numerusform>
         </translation>
     </message>
 </context>
@@ -240,10 +275,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1 cannot be mended: it has %n open sheets that enclose no space, the largest %2 x %3 mm.</source>
+        <source>%1 cannot be repaired: it has %n open sheets that enclose no space, the largest %2 x %3 mm.</source>
         <translation>
-            <numerusform>%1 cannot be mended: it has but %n open sheet, of %2 x %3 mm, which encloses no space.</numerusform>
-            <numerusform>%1 cannot be mended: it has %n open sheets that enclose no space, the largest %2 x %3 mm.</numerusform>
+            <numerusform>%1 cannot be repaired: it has but %n open sheet, of %2 x %3 mm, which encloses no space.</numerusform>
+            <numerusform>%1 cannot be repaired: it has %n open sheets that enclose no space, the largest %2 x %3 mm.</numerusform>
         </translation>
     </message>
 </context>

@@ -11,8 +11,8 @@
 <context>
     <name>app::CheckCommand</name>
     <message>
-        <source>%1 is in fine fettle.</source>
-        <translation>%1 一切完好。</translation>
+        <source>%1 is watertight.</source>
+        <translation>%1 是水密的。</translation>
     </message>
     <message>
         <source>file</source>
@@ -102,12 +102,132 @@
         <source>Width, depth and height that the printer holds, in mm (default: not looked at).</source>
         <translation>打印机能容纳的宽、深、高，单位毫米（默认不检查）。</translation>
     </message>
+    <message>
+        <source>vertices</source>
+        <translation>顶点</translation>
+    </message>
+    <message>
+        <source>triangles</source>
+        <translation>三角形</translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>封闭</translation>
+    </message>
+    <message>
+        <source>two faces at each edge</source>
+        <translation>每条边有两个面</translation>
+    </message>
+    <message>
+        <source>faces turned alike</source>
+        <translation>面的朝向一致</translation>
+    </message>
+    <message>
+        <source>bounds a solid</source>
+        <translation>围成实体</translation>
+    </message>
+    <message>
+        <source>self-intersections</source>
+        <translation>自相交</translation>
+    </message>
+    <message>
+        <source>parts</source>
+        <translation>部分</translation>
+    </message>
+    <message>
+        <source>holes through it</source>
+        <translation>贯通的孔</translation>
+    </message>
+    <message>
+        <source>volume, mm³</source>
+        <translation>体积，mm³</translation>
+    </message>
+    <message>
+        <source>surface, mm²</source>
+        <translation>表面积，mm²</translation>
+    </message>
+    <message>
+        <source>shortest edge, mm</source>
+        <translation>最短的边，mm</translation>
+    </message>
+    <message>
+        <source>longest edge, mm</source>
+        <translation>最长的边，mm</translation>
+    </message>
+    <message>
+        <source>triangles without area</source>
+        <translation>没有面积的三角形</translation>
+    </message>
+    <message>
+        <source>stays sound when opened</source>
+        <translation>打开后仍然正常</translation>
+    </message>
+    <message>
+        <source>strokes</source>
+        <translation>笔画</translation>
+    </message>
+    <message>
+        <source>time of work, s</source>
+        <translation>用时，秒</translation>
+    </message>
+    <message>
+        <source>thinnest wall allowed, mm</source>
+        <translation>允许的最薄壁厚，mm</translation>
+    </message>
+    <message>
+        <source>thinnest wall by rays, mm</source>
+        <translation>射线法最薄壁厚，mm</translation>
+    </message>
+    <message>
+        <source>thinnest wall by balls, mm</source>
+        <translation>球法最薄壁厚，mm</translation>
+    </message>
+    <message>
+        <source>surface that is too thin</source>
+        <translation>过薄的表面</translation>
+    </message>
+    <message>
+        <source>surface that overhangs</source>
+        <translation>悬垂的表面</translation>
+    </message>
+    <message>
+        <source>fits the bed</source>
+        <translation>放得进打印床</translation>
+    </message>
+    <message>
+        <source>perhaps made in</source>
+        <translation>单位也许是</translation>
+    </message>
+    <message>
+        <source>pupil</source>
+        <translation>学生</translation>
+    </message>
+    <message>
+        <source>turn begun</source>
+        <translation>回合开始</translation>
+    </message>
+    <message>
+        <source>time of the turn, s</source>
+        <translation>回合用时，秒</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>是</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>否</translation>
+    </message>
 </context>
 <context>
     <name>app::ClassEnd</name>
     <message>
         <source>End the class? The current pupil&apos;s work will be saved.</source>
         <translation>结束课堂？当前学生的作品会被保存。</translation>
+    </message>
+    <message>
+        <source>End the class? It is nobody&apos;s turn, and all works are saved.</source>
+        <translation>结束课堂？现在没有人在轮次中，所有作品都已保存。</translation>
     </message>
     <message numerus="yes">
         <source>%n models are not yet in the class folder.</source>
@@ -155,6 +275,28 @@
     <message>
         <source>&amp;Not Now</source>
         <translation>暂不(&amp;N)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n models of a class are still on this computer.</source>
+        <translation>
+            <numerusform>有 %n 件课堂作品仍在本机。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n models are still on this computer and not in %1.</source>
+        <translation>
+            <numerusform>有 %n 件作品仍在本机，尚未到 %1。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>They go to the class folder when the class begins and its folder is there.</source>
+        <translation>课堂开始且课堂文件夹可用时，它们会移到那里。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n models were moved to %1.</source>
+        <translation>
+            <numerusform>已把 %n 件作品移到 %1。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -338,12 +480,12 @@
         <translation>检查模型是否完好、能否打印；多个文件或文件夹则输出表格</translation>
     </message>
     <message>
-        <source>write a model in another format or size, mended, or with fewer triangles</source>
+        <source>write a model in another format or size, repaired, or with fewer triangles</source>
         <translation>以其他格式或尺寸写出模型，可修复，也可减少三角形</translation>
     </message>
     <message>
         <source>play recorded strokes on a model</source>
-        <translation>在模型上回放录制的笔触</translation>
+        <translation>在模型上回放录制的笔画</translation>
     </message>
     <message>
         <source>write a class report: picture, size, print-ready or why not, strokes and time of each model</source>
@@ -389,7 +531,7 @@
         <source>Fettle sculpts closed models that stay ready to print.
 
   fettle [--vr] [FILE]             open the window, with a model or with a ball of clay; --vr enters VR with it
-  fettle --vr-simulator [FILE]     the same without a headset: a window shows what it would, mouse and keys are head and wands
+  fettle --vr-simulator [FILE]     the same without a headset: a window shows what it would, mouse and keys are head and controllers
   fettle [--vr] --classroom CLASS.fettleclass
                                    begin a class in turns, as its teacher set it up (Edit &gt; Classroom)
 </source>
@@ -445,11 +587,11 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>%1 可以减少到 %2 个三角形，但不能减少到 %3 个：更少时，找不到面互不相交且孔洞保持敞开的曲面。未写入任何文件。</translation>
     </message>
     <message>
-        <source>--legalise may mend it.</source>
-        <translation>用 --legalise 或许可以修复。</translation>
+        <source>--repair may make it watertight.</source>
+        <translation>用 --repair 或许可以修复。</translation>
     </message>
     <message>
-        <source>--wrap may make its surface anew.</source>
+        <source>--wrap may make a new surface.</source>
         <translation>用 --wrap 或许可以重新生成其表面。</translation>
     </message>
     <message>
@@ -477,20 +619,20 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>OUT 最多有这么多三角形，至少 4 个（默认不减少）；在形状和颜色损失最小处减少。</translation>
     </message>
     <message>
-        <source>Mend a model that is not in order, and say what changed.</source>
-        <translation>修复有问题的模型，并说明改动了什么。</translation>
+        <source>Repair a model that is not watertight, and say what changed.</source>
+        <translation>修复不水密的模型，并说明改动了什么。</translation>
     </message>
     <message>
-        <source>With --legalise: make the whole surface anew where nothing else keeps it; detail is lost.</source>
-        <translation>与 --legalise 一起使用：别无他法时重新生成整个表面；细节会丢失。</translation>
+        <source>With --repair: make a new surface where nothing else keeps the model; detail is lost.</source>
+        <translation>与 --repair 一起使用：别无他法时重新生成整个表面；细节会丢失。</translation>
     </message>
     <message>
-        <source>With --legalise: what to do with holes longer than a quarter of the model (default: fill).</source>
-        <translation>与 --legalise 一起使用：如何处理长于模型四分之一的孔（默认 fill）。</translation>
+        <source>With --repair: what to do with holes longer than a quarter of the model (default: fill).</source>
+        <translation>与 --repair 一起使用：如何处理长于模型四分之一的孔（默认 fill）。</translation>
     </message>
     <message>
-        <source>With --legalise: what to do with parts inside of others that face outwards (default: fill).</source>
-        <translation>与 --legalise 一起使用：如何处理位于其他部分内部且朝外的部分（默认 fill）。</translation>
+        <source>With --repair: what to do with parts inside of others that face outwards (default: fill).</source>
+        <translation>与 --repair 一起使用：如何处理位于其他部分内部且朝外的部分（默认 fill）。</translation>
     </message>
     <message numerus="yes">
         <source>convert: needs two files, IN and OUT; %n were given.</source>
@@ -506,7 +648,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>无法再撤销更早的步骤：磁盘上的记录文件无法读取。模型完好。</translation>
     </message>
     <message>
-        <source>Sculpting rests until the model is ready.</source>
+        <source>Sculpting is paused until the model is ready.</source>
         <translation>模型处理完成之前暂停雕刻。</translation>
     </message>
 </context>
@@ -538,14 +680,14 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
 <context>
     <name>app::HeadsetController</name>
     <message>
-        <source>%1 It can be mended at the window.</source>
+        <source>%1 It can be repaired at the window.</source>
         <translation>%1 可以在窗口中修复。</translation>
     </message>
 </context>
 <context>
     <name>app::RuntimeProbe</name>
     <message>
-        <source>The headset&apos;s program does not answer. If it is not just starting, start it anew.</source>
+        <source>The headset&apos;s program does not answer. If it is not just starting, restart it.</source>
         <translation>头显的程序没有响应。如果它不是正在启动，请重新启动它。</translation>
     </message>
 </context>
@@ -587,15 +729,15 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
 <context>
     <name>app::RecoveryStore</name>
     <message>
-        <source>The program ended from outside; the changes to %1 are kept, and offered at the next start.</source>
+        <source>Fettle was ended from outside. The changes to %1 are kept; the next start offers them.</source>
         <translation>程序被外部结束；对 %1 的更改已保留，下次启动时提供。</translation>
     </message>
     <message>
-        <source>Should the program end unexpectedly, changes since the last save would be lost: %1</source>
-        <translation>如果程序意外结束，上次保存后的更改将会丢失：%1</translation>
+        <source>Changes are not being recorded, so save often: %1</source>
+        <translation>更改未被记录，请经常保存：%1</translation>
     </message>
     <message>
-        <source>%1 cannot be recovered: what was kept of it is damaged.</source>
+        <source>%1 cannot be recovered: its recording is damaged.</source>
         <translation>无法恢复 %1：所保留的内容已损坏。</translation>
     </message>
     <message>
@@ -603,15 +745,15 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>%1：内存不足，无法载入此模型。</translation>
     </message>
     <message>
-        <source>What was kept of an unsaved model is damaged and cannot be opened. It is in %1.</source>
+        <source>The recording of an unsaved model is damaged and cannot be opened. It is in %1.</source>
         <translation>为某个未保存的模型保留的数据已损坏，无法打开，现存放于 %1。</translation>
     </message>
     <message>
-        <source>What was kept of %1 is damaged and cannot be opened. It is in %2.</source>
+        <source>The recording of %1 is damaged and cannot be opened. It is in %2.</source>
         <translation>为 %1 保留的数据已损坏，无法打开，现存放于 %2。</translation>
     </message>
     <message>
-        <source>Some of what was kept of %1 is damaged: its last steps may be missing. It is in %2.</source>
+        <source>A part of the recording of %1 is damaged: its last steps may be missing. It is in %2.</source>
         <translation>为 %1 保留的部分数据已损坏，最后几步可能缺失，现存放于 %2。</translation>
     </message>
     <message>
@@ -619,8 +761,8 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>磁盘较慢：断电可能会丢失最近 %1 秒内的更改。</translation>
     </message>
     <message>
-        <source>Changes are recorded again: should the program end unexpectedly, they come back.</source>
-        <translation>更改已恢复记录：如果程序意外结束，可以找回这些更改。</translation>
+        <source>Changes are being recorded again.</source>
+        <translation>更改已恢复记录。</translation>
     </message>
 </context>
 <context>
@@ -659,7 +801,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>%1. %2 (strokes: %3; tools: %4)</source>
-        <translation>%1. %2（笔触：%3；工具：%4）</translation>
+        <translation>%1. %2（笔画：%3；工具：%4）</translation>
     </message>
     <message>
         <source>all</source>
@@ -710,8 +852,8 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>最后一步留下的模型写入的文件。</translation>
     </message>
     <message>
-        <source>One JSON object.</source>
-        <translation>一个 JSON 对象。</translation>
+        <source>JSON: one object; of a folder of models, one for each, on a line of its own; without a lesson, the list of the program&apos;s.</source>
+        <translation>JSON：一个对象；给出模型文件夹时，每个模型一个对象、各占一行；不给课程时，列出程序自带的课程。</translation>
     </message>
     <message>
         <source>CSV with a header row: a row for each goal; of a folder, for each model.</source>
@@ -745,10 +887,6 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>正在打开 %1</translation>
     </message>
     <message>
-        <source>something sculpted in this step</source>
-        <translation>在这一步里雕刻过</translation>
-    </message>
-    <message>
         <source>Step %1 is not done yet. You can go back, or start from the teacher&apos;s model.</source>
         <translation>第 %1 步还没有完成。可以返回，也可以从老师的模型开始。</translation>
     </message>
@@ -760,7 +898,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
 <context>
     <name>app::LessonEditorController</name>
     <message>
-        <source>This was taken back: a lesson cannot hold images and models from other files.</source>
+        <source>Undone: a lesson cannot contain images or models from other files.</source>
         <translation>已撤回：课程不能包含其他文件中的图片和模型。</translation>
     </message>
     <message>
@@ -784,7 +922,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>未保存的课程</translation>
     </message>
     <message>
-        <source>The lesson has changes that were not saved.</source>
+        <source>The lesson has unsaved changes.</source>
         <translation>课程有未保存的更改。</translation>
     </message>
     <message>
@@ -798,6 +936,42 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>New Lesson</source>
         <translation>新课程</translation>
+    </message>
+</context>
+<context>
+    <name>app::LessonProgress</name>
+    <message numerus="yes">
+        <source>You met %1 of %n goals.</source>
+        <extracomment>%1: how many of them</extracomment>
+        <translation>
+            <numerusform>%n 个目标中你达成了 %1 个。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Keep sculpting, export your model, or save the steps as a handout.</source>
+        <translation>你可以继续雕刻、导出模型，或把步骤存成讲义。</translation>
+    </message>
+    <message>
+        <source>Keep sculpting, if you like.</source>
+        <translation>想的话，可以继续雕刻。</translation>
+    </message>
+    <message>
+        <source>Well done!</source>
+        <translation>做得好！</translation>
+    </message>
+    <message>
+        <source>That was the last step</source>
+        <translation>这是最后一步了</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3</source>
+        <comment>step: goals met of goals</comment>
+        <translation>%1：%3 个中的 %2 个</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>two sentences</comment>
+        <translation>%1%2</translation>
     </message>
 </context>
 <context>
@@ -902,8 +1076,52 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>缺少“%1”</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is of the wrong type, or holds nothing that a lesson can use</source>
-        <translation>“%1”的类型不对，或没有课程能用的内容</translation>
+        <source>&quot;%1&quot; must hold texts by language, as in {&quot;en&quot;: &quot;A mug&quot;}</source>
+        <translation>“%1”必须按语言给出文字，例如 {&quot;zh&quot;: &quot;杯子&quot;}</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be a list of steps, as in [{…}, {…}]</source>
+        <translation>“%1”必须是步骤的列表，例如 [{…}, {…}]</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be a list of tools, as in [&quot;pull&quot;, &quot;smooth&quot;]</source>
+        <translation>“%1”必须是工具的列表，例如 [&quot;pull&quot;, &quot;smooth&quot;]</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must hold goals, as in {&quot;height_mm&quot;: {&quot;least&quot;: 60}}</source>
+        <translation>“%1”必须含有目标，例如 {&quot;height_mm&quot;: {&quot;least&quot;: 60}}</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be angles, as in {&quot;yaw_deg&quot;: 75, &quot;pitch_deg&quot;: -25}</source>
+        <translation>“%1”必须是角度，例如 {&quot;yaw_deg&quot;: 75, &quot;pitch_deg&quot;: -25}</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must hold a distance, as in {&quot;tolerance_mm&quot;: 2}</source>
+        <translation>“%1”必须含有距离，例如 {&quot;tolerance_mm&quot;: 2}</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be a name in quotation marks</source>
+        <translation>“%1”必须是引号中的名称</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be a whole number</source>
+        <translation>“%1”必须是整数</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be a number</source>
+        <translation>“%1”必须是一个数</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be true</source>
+        <translation>“%1”必须是 true</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be a whole number, or bounds, as in {&quot;least&quot;: 1, &quot;most&quot;: 2}</source>
+        <translation>“%1”必须是整数，或范围，例如 {&quot;least&quot;: 1, &quot;most&quot;: 2}</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be a number, or bounds, as in {&quot;least&quot;: 1, &quot;most&quot;: 2}</source>
+        <translation>“%1”必须是一个数，或范围，例如 {&quot;least&quot;: 1, &quot;most&quot;: 2}</translation>
     </message>
     <message>
         <source>unknown value, %1</source>
@@ -951,7 +1169,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>the strokes of a lesson cannot need other images or models</source>
-        <translation>课程的笔触不能需要其他图片或模型</translation>
+        <translation>课程的笔画不能需要其他图片或模型</translation>
     </message>
     <message>
         <source>this command cannot be done soundly on the model that it comes to</source>
@@ -1016,8 +1234,8 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>深度%1</translation>
     </message>
     <message>
-        <source>%1 at its widest</source>
-        <translation>最宽处%1</translation>
+        <source>%1 long, seen from above</source>
+        <translation>从上面看最长处%1</translation>
     </message>
     <message>
         <source>legs on the ground: %1</source>
@@ -1059,6 +1277,14 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>%1 %2 mm (strength %3)</source>
         <translation>%1 %2 毫米（强度 %3）</translation>
+    </message>
+    <message>
+        <source>like the teacher&apos;s to %1 mm</source>
+        <translation>与老师的相差不超过 %1 毫米</translation>
+    </message>
+    <message>
+        <source>something sculpted in this step</source>
+        <translation>在这一步里雕刻过</translation>
     </message>
     <message>
         <source>like the teacher&apos;s to %1 mm (now up to %2)</source>
@@ -1133,8 +1359,8 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>已写入 %1，但其内容与写入的不一致。可能是磁盘出现故障，或有其他程序正在修改该文件。</translation>
     </message>
     <message>
-        <source>%1: %2 × %3 × %4 mm, %5 triangles; read back bit for bit, in fine fettle.</source>
-        <translation>%1：%2 × %3 × %4 毫米，%5 个三角形；重新读取逐位一致，状态良好。</translation>
+        <source>%1: %2 × %3 × %4 mm, %5 triangles; verified, watertight.</source>
+        <translation>%1：%2 × %3 × %4 毫米，%5 个三角形；已核对，水密。</translation>
     </message>
     <message>
         <source>Its format does not hold the colours; GLB and 3MF do.</source>
@@ -1156,7 +1382,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>正在检查 %1</translation>
     </message>
     <message>
-        <source>%1 cannot be sculpted where it lies: so far from the origin its coordinates are too coarse for its detail.</source>
+        <source>%1 cannot be sculpted where it is: so far from the origin its coordinates are too coarse for its detail.</source>
         <translation>%1 无法在其所在位置雕刻：离原点这么远，其坐标的精度不足以表示它的细节。</translation>
     </message>
     <message>
@@ -1360,7 +1586,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>模型保持不变，因为其部分面会在程序的工作网格上相碰（面数：%1）。</translation>
     </message>
     <message>
-        <source>The model stays as it is: nothing may lie farther from the origin than four times its size.</source>
+        <source>The model stays as it is: nothing may be farther from the origin than four times its size.</source>
         <translation>模型保持不变：离原点的距离不得超过其尺寸的四倍。</translation>
     </message>
     <message>
@@ -1368,7 +1594,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>模型保持不变：其尺寸须在百万分之一毫米到十公里之间。</translation>
     </message>
     <message>
-        <source>%1 was not inserted, because one model would lie inside the other; it has to be outside, or in a void.</source>
+        <source>%1 was not inserted, because one model would be inside the other. It must be outside, or in a hollow.</source>
         <translation>未插入 %1，因为一个模型会位于另一个之内；它必须在外部或空腔中。</translation>
     </message>
     <message>
@@ -1376,7 +1602,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>未插入 %1，因为它在该处会碰到模型。</translation>
     </message>
     <message>
-        <source>The model stays as it is, because nothing of it lies on the side that was to be kept.</source>
+        <source>The model stays as it is, because no part of it is on the side to keep.</source>
         <translation>模型保持不变：要保留的一侧没有模型的任何部分。</translation>
     </message>
     <message>
@@ -1504,7 +1730,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <name>app::ReplayCommand</name>
     <message>
         <source>Plays recorded strokes on a model, or on the paper&apos;s sphere.</source>
-        <translation>在模型或论文所用的球体上回放录制的笔触。</translation>
+        <translation>在模型或论文所用的球体上回放录制的笔画。</translation>
     </message>
     <message>
         <source>replay: %1 is no option; the model is given with --in.</source>
@@ -1528,7 +1754,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>The strokes, JSON; or -.</source>
-        <translation>笔触，JSON 格式；或 -。</translation>
+        <translation>笔画，JSON 格式；或 -。</translation>
     </message>
     <message>
         <source>The model; or - (default: a sphere of 2562 vertices, radius 1).</source>
@@ -1565,7 +1791,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>Strokes: %1, commands: %2, dabs: %3. Size: %4 x %5 x %6 mm, triangles: %7. Time: %8 s.</source>
-        <translation>笔触：%1，命令：%2，笔点：%3。尺寸：%4 x %5 x %6 毫米，三角形：%7。用时：%8 秒。</translation>
+        <translation>笔画：%1，命令：%2，笔点：%3。尺寸：%4 x %5 x %6 毫米，三角形：%7。用时：%8 秒。</translation>
     </message>
 </context>
 <context>
@@ -1829,7 +2055,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>Fettle %1
 
-Sculpt a model with mouse, pen or VR wands, and export it ready to print.</source>
+Sculpt a model with mouse, pen or VR controllers, and export it ready to print.</source>
         <translation>Fettle %1
 
 用鼠标、手写笔或 VR 手柄雕刻模型，并导出为可直接打印的文件。</translation>
@@ -1858,16 +2084,16 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>撤销(&amp;U)</translation>
     </message>
     <message>
-        <source>Takes the last stroke back.</source>
-        <translation>撤销上一笔。</translation>
+        <source>Undoes the last step.</source>
+        <translation>撤销上一步。</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
         <translation>重做(&amp;R)</translation>
     </message>
     <message>
-        <source>Does again what was taken back.</source>
-        <translation>恢复撤销的操作。</translation>
+        <source>Redoes the last undone step.</source>
+        <translation>重做上一个撤销的步骤。</translation>
     </message>
     <message>
         <source>&amp;Pull</source>
@@ -1882,8 +2108,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>平滑(&amp;S)</translation>
     </message>
     <message>
-        <source>Evens out what is rough.</source>
-        <translation>抚平粗糙之处。</translation>
+        <source>Smooths the surface.</source>
+        <translation>使表面平滑。</translation>
     </message>
     <message>
         <source>S&amp;maller Brush</source>
@@ -1962,15 +2188,15 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>正交投影(&amp;O)</translation>
     </message>
     <message>
-        <source>Shows what is far as large as what is near, or as the eye sees it.</source>
-        <translation>让远处与近处显示得一样大，或如眼睛所见。</translation>
+        <source>Turns perspective off and on.</source>
+        <translation>关闭或打开透视。</translation>
     </message>
     <message>
         <source>&amp;Look for a Headset</source>
         <translation>查找头显(&amp;L)</translation>
     </message>
     <message>
-        <source>Says whether a VR headset is ready.</source>
+        <source>Checks whether a VR headset is ready.</source>
         <translation>查看 VR 头显是否就绪。</translation>
     </message>
     <message>
@@ -1978,7 +2204,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>关于 Fettle(&amp;A)</translation>
     </message>
     <message>
-        <source>Says what this program is, and its version.</source>
+        <source>Shows what this program is, and its version.</source>
         <translation>显示程序简介和版本。</translation>
     </message>
     <message>
@@ -2010,7 +2236,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>停止(&amp;S)</translation>
     </message>
     <message>
-        <source>Ends what is going on and leaves the model as it is.</source>
+        <source>Stops what is running. The model stays as it is.</source>
         <translation>结束正在进行的操作，模型保持不变。</translation>
     </message>
     <message>
@@ -2074,7 +2300,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>均匀重新划分网格(&amp;U)…</translation>
     </message>
     <message>
-        <source>Makes all triangles of the model about as large.</source>
+        <source>Makes all triangles of the model about the same size.</source>
         <translation>使模型的所有三角形大小相近。</translation>
     </message>
     <message>
@@ -2082,8 +2308,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>压平(&amp;F)</translation>
     </message>
     <message>
-        <source>Levels the surface towards its mean plane. Shift smooths.</source>
-        <translation>把表面压向它的平均平面。按住 Shift 为平滑。</translation>
+        <source>Levels the surface. Shift smooths.</source>
+        <translation>压平表面。按住 Shift 为平滑。</translation>
     </message>
     <message>
         <source>P&amp;aint</source>
@@ -2098,7 +2324,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>射线笔刷(&amp;R)</translation>
     </message>
     <message>
-        <source>Takes what lies near along the surface, and leaves the other side of a fold.</source>
+        <source>Affects only points connected along the surface, not the far side of a fold.</source>
         <translation>只作用于沿表面距离近的部分，不影响褶皱的另一侧。</translation>
     </message>
     <message>
@@ -2114,16 +2340,16 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>融合(&amp;F)</translation>
     </message>
     <message>
-        <source>Surfaces that meet join and thin necks part; without it they stop at contact.</source>
-        <translation>相遇的表面连成一体，细颈断开；关闭时表面在接触处停止。</translation>
+        <source>Joins surfaces that touch and parts thin necks. When off, surfaces stop where they touch.</source>
+        <translation>连接相碰的表面，断开细颈。关闭时，表面在相碰处停止。</translation>
     </message>
     <message>
         <source>S&amp;ymmetry</source>
         <translation>对称(&amp;Y)</translation>
     </message>
     <message>
-        <source>Does on the other side of the plane what you do on this one.</source>
-        <translation>在平面的另一侧重复您在这一侧的操作。</translation>
+        <source>Mirrors your strokes across the symmetry plane.</source>
+        <translation>将您的笔画镜像到对称平面的另一侧。</translation>
     </message>
     <message>
         <source>&amp;Commands and Keys…</source>
@@ -2204,6 +2430,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Writes the name of each tool below its icon.</source>
         <translation>在每个图标下方写出工具名称。</translation>
+    </message>
+    <message>
+        <source>Panels on the Left Si&amp;de</source>
+        <translation>面板在左侧(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Moves the panels to the left of the view, for left-handed use.</source>
+        <translation>将面板列移到视图左侧：适合左手执笔的人。</translation>
     </message>
     <message>
         <source>Brus&amp;h Palette</source>
@@ -2354,7 +2588,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>平稳笔画(&amp;T)</translation>
     </message>
     <message>
-        <source>Draws the brush on a string behind the pointer, so that a trembling hand draws smooth lines.</source>
+        <source>Drags the brush on a string behind the pointer, for smooth lines even with a trembling hand.</source>
         <translation>用一根线把笔刷拖在指针后面，使颤抖的手也能画出平滑的线条。</translation>
     </message>
     <message>
@@ -2362,7 +2596,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>上色颜色(&amp;C)</translation>
     </message>
     <message>
-        <source>Shows the panel that says what Paint colours with.</source>
+        <source>Shows the panel with the paint colour.</source>
         <translation>显示决定上色所用颜色的面板。</translation>
     </message>
     <message>
@@ -2394,8 +2628,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>首选项(&amp;P)…</translation>
     </message>
     <message>
-        <source>Chooses colours, language, and how pen and mouse are taken.</source>
-        <translation>选择颜色、语言，以及笔和鼠标的用法。</translation>
+        <source>Sets colours, language, keys, pen and mouse.</source>
+        <translation>设置颜色、语言、快捷键、笔和鼠标。</translation>
     </message>
     <message>
         <source>Add &amp;Ball</source>
@@ -2454,16 +2688,16 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>花瓶(&amp;V)</translation>
     </message>
     <message>
-        <source>Begins with the turned blank of a vase.</source>
-        <translation>从一个车削成形的花瓶坯开始。</translation>
+        <source>Begins with a vase.</source>
+        <translation>从花瓶开始。</translation>
     </message>
     <message>
         <source>&amp;Head</source>
         <translation>头像(&amp;H)</translation>
     </message>
     <message>
-        <source>Begins with the blank of a head on its neck.</source>
-        <translation>从一个带颈的头像坯开始。</translation>
+        <source>Begins with a head and neck.</source>
+        <translation>从头和颈开始。</translation>
     </message>
     <message>
         <source>T&amp;ablet</source>
@@ -2482,7 +2716,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>转盘(&amp;N)</translation>
     </message>
     <message>
-        <source>Turns the model under the hand: a hand that rests makes a groove all around.</source>
+        <source>Turns the model under your hand. Hold still to cut a groove all around.</source>
         <translation>让模型在手下转动：手不动即可刻出环绕的沟槽。</translation>
     </message>
     <message>
@@ -2490,24 +2724,24 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>保存(&amp;S)</translation>
     </message>
     <message>
-        <source>Writes the model to its file.</source>
-        <translation>将模型写入其文件。</translation>
+        <source>Saves the model to its file.</source>
+        <translation>将模型保存到其文件。</translation>
     </message>
     <message>
         <source>Save &amp;As…</source>
         <translation>另存为(&amp;A)…</translation>
     </message>
     <message>
-        <source>Writes the model to another file, which is its own from then on.</source>
-        <translation>将模型写入另一个文件，此后该文件即为模型自己的文件。</translation>
+        <source>Saves the model to another file and continues with that one.</source>
+        <translation>将模型保存到另一个文件，之后继续使用该文件。</translation>
     </message>
     <message>
         <source>Reset to S&amp;tart</source>
         <translation>重置到起点(&amp;T)</translation>
     </message>
     <message>
-        <source>Gives the model the shape and the colours that it was opened with; Undo takes that back.</source>
-        <translation>让模型恢复打开时的形状和颜色；可用撤销取回。</translation>
+        <source>Gives the model the shape and the colours that it was opened with. You can undo this.</source>
+        <translation>让模型恢复打开时的形状和颜色。可以撤销。</translation>
     </message>
     <message>
         <source>Save Nu&amp;mbered Copy</source>
@@ -2574,7 +2808,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>移除参考图(&amp;R)</translation>
     </message>
     <message>
-        <source>Takes away the image of the side from which the view looks.</source>
+        <source>Removes the image of the side from which the view looks.</source>
         <translation>移除当前视图所朝一侧的图片。</translation>
     </message>
     <message>
@@ -2586,7 +2820,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>打开(&amp;O)</translation>
     </message>
     <message>
-        <source>Opens the model that is marked in the Files panel, or enters the folder.</source>
+        <source>Opens the selected model of the Files panel, or enters the folder.</source>
         <translation>打开“文件”面板中选中的模型，或进入文件夹。</translation>
     </message>
     <message>
@@ -2594,7 +2828,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>重命名(&amp;R)</translation>
     </message>
     <message>
-        <source>Gives the file that is marked in the Files panel another name; its ending stays.</source>
+        <source>Renames the selected file of the Files panel; its ending stays.</source>
         <translation>为“文件”面板中选中的文件改名；扩展名不变。</translation>
     </message>
     <message>
@@ -2602,7 +2836,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>复制一份(&amp;D)</translation>
     </message>
     <message>
-        <source>Puts a copy of the file that is marked in the Files panel beside it.</source>
+        <source>Makes a copy of the selected file of the Files panel beside it.</source>
         <translation>在“文件”面板中选中的文件旁边放一份副本。</translation>
     </message>
     <message>
@@ -2610,15 +2844,15 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>移到回收站(&amp;T)</translation>
     </message>
     <message>
-        <source>Puts the file that is marked in the Files panel into the trash, from which it can be taken back.</source>
-        <translation>把“文件”面板中选中的文件放入回收站，之后还可以取回。</translation>
+        <source>Moves the selected file of the Files panel to the trash.</source>
+        <translation>把“文件”面板中选中的文件移到回收站。</translation>
     </message>
     <message>
         <source>&amp;Show in Folder</source>
         <translation>在文件夹中显示(&amp;S)</translation>
     </message>
     <message>
-        <source>Shows the file that is marked in the Files panel in the desktop&apos;s program for files.</source>
+        <source>Shows the selected file of the Files panel in the desktop&apos;s file manager.</source>
         <translation>在系统的文件管理器中显示“文件”面板中选中的文件。</translation>
     </message>
     <message>
@@ -2626,7 +2860,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>上一级(&amp;U)</translation>
     </message>
     <message>
-        <source>Shows in the Files panel the folder in which this one lies.</source>
+        <source>Goes up one folder in the Files panel.</source>
         <translation>在“文件”面板中显示上一级文件夹。</translation>
     </message>
     <message>
@@ -2646,15 +2880,15 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>从文件打开模型。</translation>
     </message>
     <message>
-        <source>Writes the model to a file of any format; its own stays as it is.</source>
-        <translation>把模型写入任意格式的另一个文件；模型自己的文件不变。</translation>
+        <source>Writes the model to an STL, OBJ, PLY, OFF, GLB or 3MF file. Its own file stays as it is.</source>
+        <translation>把模型写入 STL、OBJ、PLY、OFF、GLB 或 3MF 文件。模型自己的文件不变。</translation>
     </message>
     <message>
         <source>Export for &amp;Print or Game…</source>
         <translation>导出用于打印或游戏(&amp;P)…</translation>
     </message>
     <message>
-        <source>Writes STL, 3MF or GLB with as many triangles as you like, and judges the file.</source>
+        <source>Writes STL, 3MF or GLB with as many triangles as you like, and verifies the file.</source>
         <translation>写出 STL、3MF 或 GLB，三角形数量由您决定，并检查该文件。</translation>
     </message>
     <message>
@@ -2670,8 +2904,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>压平底部(&amp;B)…</translation>
     </message>
     <message>
-        <source>Cuts the model level a little above its lowest point, so that it stands flat.</source>
-        <translation>在最低点稍上方水平切开模型，使其平稳站立。</translation>
+        <source>Cuts the bottom off level, so that the model stands flat.</source>
+        <translation>水平切去底部，使模型平稳站立。</translation>
     </message>
     <message>
         <source>&amp;Print Check</source>
@@ -2686,8 +2920,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>进入 VR(&amp;E)</translation>
     </message>
     <message>
-        <source>Puts the model before the person with the headset, who sculpts it with two wands; once more leaves VR.</source>
-        <translation>把模型放到戴头显的人面前，用两个手柄雕刻；再按一次离开 VR。</translation>
+        <source>Sculpts in VR with a headset. Choose it again to leave VR.</source>
+        <translation>用头显在 VR 中雕刻。再次选择即离开 VR。</translation>
     </message>
     <message>
         <source>&amp;Follow the Head</source>
@@ -2702,11 +2936,11 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>膨胀(&amp;I)</translation>
     </message>
     <message>
-        <source>Swells the surface along each point&apos;s own direction. %1 shrinks it instead, Shift smooths.</source>
+        <source>Swells the surface in all directions. %1 shrinks it instead, Shift smooths.</source>
         <translation>让表面沿各点自身的方向膨胀。按住 %1 收缩，按住 Shift 平滑。</translation>
     </message>
     <message>
-        <source>Lays on a flat layer and fills hollows first. %1 digs instead, Shift smooths.</source>
+        <source>Adds a flat layer and fills hollows first. %1 digs instead, Shift smooths.</source>
         <translation>铺上一层平整的泥，先填满凹处。按住 %1 挖去，按住 Shift 平滑。</translation>
     </message>
     <message>
@@ -2718,7 +2952,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>刮平(&amp;R)</translation>
     </message>
     <message>
-        <source>Takes down what stands above the mean plane. %1 fills what lies below instead, Shift smooths.</source>
+        <source>Removes what is above the average plane. %1 fills what is below instead, Shift smooths.</source>
         <translation>刮去高出平均平面的部分。按住 %1 填补低于它的部分，按住 Shift 平滑。</translation>
     </message>
     <message>
@@ -2726,7 +2960,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>收拢(&amp;N)</translation>
     </message>
     <message>
-        <source>Draws the surface together towards the stroke&apos;s line. %1 spreads it instead, Shift smooths.</source>
+        <source>Pulls the surface together towards the stroke. %1 spreads it instead, Shift smooths.</source>
         <translation>把表面向笔画的中线收拢。按住 %1 撑开，按住 Shift 平滑。</translation>
     </message>
     <message>
@@ -2742,7 +2976,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>抓取(&amp;G)</translation>
     </message>
     <message>
-        <source>Takes hold of what is under the brush and moves it with the hand. Shift smooths.</source>
+        <source>Moves what is under the brush with your hand. Shift smooths.</source>
         <translation>抓住笔刷下的部分，随手移动。按住 Shift 为平滑。</translation>
     </message>
     <message>
@@ -2750,7 +2984,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>蛇形钩(&amp;H)</translation>
     </message>
     <message>
-        <source>Draws a tentacle out, and the brush follows its tip. Shift smooths.</source>
+        <source>Pulls out a tentacle, and the brush follows its tip. Shift smooths.</source>
         <translation>拉出一条触手，笔刷跟随它的尖端。按住 Shift 为平滑。</translation>
     </message>
     <message>
@@ -2758,11 +2992,11 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>扭转(&amp;T)</translation>
     </message>
     <message>
-        <source>Turns what is under the brush around its middle, as far as you drag away. %1 turns it the other way, Shift smooths.</source>
+        <source>Twists what is under the brush as you drag away from it. %1 twists it the other way, Shift smooths.</source>
         <translation>把笔刷下的部分绕其中心扭转，拖得越远转得越多。按住 %1 反向扭转，按住 Shift 平滑。</translation>
     </message>
     <message>
-        <source>Held on the model, %1 inverts the tool, and %2 smooths.</source>
+        <source>Hold %1 on the model to invert the tool, %2 to smooth.</source>
         <translation>在模型上按住 %1 反向使用工具，按住 %2 平滑。</translation>
     </message>
     <message>
@@ -2866,15 +3100,15 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>把球或您的模型压入表面。按住 %1 则改为隆起，按住 Shift 则平滑。</translation>
     </message>
     <message>
-        <source>Does what you do in several sectors around the model&apos;s upright axis; the Symmetry panel says in how many.</source>
-        <translation>在绕模型竖直轴的几个扇区里同样做您所做的；扇区数在“对称”面板中选择。</translation>
+        <source>Repeats strokes around the vertical axis. Set the count in the Symmetry panel.</source>
+        <translation>绕竖直轴重复笔画。数量在“对称”面板中设定。</translation>
     </message>
     <message>
         <source>Mas&amp;k</source>
         <translation>遮罩(&amp;K)</translation>
     </message>
     <message>
-        <source>Puts a ball of the brush&apos;s radius, or the stamp&apos;s model, where you click next.</source>
+        <source>Adds a ball of the brush&apos;s radius, or the stamp&apos;s model, where you click next.</source>
         <translation>在下一次点击处放一个半径与笔刷相同的球，或图章的模型。</translation>
     </message>
     <message>
@@ -2914,7 +3148,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>把模型用作笔刷(&amp;U)</translation>
     </message>
     <message>
-        <source>Makes the stamp&apos;s model of this model as it is now.</source>
+        <source>Uses this model, as it is now, as the stamp.</source>
         <translation>把现在的模型作为图章的模型。</translation>
     </message>
     <message>
@@ -2930,7 +3164,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>指点(&amp;P)</translation>
     </message>
     <message>
-        <source>Shows the person in VR a light where the pointer is on the model; held, the key points until it is let go.</source>
+        <source>Shows the person in VR a light where the pointer is on the model. Hold the key to point only meanwhile.</source>
         <translation>在模型上指针所在处给 VR 中的人显示一个光点；按住该键则指到松开为止。</translation>
     </message>
     <message>
@@ -2946,7 +3180,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>录制课程(&amp;O)…</translation>
     </message>
     <message>
-        <source>Makes a lesson of what you sculpt, step by step, or changes one that is there.</source>
+        <source>Makes a lesson from what you sculpt, step by step, or changes an existing one.</source>
         <translation>把您的雕刻一步一步做成课程，或修改已有的课程。</translation>
     </message>
     <message>
@@ -2954,8 +3188,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>修改最后一笔(&amp;L)…</translation>
     </message>
     <message>
-        <source>Does the last stroke again with another tool, radius or strength.</source>
-        <translation>用其他工具、半径或强度重做最后一笔。</translation>
+        <source>Changes tool, radius or strength of the last stroke.</source>
+        <translation>更改最后一笔的工具、半径或强度。</translation>
     </message>
     <message>
         <source>Export Time-&amp;Lapse…</source>
@@ -3030,8 +3264,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>单手(&amp;O)</translation>
     </message>
     <message>
-        <source>From the next visit to VR on, one wand does all, and panels stand before you.</source>
-        <translation>从下次进入 VR 起，一支手柄完成所有操作，面板立在您面前。</translation>
+        <source>Uses one controller, with the panels in front of you, from the next time you enter VR.</source>
+        <translation>从下次进入 VR 起只用一支手柄，面板立在您面前。</translation>
     </message>
     <message>
         <source>From the next visit to VR on, the left hand sculpts.</source>
@@ -3129,8 +3363,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>作用范围</translation>
     </message>
     <message>
-        <source>Within a ball</source>
-        <translation>球内</translation>
+        <source>Sphere</source>
+        <translation>球</translation>
     </message>
     <message>
         <source>Along the surface</source>
@@ -3161,8 +3395,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>均匀</translation>
     </message>
     <message>
-        <source>Surfaces that meet join</source>
-        <translation>相遇的表面连接</translation>
+        <source>Fuse touching surfaces</source>
+        <translation>融合相碰的表面</translation>
     </message>
     <message>
         <source>Symmetry</source>
@@ -3189,8 +3423,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>前后 (z = 0)</translation>
     </message>
     <message>
-        <source>The brush hangs on a string behind the pointer, so long: a trembling hand draws smooth lines.</source>
-        <translation>笔刷由这么长的线拖在指针后面：颤抖的手也能画出平滑的线条。</translation>
+        <source>Length of the string between pointer and brush. A longer one makes smoother lines.</source>
+        <translation>指针与笔刷之间的线长。线越长，线条越平滑。</translation>
     </message>
     <message>
         <source>Airbrush</source>
@@ -3225,8 +3459,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>径向对称的扇区数</translation>
     </message>
     <message>
-        <source>What you do is done in so many sectors around the upright axis (y), and mirrored in each if Mirror is on.</source>
-        <translation>您所做的会在绕竖直轴（y）的这么多扇区里进行；如果打开了镜像，每个扇区里还会镜像。</translation>
+        <source>Repeats your strokes in this number of sectors around the vertical axis (y), mirrored in each if Mirror is on.</source>
+        <translation>在绕竖直轴（y）的这么多扇区里重复您的笔画；打开镜像时，每个扇区里还会镜像。</translation>
     </message>
     <message>
         <source>Off</source>
@@ -3281,7 +3515,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>课堂</translation>
     </message>
     <message>
-        <source>Takes back Next Pupil: the work is opened again as it was kept, and the turn goes on. Possible until somebody sculpts.</source>
+        <source>Undoes Next Pupil: reopens the work and continues the turn. Possible until somebody sculpts.</source>
         <translation>撤回“下一位”：重新打开保存的作品，继续这一轮。有人开始雕刻后就不能撤回。</translation>
     </message>
     <message>
@@ -3428,7 +3662,19 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>保存(&amp;S)…</translation>
     </message>
     <message>
-        <source>Stands in the topmost bar, such as the name of the class.</source>
+        <source>&amp;Save</source>
+        <translation>保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation>另存为(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Keeps the class in another file.</source>
+        <translation>把课堂保存到另一个文件。</translation>
+    </message>
+    <message>
+        <source>Shown in the top bar, such as the name of the class.</source>
         <translation>显示在最上方的栏中，例如班级名称。</translation>
     </message>
     <message>
@@ -3436,7 +3682,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>标题(&amp;T)：</translation>
     </message>
     <message>
-        <source>There each turn gets a folder with model, picture and record.</source>
+        <source>Each turn gets a folder there, with model, picture and recording.</source>
         <translation>每件作品在那里有一个文件夹，含模型、图片和记录。</translation>
     </message>
     <message>
@@ -3456,7 +3702,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>不限</translation>
     </message>
     <message>
-        <source>So long is a turn. Nothing is taken away when it is over.</source>
+        <source>The length of a turn. Nothing is lost when it is over.</source>
         <translation>每轮的时长。时间到了也不会丢失任何东西。</translation>
     </message>
     <message>
@@ -3464,7 +3710,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>无</translation>
     </message>
     <message>
-        <source>So long before the end a notice appears, in the headset, too.</source>
+        <source>How long before the end a notice appears, also in the headset.</source>
         <translation>在结束前这么久给出提示，头显中也会显示。</translation>
     </message>
     <message>
@@ -3472,11 +3718,11 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>全屏(&amp;E)</translation>
     </message>
     <message>
-        <source>Nothing else is to be seen on the screen.</source>
+        <source>Hides everything else on the screen.</source>
         <translation>屏幕上不显示其他内容。</translation>
     </message>
     <message>
-        <source>The words of the window in this class.</source>
+        <source>The language of the window in this class.</source>
         <translation>课堂窗口所用的语言。</translation>
     </message>
     <message>
@@ -3492,11 +3738,11 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>语言(&amp;L)：</translation>
     </message>
     <message>
-        <source>Leaving the class takes it. It is kept as a fingerprint, not as you type it.</source>
-        <translation>离开课堂需要它。保存的是指纹，而不是您输入的内容。</translation>
+        <source>Needed to leave the class. Stored as a hash, not as you type it.</source>
+        <translation>离开课堂时需要。保存的是校验值，而不是您输入的内容。</translation>
     </message>
     <message>
-        <source>&amp;PIN:</source>
+        <source>P&amp;IN:</source>
         <translation>&amp;PIN：</translation>
     </message>
     <message>
@@ -3556,14 +3802,6 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>This folder cannot be made.</source>
         <translation>无法新建此文件夹。</translation>
-    </message>
-    <message>
-        <source>A name in each line, as it can be pasted from anywhere. Pupils choose theirs; who has had a turn today is marked.</source>
-        <translation>每行一个名字，可从别处粘贴。学生选择自己的名字；今天已轮到的会有标记。</translation>
-    </message>
-    <message>
-        <source>One name in a line; none: pupils type theirs.</source>
-        <translation>每行一个名字；不填则由学生输入。</translation>
     </message>
     <message>
         <source>Other &amp;names may be typed</source>
@@ -3754,8 +3992,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>彩色打印：3MF(&amp;C)</translation>
     </message>
     <message>
-        <source>Shape and colours, in millimetres for certain, Z up. Newer slicers read it.</source>
-        <translation>形状和颜色，明确以毫米为单位，Z 轴向上。较新的切片软件可以读取。</translation>
+        <source>Shape and colours, always in millimetres, Z up. Newer slicers read it.</source>
+        <translation>形状和颜色，始终以毫米为单位，Z 轴向上。较新的切片软件可以读取。</translation>
     </message>
     <message>
         <source>&amp;Game: GLB</source>
@@ -3774,11 +4012,11 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>文件的用途是什么？</translation>
     </message>
     <message>
-        <source>At &amp;most so many triangles:</source>
+        <source>&amp;Limit triangles to:</source>
         <translation>三角形最多(&amp;M)：</translation>
     </message>
     <message>
-        <source>Takes away triangles where the shape and the colours lose least by it. The model in the window keeps its own.</source>
+        <source>Removes triangles where shape and colours change least. The model in the window stays as it is.</source>
         <translation>在形状和颜色损失最小的地方减少三角形。窗口中的模型保持不变。</translation>
     </message>
     <message>
@@ -3786,23 +4024,23 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>三角形上限</translation>
     </message>
     <message>
-        <source>The file has at most so many triangles, unless its holes and parts need more; that is said then.</source>
-        <translation>文件中的三角形不超过此数，除非孔洞和部件需要更多；届时会说明。</translation>
+        <source>Maximum number of triangles in the file. A notice appears if holes and parts need more.</source>
+        <translation>文件中三角形的最大数量。如果孔洞和部件需要更多，会有提示。</translation>
     </message>
     <message>
-        <source>The model has %1 triangles. The file is read back and judged when it is written.</source>
-        <translation>模型有 %1 个三角形。文件写出后会重新读取并检查。</translation>
+        <source>The model has %1 triangles. The file is verified after saving.</source>
+        <translation>模型有 %1 个三角形。文件保存后会进行核对。</translation>
     </message>
     <message>
         <source>&amp;Export…</source>
         <translation>导出(&amp;E)…</translation>
     </message>
     <message>
-        <source>&amp;Try whether PrusaSlicer slices it</source>
-        <translation>试用 PrusaSlicer 切片(&amp;T)</translation>
+        <source>&amp;Test in PrusaSlicer</source>
+        <translation>用 PrusaSlicer 测试(&amp;T)</translation>
     </message>
     <message>
-        <source>Slices the file with PrusaSlicer&apos;s own settings, and tells layers and time or its complaint; Esc stops it.</source>
+        <source>Slices the file with PrusaSlicer&apos;s own settings and reports layers and time, or its error. Esc stops it.</source>
         <translation>用 PrusaSlicer 自己的设置切片，并显示层数和时间或其报告的问题；Esc 可停止。</translation>
     </message>
 </context>
@@ -4121,7 +4359,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>文件</translation>
     </message>
     <message>
-        <source>No models lie here (%1).</source>
+        <source>No models in this folder (%1).</source>
         <translation>这里没有模型（%1）。</translation>
     </message>
 </context>
@@ -4167,8 +4405,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
 <context>
     <name>ui::InputActions</name>
     <message>
-        <source>Click where the ball should be. Esc puts it away.</source>
-        <translation>请单击要放置球的位置。按 Esc 取消。</translation>
+        <source>Click to place the ball. Esc cancels.</source>
+        <translation>单击放置球。Esc 取消。</translation>
     </message>
     <message>
         <source>Arrow keys move the cross. Space presses while it is held, Return until the next Return.</source>
@@ -4214,7 +4452,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>已过期</translation>
     </message>
     <message>
-        <source>taken back</source>
+        <source>undone</source>
         <translation>已撤销</translation>
     </message>
     <message numerus="yes">
@@ -4247,7 +4485,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>历史占用的内存</translation>
     </message>
     <message>
-        <source>So much memory the history may take; older steps then go to disk, and if that is full they expire.</source>
+        <source>The memory that the history may use. Older steps are moved to disk; if the disk is full, they expire.</source>
         <translation>历史最多占用这么多内存；更早的步骤会存到磁盘，磁盘已满时则过期。</translation>
     </message>
     <message>
@@ -4257,6 +4495,29 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>%1 MB of</source>
         <translation>%1 MB，上限</translation>
+    </message>
+</context>
+<context>
+    <name>ui::NamesField</name>
+    <message>
+        <source>A name in each line, as it can be pasted from anywhere. Pupils choose theirs; who has had a turn today is marked.</source>
+        <translation>每行一个名字，可从别处粘贴。学生选择自己的名字；今天已轮到的会有标记。</translation>
+    </message>
+    <message>
+        <source>One name in a line; none: pupils type theirs.</source>
+        <translation>每行一个名字；不填则由学生输入。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is longer than %2 characters.</source>
+        <translation>“%1”超过 %2 个字符。</translation>
+    </message>
+    <message>
+        <source>A class has at most %1 names; these are %2.</source>
+        <translation>一个课堂最多有 %1 个名字；这里有 %2 个。</translation>
+    </message>
+    <message>
+        <source>In the list more than once, and counted once: %1.</source>
+        <translation>名单中重复出现，只计一次：%1。</translation>
     </message>
 </context>
 <context>
@@ -4450,7 +4711,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
     <message>
         <source>Begins a lesson of one step. The strokes before it cannot be undone any more.</source>
-        <translation>开始一个只有一步的课程。之前的笔触不能再撤销。</translation>
+        <translation>开始一个只有一步的课程。之前的笔画不能再撤销。</translation>
     </message>
     <message>
         <source>Or change a lesson that is there:</source>
@@ -4510,7 +4771,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
     <message>
         <source>From here on strokes belong to a new step, the last one.</source>
-        <translation>从这里起，笔触属于一个新的步骤，也就是最后一步。</translation>
+        <translation>从这里起，笔画属于一个新的步骤，也就是最后一步。</translation>
     </message>
     <message>
         <source>Moves the step up</source>
@@ -4522,7 +4783,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
     <message>
         <source>Removes the step with its strokes</source>
-        <translation>删除这一步及其笔触</translation>
+        <translation>删除这一步及其笔画</translation>
     </message>
     <message>
         <source>Plays the lesson to its end and records from there, or stops that.</source>
@@ -4533,7 +4794,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>保存…</translation>
     </message>
     <message>
-        <source>Plays the lesson to its end, judges each step, and writes it as one file or a folder.</source>
+        <source>Plays the lesson to its end, checks each step, and writes it as one file or a folder.</source>
         <translation>把课程播放到底，评判每一步，然后写成一个文件或文件夹。</translation>
     </message>
     <message>
@@ -4622,8 +4883,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>试一试</translation>
     </message>
     <message>
-        <source>Takes the step&apos;s strokes back: now it is your turn.</source>
-        <translation>撤销这一步的笔触：现在轮到您了。</translation>
+        <source>Undoes the strokes of this step. Now it is your turn.</source>
+        <translation>撤销这一步的笔画。现在轮到你了。</translation>
     </message>
     <message>
         <source>Show the difference</source>
@@ -4640,6 +4901,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Next</source>
         <translation>下一步</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>完成</translation>
     </message>
     <message>
         <source>Leave</source>
@@ -4711,19 +4976,19 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
     <message>
         <source>Strokes of the step</source>
-        <translation>这一步的笔触</translation>
+        <translation>这一步的笔画</translation>
     </message>
     <message>
         <source>Cut Stroke</source>
         <translation>剪掉这一笔</translation>
     </message>
     <message>
-        <source>Takes this stroke out of the lesson. Those after it are played without it when the lesson is saved.</source>
-        <translation>把这一笔从课程中剪掉。保存课程时，后面的笔触在没有它的情况下播放。</translation>
+        <source>Removes this stroke from the lesson. Later ones are played without it when the lesson is saved.</source>
+        <translation>把这一笔从课程中剪掉。保存课程时，后面的笔画在没有它的情况下播放。</translation>
     </message>
     <message>
         <source>Strokes</source>
-        <translation>笔触</translation>
+        <translation>笔画</translation>
     </message>
     <message>
         <source>The pupil has these tools; all of them, if none is chosen.</source>
@@ -4782,8 +5047,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>三角形</translation>
     </message>
     <message>
-        <source>So near the pupil&apos;s shape is to come to the one that the teacher&apos;s strokes leave.</source>
-        <translation>学生的形状要与老师的笔触留下的形状相差不超过这么多。</translation>
+        <source>How close the pupil&apos;s shape must come to the one that the teacher&apos;s strokes make.</source>
+        <translation>学生的形状要与老师的笔画留下的形状相差不超过这么多。</translation>
     </message>
     <message>
         <source>Near the teacher&apos;s, mm</source>
@@ -4815,8 +5080,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>%1. %2</translation>
     </message>
     <message>
-        <source>At its widest, mm</source>
-        <translation>最宽处，mm</translation>
+        <source>Length from above, mm</source>
+        <translation>俯视最长，mm</translation>
     </message>
     <message>
         <source>Legs on the ground</source>
@@ -4916,23 +5181,23 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
 <context>
     <name>ui::RepairDialogs</name>
     <message>
-        <source>Mend the Model</source>
+        <source>Repair the Model</source>
         <translation>修复模型</translation>
     </message>
     <message>
-        <source>Fill large holes, too: longer than a quarter of the model</source>
-        <translation>也填补大孔：长于模型的四分之一</translation>
+        <source>Also fill large holes (over a quarter of the model&apos;s size)</source>
+        <translation>也填补大孔（超过模型大小的四分之一）</translation>
     </message>
     <message>
-        <source>Parts inside of others are cavities, not solid</source>
-        <translation>位于其他部分内部的部分是空腔而非实体</translation>
+        <source>Treat enclosed parts as cavities</source>
+        <translation>把内部的部分当作空腔</translation>
     </message>
     <message>
-        <source>Mend and Open</source>
+        <source>Repair and Open</source>
         <translation>修复并打开</translation>
     </message>
     <message>
-        <source>Fettle can mend it: holes are filled, faces turned outwards, and parts that intersect become one. You will see what changed. The file stays as it is.</source>
+        <source>Fettle can repair it: it fills holes, turns faces outwards and joins parts that intersect. You will see what changed. The file stays as it is.</source>
         <translation>Fettle 可以修复它：填补孔洞，将面翻转朝外，并把相交的部分合为一体。您会看到改动了什么。文件保持不变。</translation>
     </message>
     <message>
@@ -4940,27 +5205,27 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>Fettle</translation>
     </message>
     <message>
-        <source>%1 was mended. It has no file of its own until you save it.</source>
-        <translation>%1 已修复。在您保存之前，它没有自己的文件。</translation>
+        <source>%1 was repaired. Save to keep the repaired model; the original file stays as it is.</source>
+        <translation>%1 已修复。保存即可保留修复后的模型；原文件不变。</translation>
     </message>
     <message>
-        <source>Mend and Insert</source>
+        <source>Repair and Insert</source>
         <translation>修复并插入</translation>
     </message>
     <message>
-        <source>%1 was mended and inserted. Undo takes both back.</source>
+        <source>%1 was repaired and inserted. Undo reverts both.</source>
         <translation>%1 已修复并插入。撤销会同时撤回这两步。</translation>
     </message>
     <message>
-        <source>Mended, But Not the Same</source>
-        <translation>已修复，但与原来不同</translation>
+        <source>Repaired, but Changed</source>
+        <translation>已修复，但有变化</translation>
     </message>
     <message>
         <source>In the file</source>
         <translation>文件中</translation>
     </message>
     <message>
-        <source>Mended</source>
+        <source>Repaired</source>
         <translation>修复后</translation>
     </message>
     <message>
@@ -5007,12 +5272,12 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>位于其他部分内部的部分：%1</translation>
     </message>
     <message>
-        <source>Pairs of faces that met, cut and joined: %1</source>
-        <translation>相交并已切开合并的面对：%1</translation>
+        <source>Intersections resolved: %1</source>
+        <translation>已消除的相交：%1</translation>
     </message>
     <message>
-        <source>Edges and points at which parts merely touched, drawn apart: %1</source>
-        <translation>仅相互接触而被分开的边和点：%1</translation>
+        <source>Touching edges and points separated: %1</source>
+        <translation>已分开的接触边和点：%1</translation>
     </message>
     <message>
         <source>Tangles that could not be cut apart, covered by small solids: %1, the widest %2 mm</source>
@@ -5023,7 +5288,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>已略去的细小薄片：%1</translation>
     </message>
     <message>
-        <source>The surface was made anew, with edges of about %1 mm.</source>
+        <source>The surface was rebuilt, with edges of about %1 mm.</source>
         <translation>表面已重新生成，边长约 %1 mm。</translation>
     </message>
     <message>
@@ -5031,11 +5296,11 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>新表面距旧表面最多 %1 mm（平均 %2 mm）；旧表面距新表面最多 %3 mm（平均 %4 mm）。</translation>
     </message>
     <message>
-        <source>%1 was not mended: it has holes longer than a quarter of it (%2).</source>
+        <source>%1 was not repaired: it has holes longer than a quarter of its size (%2).</source>
         <translation>%1 未修复：它有长于自身四分之一的孔（%2 个）。</translation>
     </message>
     <message>
-        <source>%1 cannot be mended: its faces enclose no space.</source>
+        <source>%1 cannot be repaired: its faces enclose no space.</source>
         <translation>%1 无法修复：它的面没有围成任何空间。</translation>
     </message>
     <message>
@@ -5043,35 +5308,35 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>裂缝处合并的开放点：%1，距离不超过 %2 毫米</translation>
     </message>
     <message>
-        <source>Mending %1: points and faces</source>
+        <source>Repairing %1: points and faces</source>
         <translation>正在修复 %1：点和面</translation>
     </message>
     <message>
-        <source>Mending %1: cracks</source>
+        <source>Repairing %1: cracks</source>
         <translation>正在修复 %1：裂缝</translation>
     </message>
     <message>
-        <source>Mending %1: directions of the faces</source>
+        <source>Repairing %1: face directions</source>
         <translation>正在修复 %1：面的朝向</translation>
     </message>
     <message>
-        <source>Mending %1: holes</source>
+        <source>Repairing %1: holes</source>
         <translation>正在修复 %1：孔洞</translation>
     </message>
     <message>
-        <source>Mending %1: intersections</source>
+        <source>Repairing %1: intersections</source>
         <translation>正在修复 %1：自相交</translation>
     </message>
     <message>
-        <source>Mending %1: a new surface</source>
+        <source>Repairing %1: new surface</source>
         <translation>正在修复 %1：新表面</translation>
     </message>
     <message>
-        <source>Mending %1: the check</source>
+        <source>Repairing %1: check</source>
         <translation>正在修复 %1：检查</translation>
     </message>
     <message>
-        <source>Mending %1: measuring what moved</source>
+        <source>Repairing %1: measuring the changes</source>
         <translation>正在修复 %1：测量偏移</translation>
     </message>
     <message>
@@ -5091,35 +5356,35 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>部件：%1，此前 %2</translation>
     </message>
     <message>
-        <source>%1 could only be made anew, with edges of about %2 mm: its form is near the old one, its detail is lost.</source>
+        <source>%1 could only be rebuilt, with edges of about %2 mm: its shape is close to the old one, but detail is lost.</source>
         <translation>%1 只能重新生成，边长约 %2 毫米：形状接近原来的，细节已丢失。</translation>
     </message>
     <message>
-        <source>%1 was mended, but has %2 % of its volume now.</source>
+        <source>%1 was repaired, but now has %2 % of its volume.</source>
         <translation>%1 已修复，但现在的体积为原来的 %2 %。</translation>
     </message>
     <message>
-        <source>%1 was mended, but parts that could be holes were taken for parts that face the wrong way: %2 % of the space.</source>
+        <source>%1 was repaired, but parts that could be holes were treated as parts that face the wrong way: %2 % of the space.</source>
         <translation>%1 已修复，但可能是孔的部分被当作了朝向错误的部分，占空间的 %2 %。</translation>
     </message>
     <message>
-        <source>%1 was mended, but what it encloses now differs by %2 % from what its faces stood around.</source>
+        <source>%1 was repaired, but the space that it encloses differs by %2 % from what its faces enclosed before.</source>
         <translation>%1 已修复，但它现在所包围的空间与其面原先所围的空间相差 %2 %。</translation>
     </message>
     <message>
-        <source>%1 was mended, but some of its surface went: it lies %2 mm from the new one on average, %3 % of the size.</source>
+        <source>%1 was repaired, but part of its surface was lost: it is %2 mm from the new one on average, %3 % of the size.</source>
         <translation>%1 已修复，但部分表面已不在：原表面与新表面平均相距 %2 毫米，为尺寸的 %3 %。</translation>
     </message>
     <message>
-        <source>%1 cannot be mended as it is: its faces could not be cut apart near %2, %3, %4.</source>
+        <source>%1 cannot be repaired as it is: its faces could not be separated near %2, %3, %4.</source>
         <translation>%1 无法照原样修复：在 %2, %3, %4 附近无法将各面切开。</translation>
     </message>
     <message>
-        <source>%1 cannot be mended as it is: its faces could not be cut apart.</source>
+        <source>%1 cannot be repaired as it is: its faces could not be separated.</source>
         <translation>%1 无法照原样修复：无法将各面切开。</translation>
     </message>
     <message>
-        <source>%1 cannot be mended as it is: its faces hang together too badly, and most of it would be lost.</source>
+        <source>%1 cannot be repaired as it is: its faces are too badly connected, and most of it would be lost.</source>
         <translation>%1 无法照原样修复：各面连接太差，大部分会丢失。</translation>
     </message>
     <message numerus="yes">
@@ -5129,7 +5394,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1 cannot be mended: it has %n open sheets that enclose no space, the largest %2 x %3 mm.</source>
+        <source>%1 cannot be repaired: it has %n open sheets that enclose no space, the largest %2 x %3 mm.</source>
         <translation>
             <numerusform>%1 无法修复：它有 %n 片不围成空间的开放曲面，最大的为 %2 x %3 毫米。</numerusform>
         </translation>
@@ -5243,7 +5508,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>%1：“%2”不是有限数。</translation>
     </message>
     <message>
-        <source>%1: a face names vertex %2, but there are %3 vertices.</source>
+        <source>%1: a face refers to vertex %2, but there are only %3 vertices.</source>
         <translation>%1：有面引用了顶点 %2，但只有 %3 个顶点。</translation>
     </message>
     <message>
@@ -5251,7 +5516,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>%1：元素 (%2) 过多；最多允许 %3 个。</translation>
     </message>
     <message>
-        <source>%1 holds no faces.</source>
+        <source>%1 contains no faces.</source>
         <translation>%1 不含任何面。</translation>
     </message>
     <message>
@@ -5287,20 +5552,20 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>无法写入 %1：没有文件夹 %2。</translation>
     </message>
     <message>
-        <source>Nothing happened here: the surface would have met itself.</source>
+        <source>Nothing happened here: the surface would have intersected itself.</source>
         <translation>此处没有变化：表面会与自身相碰。</translation>
     </message>
     <message>
-        <source>The brush stopped where surfaces met that may not join.</source>
+        <source>The brush stopped: surfaces touch, and they may not join here.</source>
         <translation>笔刷停在了不可连接的表面相遇之处。</translation>
     </message>
     <message>
-        <source>The brush stopped at the wall of the working volume.</source>
+        <source>The brush stopped at the edge of the workspace.</source>
         <translation>笔刷停在了工作空间的边界。</translation>
     </message>
     <message>
-        <source>That was too much work for one touch of the brush, which stopped early; stroke again to go on.</source>
-        <translation>一次落笔的工作量过大，已提前停止；再画一笔即可继续。</translation>
+        <source>The brush is too large for this much detail. Continue with another stroke.</source>
+        <translation>对这么多细节来说笔刷太大。请再画一笔继续。</translation>
     </message>
     <message>
         <source>Radius</source>
@@ -5439,7 +5704,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>%1 不能用作笔刷形状，因为它的表面没有围成实体（%2）。</translation>
     </message>
     <message>
-        <source>Nothing was added, because it would lie inside the model.</source>
+        <source>Nothing was added, because it would be inside the model.</source>
         <translation>没有添加任何东西，因为它会位于模型内部。</translation>
     </message>
     <message>
@@ -5726,8 +5991,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>移动模型</translation>
     </message>
     <message>
-        <source>By how much is the whole model moved?</source>
-        <translation>整个模型移动多少？</translation>
+        <source>Move the model by:</source>
+        <translation>模型移动：</translation>
     </message>
     <message>
         <source>Move</source>
@@ -5758,8 +6023,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>缩放模型</translation>
     </message>
     <message>
-        <source>How large is the model to be?</source>
-        <translation>模型应为多大？</translation>
+        <source>New size of the model:</source>
+        <translation>模型的新尺寸：</translation>
     </message>
     <message>
         <source>Longest side</source>
@@ -5778,8 +6043,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>镜像模型</translation>
     </message>
     <message>
-        <source>The mirror goes through the origin. What changes sides?</source>
-        <translation>镜面过原点。哪两侧互换？</translation>
+        <source>Mirror across the origin:</source>
+        <translation>以原点为中心镜像：</translation>
     </message>
     <message>
         <source>Left and right (X)</source>
@@ -5838,8 +6103,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>均匀重新划分网格</translation>
     </message>
     <message>
-        <source>All triangles of the model become about as large. How long may their edges be?</source>
-        <translation>模型的所有三角形将大小相近。边最长可为多少？</translation>
+        <source>Rebuild the mesh with triangles of about the same size. Maximum edge length:</source>
+        <translation>用大小相近的三角形重建网格。最大边长：</translation>
     </message>
     <message>
         <source>Longest edge</source>
@@ -5898,8 +6163,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>压平</translation>
     </message>
     <message>
-        <source>It was made in</source>
-        <translation>制作单位</translation>
+        <source>Original unit</source>
+        <translation>原单位</translation>
     </message>
     <message>
         <source>Millimetres</source>
@@ -5957,11 +6222,11 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>另存为(&amp;A)…</translation>
     </message>
     <message>
-        <source>%1 is not there any more; the model is, and Save writes it again.</source>
-        <translation>%1 已不存在；模型仍在，“保存”会重新写入。</translation>
+        <source>%1 was deleted or moved. Save to write it again.</source>
+        <translation>%1 已被删除或移动。“保存”会重新写入。</translation>
     </message>
     <message>
-        <source>%1 was not there any more and was written anew.</source>
+        <source>%1 had been deleted or moved and was written again.</source>
         <translation>%1 已不存在，现已重新写入。</translation>
     </message>
     <message>
@@ -5969,8 +6234,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>已写入 %1。只有 GLB 文件保存视图、笔刷、对称设置和参考图：请使用“另存为”。</translation>
     </message>
     <message>
-        <source>The model %1 has changes that were not saved.</source>
-        <translation>模型 %1 有未保存的更改。</translation>
+        <source>Save changes to %1?</source>
+        <translation>保存对 %1 的更改？</translation>
     </message>
 </context>
 <context>
@@ -6003,7 +6268,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>部件</translation>
     </message>
     <message>
-        <source>Parts of the surface that do not hang together, hollows among them.</source>
+        <source>Parts of the surface that are not connected, including hollows.</source>
         <translation>互不相连的表面部分，包括空腔。</translation>
     </message>
     <message>
@@ -6059,19 +6324,19 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>%1 至 %2 mm</translation>
     </message>
     <message>
-        <source>In fine fettle</source>
-        <translation>状态完好</translation>
+        <source>Watertight</source>
+        <translation>水密</translation>
     </message>
     <message>
-        <source>Closed, without self-intersections, and it bounds a solid: checked exactly, as it is now.</source>
-        <translation>封闭、无自相交、包围一个实体：已按现状精确检查。</translation>
+        <source>Closed and free of self-intersections. Checked exactly.</source>
+        <translation>封闭且无自相交。已精确检查。</translation>
     </message>
     <message>
-        <source>Not sound</source>
-        <translation>有问题</translation>
+        <source>Needs repair</source>
+        <translation>需要修复</translation>
     </message>
     <message>
-        <source>The surface is not closed, meets itself, or bounds no solid.</source>
+        <source>The surface is open, intersects itself or encloses no space.</source>
         <translation>表面不封闭、与自身相交或不包围实体。</translation>
     </message>
     <message>
@@ -6079,8 +6344,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>上次改动后尚未检查</translation>
     </message>
     <message>
-        <source>The figures are of before. They are found anew when the model rests.</source>
-        <translation>数值是之前的；模型静止后会重新计算。</translation>
+        <source>These values are from before the last change. They are updated when the model is idle.</source>
+        <translation>这些数值是上次改动之前的；模型静止后会更新。</translation>
     </message>
     <message>
         <source>Model</source>
@@ -6103,7 +6368,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>下一轮</translation>
     </message>
     <message>
-        <source>Whose turn is it?</source>
+        <source>Who is next?</source>
         <translation>轮到谁了？</translation>
     </message>
     <message>
@@ -6259,7 +6524,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>输入(&amp;I)</translation>
     </message>
     <message>
-        <source>A pen&apos;s pressure is the &amp;strength</source>
+        <source>Pen pressure controls &amp;strength</source>
         <translation>笔的压力决定强度(&amp;S)</translation>
     </message>
     <message>
@@ -6267,7 +6532,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>轻触改变少，重压改变多。</translation>
     </message>
     <message>
-        <source>A pen&apos;s pressure is the &amp;radius</source>
+        <source>Pen pressure controls &amp;radius</source>
         <translation>笔的压力决定半径(&amp;R)</translation>
     </message>
     <message>
@@ -6275,7 +6540,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>轻触笔画窄，重压笔画宽。</translation>
     </message>
     <message>
-        <source>Alt and the &amp;mouse move the view</source>
+        <source>Alt and &amp;mouse navigate</source>
         <translation>Alt 加鼠标移动视图(&amp;M)</translation>
     </message>
     <message>
@@ -6287,8 +6552,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>确认后，将程序中的一切恢复为初始状态。</translation>
     </message>
     <message>
-        <source>Should everything be as it was at first?</source>
-        <translation>要将一切恢复为初始状态吗？</translation>
+        <source>Reset all settings to defaults?</source>
+        <translation>将所有设置恢复为默认值？</translation>
     </message>
     <message>
         <source>This is about colours, language, keys, pen and mouse, brush, view and the panels&apos; places. Models, recent files and swatches stay. The language is spoken from the next start on.</source>
@@ -6299,7 +6564,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>重置(&amp;R)</translation>
     </message>
     <message>
-        <source>With Alt held, left orbits, middle pans and right zooms, on the model too; the keys of ZBrush have it otherwise.</source>
+        <source>Hold Alt: left orbits, middle pans and right zooms, on the model too. The keys of ZBrush differ.</source>
         <translation>按住 Alt 时，左键旋转、中键平移、右键缩放，在模型上也是如此；使用 ZBrush 快捷键时则不同。</translation>
     </message>
     <message>
@@ -6319,11 +6584,11 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>再次保存时保留文件的最近三个版本(&amp;V)</translation>
     </message>
     <message>
-        <source>What a file held before stays beside it, as vase.glb~1, vase.glb~2 and so on; it can be opened like any other.</source>
+        <source>Older versions stay beside the file, as vase.glb~1, vase.glb~2 and so on. Open them like any other file.</source>
         <translation>文件之前的内容保留在旁边，名为 vase.glb~1、vase.glb~2 等；可以像其他文件一样打开。</translation>
     </message>
     <message>
-        <source>Changes that are not saved yet are kept in any case, should Fettle end unexpectedly; the next start offers them.</source>
+        <source>Unsaved changes are always kept if Fettle ends unexpectedly. The next start offers to recover them.</source>
         <translation>若 Fettle 意外结束，尚未保存的更改总会保留；下次启动时提供恢复。</translation>
     </message>
     <message>
@@ -6335,8 +6600,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>使窗口文字大于桌面的文字。</translation>
     </message>
     <message>
-        <source>Another language and another text size hold from the next start on.</source>
-        <translation>更改语言和文字大小在下次启动后生效。</translation>
+        <source>Restart Fettle to apply language and text size.</source>
+        <translation>语言和文字大小在重新启动 Fettle 后生效。</translation>
     </message>
     <message>
         <source>&amp;Reduced motion</source>
@@ -6437,19 +6702,19 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>%1°</translation>
     </message>
     <message>
-        <source>Sound surface</source>
-        <translation>表面完好</translation>
+        <source>Watertight surface</source>
+        <translation>表面水密</translation>
     </message>
     <message>
         <source>Closed, every face looks outward, nothing meets itself: checked exactly.</source>
         <translation>封闭，每个面朝外，没有自相交：已精确检查。</translation>
     </message>
     <message>
-        <source>The surface is not sound</source>
-        <translation>表面不完好</translation>
+        <source>The surface needs repair</source>
+        <translation>表面需要修复</translation>
     </message>
     <message>
-        <source>It is not closed, meets itself, or bounds no solid; walls were not measured.</source>
+        <source>It is open, intersects itself or encloses no space; walls were not measured.</source>
         <translation>表面不封闭、自相交或不围成实体；未测量壁厚。</translation>
     </message>
     <message numerus="yes">
@@ -6459,7 +6724,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         </translation>
     </message>
     <message>
-        <source>Parts of the surface that do not hang together; hollows count, too.</source>
+        <source>Parts of the surface that are not connected; hollows count, too.</source>
         <translation>互不相连的表面部分；空腔也计算在内。</translation>
     </message>
     <message>
@@ -6532,7 +6797,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>底面 %1</translation>
     </message>
     <message>
-        <source>Stands on a point or an edge</source>
+        <source>Rests on a point or an edge</source>
         <translation>只靠一点或一条边站立</translation>
     </message>
     <message>
@@ -6547,7 +6812,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>模型上的颜色</translation>
     </message>
     <message>
-        <source>What the colours on the model mean. What is hatched is beyond the limit.</source>
+        <source>The meaning of the colours on the model. Hatched places are beyond the limit.</source>
         <translation>模型上颜色的含义。带斜线处超出限度。</translation>
     </message>
     <message>
@@ -6598,11 +6863,11 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>打印机</translation>
     </message>
     <message>
-        <source>Whose bed the model is compared with.</source>
-        <translation>与其打印床比较模型大小。</translation>
+        <source>The printer to check against.</source>
+        <translation>要对照检查的打印机。</translation>
     </message>
     <message>
-        <source>Least wall</source>
+        <source>Minimum wall</source>
         <translation>最小壁厚</translation>
     </message>
     <message>
@@ -6638,7 +6903,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>注意</translation>
     </message>
     <message>
-        <source>to be changed</source>
+        <source>to fix</source>
         <translation>需修改</translation>
     </message>
     <message>
@@ -6658,15 +6923,15 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>检查当前的模型。</translation>
     </message>
     <message>
-        <source>Prints as it is</source>
+        <source>Ready to print</source>
         <translation>可直接打印</translation>
     </message>
     <message>
-        <source>Prints with some care</source>
-        <translation>稍加注意即可打印</translation>
+        <source>Printable, with warnings</source>
+        <translation>可打印，但有警告</translation>
     </message>
     <message>
-        <source>Should be changed before it is printed</source>
+        <source>Fix before printing</source>
         <translation>打印前应修改</translation>
     </message>
     <message>
@@ -6807,8 +7072,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>这一轮之后的问题</translation>
     </message>
     <message>
-        <source>Six questions about the program. Answer what you like: press a number, and once more to take it back.</source>
-        <translation>关于程序的六个问题。想答哪个就答哪个：按一个数字作答，再按一次撤回。</translation>
+        <source>Six questions about the program. Answer what you like: press a number; press it again to clear it.</source>
+        <translation>关于程序的六个问题。想答哪个就答哪个：按一个数字作答，再按一次清除。</translation>
     </message>
     <message>
         <source>S&amp;kip</source>
@@ -6834,8 +7099,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>未保存的模型</translation>
     </message>
     <message>
-        <source>%1 was not saved when Fettle ended: %2, %3.</source>
-        <translation>Fettle 结束时，%1 尚未保存：%2，%3。</translation>
+        <source>Unsaved changes to %1 can be recovered: %2, %3.</source>
+        <translation>可以恢复对 %1 未保存的更改：%2，%3。</translation>
     </message>
     <message numerus="yes">
         <source>%Ln steps</source>
@@ -6848,16 +7113,16 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>恢复(&amp;O)</translation>
     </message>
     <message>
-        <source>Opens it as it was, with its steps to undo and do again.</source>
-        <translation>按原样打开，并保留可撤销和重做的步骤。</translation>
+        <source>Opens the model as it was, with its history.</source>
+        <translation>按原样打开模型，并保留历史。</translation>
     </message>
     <message>
         <source>&amp;Discard…</source>
         <translation>放弃(&amp;D)…</translation>
     </message>
     <message>
-        <source>Removes what was kept of it, after a question.</source>
-        <translation>询问后删除所保留的内容。</translation>
+        <source>Deletes these changes, after a question.</source>
+        <translation>询问后删除这些更改。</translation>
     </message>
     <message>
         <source>&amp;Later</source>
@@ -6872,7 +7137,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>Fettle</translation>
     </message>
     <message>
-        <source>Should the unsaved changes to %1 be removed for good?</source>
+        <source>Permanently delete the unsaved changes to %1?</source>
         <translation>要永久删除 %1 未保存的更改吗？</translation>
     </message>
     <message>
@@ -6982,7 +7247,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
 <context>
     <name>ui::RevealFile</name>
     <message>
-        <source>There is no program here that shows folders; the file lies in %1.</source>
+        <source>No file manager was found; the file is in %1.</source>
         <translation>这里没有显示文件夹的程序；文件位于 %1。</translation>
     </message>
 </context>
@@ -7141,7 +7406,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>鼠标</translation>
     </message>
     <message>
-        <source>moves the wand on the surface</source>
+        <source>moves the controller on the surface</source>
         <translation>在表面上移动手柄</translation>
     </message>
     <message>
@@ -7157,7 +7422,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>Shift 和滚轮</translation>
     </message>
     <message>
-        <source>turns the wand about itself</source>
+        <source>turns the controller about its own axis</source>
         <translation>让手柄绕自身旋转</translation>
     </message>
     <message>
@@ -7173,7 +7438,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>Tab</translation>
     </message>
     <message>
-        <source>the other wand</source>
+        <source>the other controller</source>
         <translation>另一只手柄</translation>
     </message>
     <message>
@@ -7205,7 +7470,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>G</translation>
     </message>
     <message>
-        <source>squeezes the wand</source>
+        <source>squeezes the controller</source>
         <translation>握紧手柄</translation>
     </message>
     <message>
@@ -7213,7 +7478,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>B</translation>
     </message>
     <message>
-        <source>squeezes both wands</source>
+        <source>squeezes both controllers</source>
         <translation>握紧两只手柄</translation>
     </message>
     <message>
@@ -7221,7 +7486,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>右键</translation>
     </message>
     <message>
-        <source>looks about</source>
+        <source>looks around</source>
         <translation>环顾</translation>
     </message>
     <message>
@@ -7257,11 +7522,11 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>头显显示的画面</translation>
     </message>
     <message>
-        <source>The mouse moves the left wand.</source>
+        <source>The mouse moves the left controller.</source>
         <translation>鼠标移动左手柄。</translation>
     </message>
     <message>
-        <source>The mouse moves the right wand.</source>
+        <source>The mouse moves the right controller.</source>
         <translation>鼠标移动右手柄。</translation>
     </message>
 </context>
@@ -7304,7 +7569,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>启动时显示此页(&amp;S)</translation>
     </message>
     <message>
-        <source>Else Fettle begins with the ball of clay; Help › Start Page brings this page back.</source>
+        <source>Otherwise Fettle starts with a ball of clay; Help › Start Page brings this page back.</source>
         <translation>否则 Fettle 从泥球开始；“帮助 › 起始页”可重新显示此页。</translation>
     </message>
 </context>
@@ -7323,8 +7588,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>最后一笔的工具</translation>
     </message>
     <message>
-        <source>Does the stroke again with another tool.</source>
-        <translation>用其他工具重做这一笔。</translation>
+        <source>Changes the tool of the stroke.</source>
+        <translation>更改这一笔的工具。</translation>
     </message>
     <message>
         <source>&amp;Keep</source>
@@ -7339,7 +7604,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>取消(&amp;C)</translation>
     </message>
     <message>
-        <source>Gives the stroke back as it was, and hides this bar.</source>
+        <source>Restores the stroke as it was, and hides this bar.</source>
         <translation>恢复原来的那一笔，并隐藏此栏。</translation>
     </message>
 </context>
@@ -7466,8 +7731,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>调整, 修改</translation>
     </message>
     <message>
-        <source>settings, options, language, dark</source>
-        <translation>设置, 选项, 语言, 深色</translation>
+        <source>settings, options, language, dark, pen, pressure, tablet</source>
+        <translation>设置, 选项, 语言, 深色, 压感, 手写笔</translation>
     </message>
     <message>
         <source>size, bigger, smaller, resize, unit</source>
@@ -7486,8 +7751,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>切割, 底部, 站立</translation>
     </message>
     <message>
-        <source>watertight, thickness, overhang, hollow</source>
-        <translation>水密, 厚度, 悬垂, 中空</translation>
+        <source>watertight, thickness, overhang, hollow, support</source>
+        <translation>水密, 厚度, 悬垂, 中空, 支撑</translation>
     </message>
     <message>
         <source>stl, slicer, reduce, decimate</source>
@@ -7510,8 +7775,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>平行, 等轴</translation>
     </message>
     <message>
-        <source>headset, goggles, vive</source>
-        <translation>头显, 眼镜</translation>
+        <source>VR, headset, goggles, vive</source>
+        <translation>VR, 头显, 眼镜</translation>
     </message>
     <message>
         <source>manual, documentation</source>
@@ -7520,6 +7785,18 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>tutorial, course, learn</source>
         <translation>教程, 课程, 学习</translation>
+    </message>
+    <message>
+        <source>recover, restore, reload</source>
+        <translation>恢复, 重新打开</translation>
+    </message>
+    <message>
+        <source>shadow, contrast, relief</source>
+        <translation>阴影, 对比</translation>
+    </message>
+    <message>
+        <source>bright, daylight</source>
+        <translation>明亮, 日光</translation>
     </message>
 </context>
 <context>
@@ -7536,7 +7813,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>导出延时图片</translation>
     </message>
     <message>
-        <source>Draws the model after its steps, as it is seen now, into numbered PNG files in a folder that you choose. Sculpting rests meanwhile.</source>
+        <source>Draws the model after each step, from the current view, as numbered PNG files in a folder that you choose. Sculpting is paused while it runs.</source>
         <translation>按现在的视角画出模型各步骤之后的样子，存为带编号的 PNG 文件，放在您选择的文件夹中。其间不能雕刻。</translation>
     </message>
     <message>
@@ -7548,7 +7825,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>大小(&amp;S)：</translation>
     </message>
     <message>
-        <source>Steps to a &amp;picture:</source>
+        <source>Steps per &amp;picture:</source>
         <translation>每张图片的步数(&amp;P)：</translation>
     </message>
     <message>
@@ -7607,7 +7884,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>模型转动</translation>
     </message>
     <message>
-        <source>Turns the model under the hand: a hand that rests makes a groove all around (T).</source>
+        <source>Turns the model under your hand. Hold still to cut a groove all around (T).</source>
         <translation>让模型在手下转动：手不动即可刻出环绕的沟槽 (T)。</translation>
     </message>
     <message>
@@ -7646,8 +7923,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
 <context>
     <name>ui::UnitBar</name>
     <message>
-        <source>%1 is %2 units long: metres? That would be %3 mm.</source>
-        <translation>%1 长 %2 个单位：是米吗？那就是 %3 mm。</translation>
+        <source>%1 is %2 units long. Is it in metres (%3 mm)?</source>
+        <translation>%1 长 %2 个单位。是米吗（%3 mm）？</translation>
     </message>
     <message>
         <source>As Me&amp;tres</source>
@@ -7658,8 +7935,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>一步把模型放大到 1000 倍。</translation>
     </message>
     <message>
-        <source>%1 is %2 units long: inches? That would be %3 mm.</source>
-        <translation>%1 长 %2 个单位：是英寸吗？那就是 %3 mm。</translation>
+        <source>%1 is %2 units long. Is it in inches (%3 mm)?</source>
+        <translation>%1 长 %2 个单位。是英寸吗（%3 mm）？</translation>
     </message>
     <message>
         <source>As I&amp;nches</source>
@@ -7724,6 +8001,17 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>&amp;End Class</source>
         <translation>结束课堂(&amp;E)</translation>
+    </message>
+</context>
+<context>
+    <name>ui::WaitingWorksNote</name>
+    <message>
+        <source>Mo&amp;ve to a Folder…</source>
+        <translation>移到文件夹(&amp;V)…</translation>
+    </message>
+    <message>
+        <source>The works go there whole, each in its folder, and wait no longer.</source>
+        <translation>作品会完整地移到那里，每件在自己的文件夹中，不再等待。</translation>
     </message>
 </context>
 <context>
@@ -7839,7 +8127,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>VR 已开启，但头显正在显示其他程序。</translation>
     </message>
     <message>
-        <source>The headset&apos;s own menu is open: the wands rest here.</source>
+        <source>The headset&apos;s own menu is open: the controllers are paused here.</source>
         <translation>头显自己的菜单已打开：手柄在此暂停。</translation>
     </message>
     <message>
@@ -7860,7 +8148,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>VR 已在头显自己的程序中结束。</translation>
     </message>
     <message>
-        <source>The headset&apos;s program takes no pictures from windows of the kind “%1”. Start Fettle with QT_QPA_PLATFORM=xcb and QT_XCB_GL_INTEGRATION=xcb_glx, then enter VR again.</source>
+        <source>The headset&apos;s program does not support windows of the kind “%1”. Start Fettle with QT_QPA_PLATFORM=xcb and QT_XCB_GL_INTEGRATION=xcb_glx, then enter VR again.</source>
         <extracomment>%1: a window system, such as wayland</extracomment>
         <translation>头显的程序不接受“%1”类窗口的画面。请用 QT_QPA_PLATFORM=xcb 和 QT_XCB_GL_INTEGRATION=xcb_glx 启动 Fettle，然后重新进入 VR。</translation>
     </message>
@@ -7877,11 +8165,11 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>头显已断开。模型保持原样；请接上头显，然后再次进入 VR。</translation>
     </message>
     <message>
-        <source>The headset&apos;s program does not answer. The model is as it was; start that program anew, then enter VR again.</source>
+        <source>The headset&apos;s program does not answer. The model is as it was; restart that program, then enter VR again.</source>
         <translation>头显的程序没有响应。模型保持原样；请重新启动该程序，再进入 VR。</translation>
     </message>
     <message>
-        <source>The headset&apos;s program still does not answer, and VR cannot be entered. Start that program anew; if that does not help, save the model and start Fettle anew.</source>
+        <source>The headset&apos;s program still does not answer, and VR cannot be entered. Restart that program; if that does not help, save the model and restart Fettle.</source>
         <translation>头显的程序仍然没有响应，无法进入 VR。请重新启动该程序；如果仍然不行，请保存模型并重新启动 Fettle。</translation>
     </message>
     <message>
@@ -7915,6 +8203,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Next</source>
         <translation>下一步</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>完成</translation>
     </message>
     <message>
         <source>%1: step %2 of %3</source>
@@ -8479,8 +8771,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>导入</translation>
     </message>
     <message>
-        <source>Takes a preset from a file.</source>
-        <translation>从文件取得预设。</translation>
+        <source>Imports a preset from a file.</source>
+        <translation>从文件导入预设。</translation>
     </message>
     <message>
         <source>Export</source>
@@ -8649,11 +8941,11 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>stroke %1, sample %2 (strokes[%3].samples[%4])</source>
         <extracomment>counted from 1; in brackets as in the file, counted from 0</extracomment>
-        <translation>笔触 %1，采样点 %2 (strokes[%3].samples[%4])</translation>
+        <translation>笔画 %1，采样点 %2 (strokes[%3].samples[%4])</translation>
     </message>
     <message>
         <source>stroke %1 (strokes[%2])</source>
-        <translation>笔触 %1 (strokes[%2])</translation>
+        <translation>笔画 %1 (strokes[%2])</translation>
     </message>
     <message>
         <source>this file cannot be read</source>
@@ -8673,7 +8965,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
     <message>
         <source>this is no stroke file of version 1 (%1)</source>
-        <translation>不是版本 1 的笔触文件 (%1)</translation>
+        <translation>不是版本 1 的笔画文件 (%1)</translation>
     </message>
     <message>
         <source>no object</source>
@@ -8688,8 +8980,44 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>缺少“%1”</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is of the wrong type, or holds too few or too many values</source>
-        <translation>“%1”类型有误，或值的数量过少或过多</translation>
+        <source>&quot;%1&quot; must be a number</source>
+        <translation>“%1”必须是一个数</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be a whole number</source>
+        <translation>“%1”必须是整数</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be three numbers, as in [0, 1, 0]</source>
+        <translation>“%1”必须是三个数，例如 [0, 1, 0]</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be four numbers, as in [0, 0, 0, 1]</source>
+        <translation>“%1”必须是四个数，例如 [0, 0, 0, 1]</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be three whole numbers from 0 to 255, as in [200, 120, 80]</source>
+        <translation>“%1”必须是三个 0 到 255 的整数，例如 [200, 120, 80]</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be true or false</source>
+        <translation>“%1”必须是 true 或 false</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be a word in quotation marks</source>
+        <translation>“%1”必须是引号中的词</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be a word in quotation marks, true or false</source>
+        <translation>“%1”必须是引号中的词、true 或 false</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be an object in braces</source>
+        <translation>“%1”必须是花括号中的对象</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be a list of objects, as in [{…}, {…}]</source>
+        <translation>“%1”必须是对象的列表，例如 [{…}, {…}]</translation>
     </message>
     <message>
         <source>unknown value, %1</source>

@@ -26,7 +26,7 @@ Document::Document(SculptWorker* worker, QObject* parent)
     connect(worker, &SculptWorker::factsChanged, this, &Document::takeFacts);
     connect(&worker->strokes(), &StrokeGate::refused, this, [this] {
         if (m_queue.isPaused(DocumentQueue::Pause::Changing))
-            Q_EMIT noticed(tr("Sculpting rests until the model is ready."));
+            Q_EMIT noticed(tr("Sculpting is paused until the model is ready."));
     });
     connect(&m_history.stack(), &QUndoStack::indexChanged, this, &Document::notifyStateChanged);
     connect(&m_history.stack(), &QUndoStack::cleanChanged, this, &Document::notifyStateChanged);

@@ -321,7 +321,7 @@ private:
         return *m_token;
     }
 
-    /// Reads records up to a closing brace, or, of the file, up to its end.
+    /// Reads records up to a closing brace or, at the top level, up to the end of the file.
     Records recordsHere()
     {
         Records records;

@@ -87,19 +87,19 @@ QString CommandNames::refusal(const core::ModelChange& change, const QString& in
                   "(faces: %1).")
             .arg(faces);
     case core::ModelRefusal::TooFar:
-        return tr("The model stays as it is: nothing may lie farther from the origin than four times its size.");
+        return tr("The model stays as it is: nothing may be farther from the origin than four times its size.");
     case core::ModelRefusal::TooLarge:
         return tr("The model stays as it is: it can be between a millionth of a millimetre and ten kilometres large.");
     case core::ModelRefusal::Unsound:
         return ui::ErrorMessages::refusal(inserted, change.report);
     case core::ModelRefusal::Inside:
-        return tr("%1 was not inserted, because one model would lie inside the other; it has to be outside, or in a "
-                  "void.")
+        return tr("%1 was not inserted, because one model would be inside the other. It must be outside, or in a "
+                  "hollow.")
             .arg(file);
     case core::ModelRefusal::Touching:
         return tr("%1 was not inserted, because there it would touch the model.").arg(file);
     case core::ModelRefusal::EmptyHalf:
-        return tr("The model stays as it is, because nothing of it lies on the side that was to be kept.");
+        return tr("The model stays as it is, because no part of it is on the side to keep.");
     case core::ModelRefusal::HalvesMeet:
         return tr("The model stays as it is, because the half and its mirror image would not make one sound surface.");
     case core::ModelRefusal::NoBase:

@@ -93,7 +93,7 @@ QString ModelExport::verdictText(const ExportRequest& request, const core::MeshR
 {
     const QLocale locale;
     const auto side = [&](int axis) { return locale.toString(report.size[axis], 'f', 1); };
-    QString line = tr("%1: %2 × %3 × %4 mm, %5 triangles; read back bit for bit, in fine fettle.")
+    QString line = tr("%1: %2 × %3 × %4 mm, %5 triangles; verified, watertight.")
                        .arg(QFileInfo(request.path).fileName(), side(0), side(1), side(2),
                             locale.toString(static_cast<qulonglong>(report.faces)));
     if (losesColors)

@@ -70,7 +70,7 @@ LoadedModel ModelLoader::loadInPlace(const QString& path)
     return read(path, {}, {}, [](LoadedModel& loaded, const core::TriangleMesh& mesh, const core::JobControl& control) {
         const core::MeshReport report = build(loaded, mesh, {}, control);
         if (loaded.sculptor && core::isTooFarForFloats(core::boxOf(mesh), report.area, report.faces)) {
-            loaded.problem = tr("%1 cannot be sculpted where it lies: so far from the origin its coordinates are too "
+            loaded.problem = tr("%1 cannot be sculpted where it is: so far from the origin its coordinates are too "
                                 "coarse for its detail.")
                                  .arg(loaded.path);
             loaded.sculptor.reset();

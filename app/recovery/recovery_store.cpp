@@ -114,7 +114,7 @@ void RecoveryStore::atExit()
         journal->flush();
         const auto document = core::recoverJournal(journal->folder(), {.mesh = false});
         if (document && document->isUnsaved())
-            say(tr("The program ended from outside; the changes to %1 are kept, and offered at the next start.")
+            say(tr("Fettle was ended from outside. The changes to %1 are kept; the next start offers them.")
                     .arg(QString::fromStdString(document->document.name)));
     }
 }
@@ -200,8 +200,7 @@ std::shared_ptr<core::Journal> RecoveryStore::beginDeferred(const std::shared_pt
 void RecoveryStore::reportFailure(const core::FileError& error)
 {
     if (!std::exchange(m_isFailing, true))
-        Q_EMIT noticed(tr("Should the program end unexpectedly, changes since the last save would be lost: %1")
-                           .arg(ui::ErrorMessages::sentence(error)));
+        Q_EMIT noticed(tr("Changes are not being recorded, so save often: %1").arg(ui::ErrorMessages::sentence(error)));
     m_retryTimer.start(m_nextRetryInterval);
     m_nextRetryInterval = std::min(2 * m_nextRetryInterval, maxRetryInterval);
 }
@@ -217,7 +216,7 @@ void RecoveryStore::reportRecording()
 {
     m_nextRetryInterval = m_retryInterval;
     if (std::exchange(m_isFailing, false))
-        Q_EMIT noticed(tr("Changes are recorded again: should the program end unexpectedly, they come back."));
+        Q_EMIT noticed(tr("Changes are being recorded again."));
 }
 
 void RecoveryStore::onJournalBegun()
@@ -284,9 +283,9 @@ QString RecoveryStore::putAside(core::JournalFolder& folder, const QString& name
 {
     folder.setAside(damagedRoot(root), maxDamaged);
     if (name.isEmpty())
-        return tr("What was kept of an unsaved model is damaged and cannot be opened. It is in %1.")
+        return tr("The recording of an unsaved model is damaged and cannot be opened. It is in %1.")
             .arg(text(folder.path()));
-    return tr("What was kept of %1 is damaged and cannot be opened. It is in %2.").arg(name, text(folder.path()));
+    return tr("The recording of %1 is damaged and cannot be opened. It is in %2.").arg(name, text(folder.path()));
 }
 
 void RecoveryStore::offerNext()
@@ -320,13 +319,14 @@ LoadedModel RecoveryStore::recover(quint64 offer, const core::JobControl& contro
             model.metadata = document->document.metadata;
             model.start = document->start;
             if (document->isDamaged)
-                model.notice = tr("Some of what was kept of %1 is damaged: its last steps may be missing. It is in %2.")
-                                   .arg(model.name, text(damagedRoot(m_root)));
+                model.notice =
+                    tr("A part of the recording of %1 is damaged: its last steps may be missing. It is in %2.")
+                        .arg(model.name, text(damagedRoot(m_root)));
             model.sculptor = std::make_shared<core::Sculptor>(std::move(document->mesh));
             model.recovered = std::make_shared<core::RecoveredDocument>(std::move(*document));
             model.offer = offer;
         } else {
-            model.problem = tr("%1 cannot be recovered: what was kept of it is damaged.").arg(model.name);
+            model.problem = tr("%1 cannot be recovered: its recording is damaged.").arg(model.name);
         }
     } catch (const std::bad_alloc&) {
         model.problem = tr("%1: there is not enough memory for this model.").arg(model.name);

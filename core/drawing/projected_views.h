@@ -5,7 +5,7 @@
 
 namespace core
 {
-/// What each side hides; by DrawnSide.
+/// Depth images of what each side hides, indexed by DrawnSide.
 using DepthImages = std::array<DepthImage, 3>;
 
 /// Images that hold the box; `pixel`: mm.

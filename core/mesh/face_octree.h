@@ -13,8 +13,9 @@ namespace core
 LatticeBox boxOf(const Mesh& mesh, Slot face);
 
 /// Loose octree of faces (paper, section 3.1.1). The root is the whole lattice and never changes. A face lies in a cell
-/// two to four times its own size that holds its box's centre; the cell's loose box is twice the cell, so a face may
-/// move or shrink a little without a word. Cells stay once they exist; a subtree without faces is skipped by its count.
+/// two to four times its own size that holds its box's centre; the cell's loose box is twice the cell, so a face that
+/// moves or shrinks a little stays in its cell. Cells stay once they exist; a subtree without faces is skipped by its
+/// count.
 class FaceOctree
 {
 public:

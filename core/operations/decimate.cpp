@@ -38,7 +38,7 @@ constexpr double pull = 1e-6, perLength = 1e-4;
 struct Tolerance
 {
     double minTurnCosine; ///< of a face, between its normals before and after
-    double minShape;      ///< of a face; of equilateral triangles 1. A face may come below if it was worse before
+    double minShape;      ///< that a face must keep, 1: equilateral; or what it had before, if that was less
     bool triesAll;        ///< if the best place will not do, also the ends and the middle
 };
 /// Faces turn by at most about 75 degrees in one step. If that does not lead to few enough, what turns no face over

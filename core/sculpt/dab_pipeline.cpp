@@ -39,8 +39,8 @@ namespace
 constexpr int maxAttempts = 4 * 4096;
 /// Vertices of the warm-up dab at most: where the mesh is far finer than elsewhere there is none.
 constexpr Slot maxWarmUpVertices = 1024;
-/// The depth from which a stamp is done as a solid where it cannot be done at once, in radii. A shallower one lies
-/// close to the surface, where a stamp has been, and would meet it everywhere.
+/// Depth, in radii, from which a stamp is done as a solid if it cannot be done at once. A shallower solid would lie
+/// close to the surface where a stamp has been, and meet it everywhere.
 constexpr double deepStamp = 0.3;
 /// Sub-steps after which motion limits are lifted for one try, at the latest.
 constexpr unsigned maxLimitedSteps = 8;

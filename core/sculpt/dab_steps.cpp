@@ -259,7 +259,8 @@ void DabSteps::cleanJoints(DabContext& context)
         optimiseJoints(context); // the caps, too
 }
 
-/// Separates thin necks at what was joined, and merges joins that lie beside each other. Returns how many.
+/// Separates thin necks where this dab joined surfaces, and merges joins that lie side by side. Returns the number of
+/// changes.
 std::uint64_t DabSteps::separateJoints(DabContext& context)
 {
     std::uint64_t& separations = context.request.totals.separations;

@@ -110,8 +110,8 @@ struct StrokeSample
     Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
     std::optional<double> radius;   ///< of this sample only
     std::optional<double> strength; ///< of this sample only
-    /// The up of the hand that holds the brush, in the world, of any length; alphas and Stamp's model have it, in empty
-    /// space, too. Nothing: the world's.
+    /// Up vector of the hand that holds the brush, in world space, of any length. It orients alphas and Stamp's model,
+    /// also where the brush meets no surface. Nothing: the world's up.
     std::optional<Vec3> up;
 };
 

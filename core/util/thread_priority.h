@@ -2,7 +2,7 @@
 
 namespace core
 {
-/// How far a thread stays behind those that the user waits for, where the system supports it.
+/// Priority below threads that the user waits for, where the system supports it.
 enum class ThreadPriority {
     Batch, ///< its share of a processor, but it preempts no other thread
     Idle   ///< as Batch, with a tenth of the share

@@ -13,7 +13,7 @@ namespace places
 {
 namespace
 {
-/// Who is not root becomes the first of users of their own, under their own number.
+/// Gives this process its own mount namespace; without root in a new user namespace, which keeps its user and group.
 bool ownMounts()
 {
     const std::string user = std::to_string(::geteuid()), group = std::to_string(::getegid());

@@ -101,7 +101,7 @@ QString Actions::modifierName(Qt::KeyboardModifier modifier)
 QString Actions::modifierHelp(ShortcutPreset preset)
 {
     const MouseModifiers held = mouseModifiers(preset);
-    const QString brush = tr("Held on the model, %1 inverts the tool, and %2 smooths.")
+    const QString brush = tr("Hold %1 on the model to invert the tool, %2 to smooth.")
                               .arg(modifierName(held.invert), modifierName(Qt::ShiftModifier));
     return held.rightOrbits ? brush + u' ' + tr("The right button turns the view.") : brush;
 }

@@ -146,8 +146,8 @@ public:
 
     void addSteady(const std::function<void()>& entered) const
     {
-        const QString tip = BrushPanels::tr(
-            "The brush hangs on a string behind the pointer, so long: a trembling hand draws smooth lines.");
+        const QString tip =
+            BrushPanels::tr("Length of the string between pointer and brush. A longer one makes smoother lines.");
         auto* check = named(new QCheckBox(BrushPanels::tr("Steady stroke")), "steady", tip);
         auto* length = named(new QSpinBox, "stringLength", tip, BrushPanels::tr("Length of the string"));
         length->setRange(static_cast<int>(minStabilizerLength), static_cast<int>(maxStabilizerLength));
@@ -177,8 +177,8 @@ public:
     void addSectors(const std::function<void()>& entered) const
     {
         auto* count = named(new QSpinBox, "radial",
-                            BrushPanels::tr("What you do is done in so many sectors around the upright axis (y), and "
-                                            "mirrored in each if Mirror is on."),
+                            BrushPanels::tr("Repeats your strokes in this number of sectors around the vertical axis "
+                                            "(y), mirrored in each if Mirror is on."),
                             BrushPanels::tr("Sectors of the radial symmetry"));
         count->setRange(1, core::maxRadial);
         count->setSpecialValueText(BrushPanels::tr("Off"));
@@ -213,7 +213,7 @@ QWidget* brushForm(BrushSettings* brush, BrushShapes* shapes, const std::functio
 {
     const Panel panel(brush);
     panel.addChoice(QStringLiteral("reach"), BrushPanels::tr("Reach"), &core::StrokeSettings::brush,
-                    Choices<core::BrushShape>{{BrushPanels::tr("Within a ball"), core::BrushShape::Sphere},
+                    Choices<core::BrushShape>{{BrushPanels::tr("Sphere"), core::BrushShape::Sphere},
                                               {BrushPanels::tr("Along the surface"), core::BrushShape::Ray}});
     panel.addNumber(core::Parameter::Falloff, entered);
     panel.add(new FalloffCurve(brush));
@@ -241,7 +241,7 @@ QWidget* topologyForm(BrushSettings* brush, const std::function<void()>& entered
                                             {BrushPanels::tr("Keep"), core::Topology::Keep},
                                             {BrushPanels::tr("Uniform"), core::Topology::Uniform}});
     panel.addNumber(core::Parameter::Detail, entered);
-    panel.addCheck(QStringLiteral("fusion"), BrushPanels::tr("Surfaces that meet join"), &core::StrokeSettings::fusion);
+    panel.addCheck(QStringLiteral("fusion"), BrushPanels::tr("Fuse touching surfaces"), &core::StrokeSettings::fusion);
     return panel.content;
 }
 

@@ -70,7 +70,7 @@ void PresetShelf::build()
                               m_library.remove(*entry);
                       });
     m_import = button(QStringLiteral("presets.import"), QStringLiteral("open"), tr("Import"),
-                      tr("Takes a preset from a file."),
+                      tr("Imports a preset from a file."),
                       [this] { askForPreset(window(), [this](const QString& path) { m_library.import(path); }); });
     m_export = button(QStringLiteral("presets.export"), QStringLiteral("export"), tr("Export"),
                       tr("Writes this preset to a file that others can import."), [this] { exportChosen(); });

@@ -3,7 +3,6 @@
 #include "ui/actions/actions.h"
 #include "ui/brush/brush_bar.h"
 #include "ui/widgets/named.h"
-#include "ui/widgets/spacing.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -28,22 +27,19 @@ StrokeEditBar::StrokeEditBar(const core::BrushChange& brush, const ModelInfo& mo
     m_brush.setValue(core::Parameter::Strength, brush.strength);
     m_shownFirst = core::brushOf(m_brush.stroke());
 
-    auto* title = new QLabel(tr("Last stroke:"));
-    title->setContentsMargins(gap, 0, gap, 0);
-    addWidget(title);
+    addControl(new QLabel(tr("Last stroke:")));
     addTools(tools);
     auto* numbers = new BrushBar(&m_brush);
-    addWidget(numbers);
+    addControl(numbers);
     m_hint->setObjectName(QStringLiteral("strokeHint"));
     m_hint->setTextFormat(Qt::PlainText);
     m_hint->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-    m_hint->setContentsMargins(gap, 0, gap, 0);
-    addWidget(m_hint);
+    addControl(m_hint);
     QPushButton* keepButton =
         addButton("keepStroke", tr("&Keep"), tr("Leaves the stroke as it is now, and hides this bar."));
     keepButton->setDefault(true);
     QPushButton* cancel =
-        addButton("cancelStroke", tr("&Cancel"), tr("Gives the stroke back as it was, and hides this bar."));
+        addButton("cancelStroke", tr("&Cancel"), tr("Restores the stroke as it was, and hides this bar."));
     const auto dismissWith = [this](void (StrokeEditBar::*what)()) {
         Q_EMIT(this->*what)();
         dismiss();
@@ -70,7 +66,7 @@ void StrokeEditBar::keyPressEvent(QKeyEvent* event)
 
 void StrokeEditBar::addTools(const QList<ToolOption>& tools)
 {
-    named(m_tools, "strokeTool", tr("Does the stroke again with another tool."), tr("Tool of the last stroke"));
+    named(m_tools, "strokeTool", tr("Changes the tool of the stroke."), tr("Tool of the last stroke"));
     for (const auto& [tool, action] : tools)
         m_tools->addItem(action->icon(), Actions::plain(action->text()), static_cast<int>(tool));
     m_tools->setCurrentIndex(m_tools->findData(static_cast<int>(m_first.tool)));
@@ -79,7 +75,7 @@ void StrokeEditBar::addTools(const QList<ToolOption>& tools)
         stroke.tool = static_cast<core::Tool>(m_tools->currentData().toInt());
         m_brush.apply(stroke);
     });
-    addWidget(m_tools);
+    addControl(m_tools);
 }
 
 /// What a hand has not touched is what it was, though a control may not be able to show that.

@@ -32,8 +32,7 @@ constexpr Preset presets[] = {
     {QT_TRANSLATE_NOOP("ui::ExportDialog", "&Print: STL"),
      QT_TRANSLATE_NOOP("ui::ExportDialog", "The shape alone, in millimetres, Z up. Every slicer reads it.")},
     {QT_TRANSLATE_NOOP("ui::ExportDialog", "Print with &colour: 3MF"),
-     QT_TRANSLATE_NOOP("ui::ExportDialog",
-                       "Shape and colours, in millimetres for certain, Z up. Newer slicers read it.")},
+     QT_TRANSLATE_NOOP("ui::ExportDialog", "Shape and colours, always in millimetres, Z up. Newer slicers read it.")},
     {QT_TRANSLATE_NOOP("ui::ExportDialog", "&Game: GLB"),
      QT_TRANSLATE_NOOP("ui::ExportDialog",
                        "Shape and colours, in metres, Y up. Game engines, web pages and Blender read it.")}};
@@ -89,13 +88,12 @@ private:
 
     void addBudget(QVBoxLayout* column, const ModelInfo& modelInfo)
     {
-        m_limits = named(new QCheckBox(tr("At &most so many triangles:")), "limits",
-                         tr("Takes away triangles where the shape and the colours lose least by it. The model in "
-                            "the window keeps its own."));
-        m_max = named(
-            new QSpinBox, "most",
-            tr("The file has at most so many triangles, unless its holes and parts need more; that is said then."),
-            tr("Most triangles"));
+        m_limits = named(
+            new QCheckBox(tr("&Limit triangles to:")), "limits",
+            tr("Removes triangles where shape and colours change least. The model in the window stays as it is."));
+        m_max = named(new QSpinBox, "most",
+                      tr("Maximum number of triangles in the file. A notice appears if holes and parts need more."),
+                      tr("Most triangles"));
         m_max->setRange(minExportTriangles, maxExportTriangles);
         m_max->setGroupSeparatorShown(true);
         m_max->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
@@ -104,19 +102,18 @@ private:
         row->addWidget(m_limits);
         row->addWidget(m_max, 1);
         column->addLayout(row);
-        column->addWidget(
-            dialogText(tr("The model has %1 triangles. The file is read back and judged when it is written.")
-                           .arg(QLocale().toString(modelInfo.faces)),
-                       textWidth));
+        column->addWidget(dialogText(tr("The model has %1 triangles. The file is verified after saving.")
+                                         .arg(QLocale().toString(modelInfo.faces)),
+                                     textWidth));
         connect(m_limits, &QCheckBox::toggled, m_max, &QWidget::setEnabled);
     }
 
     /// Seen where there is a slicer.
     void addSlicerCheck(QVBoxLayout* column)
     {
-        m_slices = named(new QCheckBox(tr("&Try whether PrusaSlicer slices it")), "slices",
-                         tr("Slices the file with PrusaSlicer's own settings, and tells layers and time or its "
-                            "complaint; Esc stops it."));
+        m_slices = named(new QCheckBox(tr("&Test in PrusaSlicer")), "slices",
+                         tr("Slices the file with PrusaSlicer's own settings and reports layers and time, or its "
+                            "error. Esc stops it."));
         column->addWidget(m_slices);
         m_slices->setVisible(!installedSlicer().isEmpty());
     }

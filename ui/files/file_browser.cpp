@@ -374,7 +374,7 @@ void FileBrowser::showState()
     if (isEmpty)
         m_empty->setText(!m_problem.isEmpty()       ? m_problem
                          : !m_isListed              ? QString()
-                         : m_files->rowCount() == 0 ? tr("No models lie here (%1).").arg(modelFormats())
+                         : m_files->rowCount() == 0 ? tr("No models in this folder (%1).").arg(modelFormats())
                                                     : tr("No name here has %1 in it.").arg(m_filter->text().trimmed()));
 }
 

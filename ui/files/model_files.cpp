@@ -175,8 +175,7 @@ void ModelFiles::checkFile()
     if (std::exchange(m_isFileDeleted, isGone) || !isGone)
         return;
     Q_EMIT fileDeleted();
-    Q_EMIT noticed(
-        tr("%1 is not there any more; the model is, and Save writes it again.").arg(QDir::toNativeSeparators(m_path)));
+    Q_EMIT noticed(tr("%1 was deleted or moved. Save to write it again.").arg(QDir::toNativeSeparators(m_path)));
 }
 
 void ModelFiles::setRenamed(const QString& from, const QString& to)
@@ -255,8 +254,7 @@ void ModelFiles::exportFor(const ModelInfo& model)
 
 bool ModelFiles::askToDiscard(const std::function<void()>& proceed)
 {
-    QMessageBox box(QMessageBox::Question, tr("Unsaved changes"),
-                    tr("The model %1 has changes that were not saved.").arg(m_name),
+    QMessageBox box(QMessageBox::Question, tr("Unsaved changes"), tr("Save changes to %1?").arg(m_name),
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_window);
     box.setObjectName(QStringLiteral("discardQuestion"));
     box.setDefaultButton(QMessageBox::Save);
@@ -278,7 +276,7 @@ void ModelFiles::setSaved(const ModelInfo& model)
     setOpened(model);
     m_formatNoticeShown = true;
     if (wasDeleted)
-        Q_EMIT noticed(tr("%1 was not there any more and was written anew.").arg(QDir::toNativeSeparators(m_path)));
+        Q_EMIT noticed(tr("%1 had been deleted or moved and was written again.").arg(QDir::toNativeSeparators(m_path)));
     else if (!wasFormatNoticeShown && !isDocumentFormat(m_path))
         Q_EMIT noticed(
             tr("%1 was written. View, brush, symmetry and reference images are kept by GLB files only: Save As.")

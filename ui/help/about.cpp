@@ -18,7 +18,7 @@ void showAbout(QWidget* parent)
 {
     auto* box = new QMessageBox(
         QMessageBox::NoIcon, About::tr("About Fettle"),
-        About::tr("Fettle %1\n\nSculpt a model with mouse, pen or VR wands, and export it ready to print.")
+        About::tr("Fettle %1\n\nSculpt a model with mouse, pen or VR controllers, and export it ready to print.")
             .arg(QCoreApplication::applicationVersion()),
         QMessageBox::Ok, parent);
     box->setIconPixmap(QIcon(QStringLiteral(":/icons/fettle.svg")).pixmap(QSize(64, 64), parent->devicePixelRatioF()));

@@ -11,6 +11,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QScreen>
 #include <QSplitter>
 #include <QTextBlock>
 #include <QTextBrowser>
@@ -23,8 +24,9 @@ namespace ui
 {
 namespace
 {
-constexpr QSize defaultSize{860, 600};
-constexpr int contentsWidth = 250;
+constexpr QSize defaultSize{1040, 700}; // the pictures are up to 700 pixels wide
+constexpr QSize frameRoom{16, 48};      ///< for the frame that a window manager gives it
+constexpr int contentsWidth = 235;
 enum Role { Id = Qt::UserRole, Text };
 
 /// Lines between the rows only, and no row for headings that are not there.
@@ -84,7 +86,7 @@ GuideWindow::GuideWindow(const Actions& actions, QWidget* parent)
     m_nothing->setText(tr("No page has all of these words."));
     m_nothing->hide();
     named(m_text, "guideText", {}, tr("Page of the guide"));
-    m_text->setSearchPaths({QStringLiteral(":/help")});
+    m_text->setSearchPaths({helpFolder(QLocale()), QStringLiteral(":/help")});
     m_text->setOpenLinks(false);
     m_text->document()->setDocumentMargin(3 * gap);
 
@@ -104,7 +106,7 @@ GuideWindow::GuideWindow(const Actions& actions, QWidget* parent)
     auto* all = new QVBoxLayout(this);
     all->setContentsMargins(gap, gap, gap, gap);
     all->addWidget(parts);
-    resize(defaultSize);
+    resize(defaultSize.boundedTo(screen()->availableSize() - frameRoom));
 
     fillContents();
     connect(m_contents, &QListWidget::currentItemChanged, this, &GuideWindow::showPage);

@@ -26,7 +26,8 @@ namespace ui
 namespace
 {
 constexpr QSize pictureSize{150, 100}, starterSize{64, 64};
-constexpr int starterWidth = 84, recentWidth = 260, recentHeight = 160;
+constexpr int starterWidth = 84, recentWidth = 260;
+constexpr int leastRecentHeight = 72, recentHeight = 160; ///< the list gives way before the page scrolls
 
 QLabel* heading(const QString& text)
 {
@@ -134,7 +135,8 @@ QLayout* StartPage::recent()
 {
     named(m_recent, "startRecent", tr("Opens a model that was open before."), tr("Recent files"));
     m_recent->setFixedWidth(recentWidth);
-    m_recent->setFixedHeight(recentHeight);
+    m_recent->setMinimumHeight(leastRecentHeight);
+    m_recent->setMaximumHeight(recentHeight);
     connect(m_recent, &RecentFiles::chosen, this, [this](const QString& path) {
         close();
         Q_EMIT fileChosen(path);
@@ -172,7 +174,7 @@ void StartPage::setLessons(const QList<LessonCard>& lessons)
 QLayout* StartPage::foot()
 {
     auto* atStart = named(new QCheckBox(tr("&Show this page at start")), "startAlways",
-                          tr("Else Fettle begins with the ball of clay; Help › Start Page brings this page back."));
+                          tr("Otherwise Fettle starts with a ball of clay; Help › Start Page brings this page back."));
     const auto applySettings = [this, atStart] { atStart->setChecked(m_settings->get(&Setting::showsStartPage)); };
     applySettings();
     m_settings->onReset(applySettings);
@@ -208,8 +210,9 @@ void StartPage::close()
 void StartPage::place()
 {
     const QRect view(m_over->mapTo(window(), QPoint()), m_over->size());
-    QSize whole = m_area->widget()->sizeHint() + QSize(2 * frameWidth(), 2 * frameWidth());
-    if (whole.height() > view.height())
+    const QWidget* content = m_area->widget();
+    QSize whole = content->sizeHint() + QSize(2 * frameWidth(), 2 * frameWidth());
+    if (content->minimumSizeHint().height() + 2 * frameWidth() > view.height())
         whole.rwidth() += m_area->verticalScrollBar()->sizeHint().width();
     resize(whole.boundedTo({window()->width() - 2 * gap, view.height()}));
     QPoint corner = view.center() - rect().center();

@@ -79,7 +79,7 @@ private:
         if (!isKept(row))
             return HistoryPanel::tr("expired");
         if (row > m_history.present)
-            return HistoryPanel::tr("taken back");
+            return HistoryPanel::tr("undone");
         if (row == 0 || step(row).dabs == 0)
             return {};
         const QString dabs = HistoryPanel::tr("%Ln dabs", nullptr, static_cast<int>(step(row).dabs));
@@ -129,7 +129,7 @@ HistoryPanel::HistoryPanel(Settings* settings, QWidget* parent)
 
     m_memory->setObjectName(QStringLiteral("historyMemory"));
     named(m_cap, "historyCap",
-          tr("So much memory the history may take; older steps then go to disk, and if that is full they expire."),
+          tr("The memory that the history may use. Older steps are moved to disk; if the disk is full, they expire."),
           tr("Memory for the history"));
     m_cap->setRange(minHistoryMegabytes, maxHistoryMegabytes);
     m_cap->setSuffix(tr(" MB"));

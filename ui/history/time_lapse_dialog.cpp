@@ -28,8 +28,8 @@ public:
     {
         QVBoxLayout* column = beginDialog(this, "timeLapse", tr("Export Time-Lapse"));
         column->setSpacing(dialogMargin);
-        column->addWidget(dialogText(tr("Draws the model after its steps, as it is seen now, into numbered PNG files "
-                                        "in a folder that you choose. Sculpting rests meanwhile."),
+        column->addWidget(dialogText(tr("Draws the model after each step, from the current view, as numbered PNG files "
+                                        "in a folder that you choose. Sculpting is paused while it runs."),
                                      textWidth));
         auto* form = new QFormLayout;
         form->setSpacing(dialogGap);
@@ -40,7 +40,7 @@ public:
         form->addRow(tr("&Size:"), m_size);
         m_every->setObjectName(QStringLiteral("everySteps"));
         m_every->setRange(1, std::max(1, steps));
-        form->addRow(tr("Steps to a &picture:"), m_every);
+        form->addRow(tr("Steps per &picture:"), m_every);
         auto* count = new QLabel;
         count->setObjectName(QStringLiteral("frameCount"));
         const auto show = [this, count, steps] {

@@ -147,7 +147,7 @@ QString length(double mm)
 void askForMove(QWidget* parent, const CommandCallback& callback)
 {
     auto* dialog = new CommandDialog(parent, "moveDialog", ModelDialogs::tr("Move the Model"),
-                                     ModelDialogs::tr("By how much is the whole model moved?"));
+                                     ModelDialogs::tr("Move the model by:"));
     const Coordinates by = addCoordinates(dialog);
     dialog->openFor(ModelDialogs::tr("Move"), callback, [by] { return core::Move{by.value()}; });
 }
@@ -174,10 +174,10 @@ void askForScale(QWidget* parent, const ModelInfo& modelInfo, const CommandCallb
 {
     const double size = modelInfo.size.maxCoeff();
     auto* dialog = new CommandDialog(parent, "scaleDialog", ModelDialogs::tr("Scale the Model"),
-                                     ModelDialogs::tr("How large is the model to be?"));
+                                     ModelDialogs::tr("New size of the model:"));
     auto* longest = dialog->addNumber("longest", ModelDialogs::tr("Longest side"), millimetreField(size, 0.001));
     auto* factor = dialog->addNumber("factor", ModelDialogs::tr("Factor"), {1, 1e-6, 1e6, 6, {}});
-    const auto* units = dialog->addChoice(ModelDialogs::tr("It was made in"),
+    const auto* units = dialog->addChoice(ModelDialogs::tr("Original unit"),
                                           {ModelDialogs::tr("Millimetres"), ModelDialogs::tr("Centimetres"),
                                            ModelDialogs::tr("Inches"), ModelDialogs::tr("Metres")});
     QObject::connect(units, &QButtonGroup::idClicked, factor, [factor](int unit) {
@@ -201,7 +201,7 @@ void askForScale(QWidget* parent, const ModelInfo& modelInfo, const CommandCallb
 void askForMirror(QWidget* parent, const CommandCallback& callback)
 {
     auto* dialog = new CommandDialog(parent, "mirrorDialog", ModelDialogs::tr("Mirror the Model"),
-                                     ModelDialogs::tr("The mirror goes through the origin. What changes sides?"));
+                                     ModelDialogs::tr("Mirror across the origin:"));
     const auto* sides =
         dialog->addChoice({}, {ModelDialogs::tr("Left and right (X)"), ModelDialogs::tr("Top and bottom (Y)"),
                                ModelDialogs::tr("Front and back (Z)")});
@@ -227,7 +227,7 @@ void askForRemesh(QWidget* parent, const ModelInfo& modelInfo, const CommandCall
 {
     auto* dialog = new CommandDialog(
         parent, "remeshDialog", ModelDialogs::tr("Remesh Uniformly"),
-        ModelDialogs::tr("All triangles of the model become about as large. How long may their edges be?"));
+        ModelDialogs::tr("Rebuild the mesh with triangles of about the same size. Maximum edge length:"));
     const double min = std::max(modelInfo.size.maxCoeff() * 1e-4, 0.001);
     auto* longest =
         dialog->addNumber("longest", ModelDialogs::tr("Longest edge"),

@@ -51,7 +51,7 @@ ModelPanel::ModelPanel(QWidget* parent)
     m_form->addRow(badge);
     addRow("vertices", tr("Vertices"), tr("Corners of the triangles."));
     addRow("faces", tr("Faces"), tr("Triangles of the surface."));
-    addRow("components", tr("Components"), tr("Parts of the surface that do not hang together, hollows among them."));
+    addRow("components", tr("Components"), tr("Parts of the surface that are not connected, including hollows."));
     addRow("genus", tr("Genus"),
            tr("How many handles it has, which is how many holes go through it: 0 for a ball, 1 for a ring or a cup."));
     addRow("size", tr("Size"), tr("Width, height and depth of the box around the model."));
@@ -91,11 +91,10 @@ void ModelPanel::setReport(const core::MeshReport& report)
     for (QLabel* value : std::as_const(m_values))
         value->setEnabled(true);
     if (report.printReady())
-        showHealth(Health::Sound, tr("In fine fettle"),
-                   tr("Closed, without self-intersections, and it bounds a solid: checked exactly, as it is now."));
+        showHealth(Health::Sound, tr("Watertight"), tr("Closed and free of self-intersections. Checked exactly."));
     else
-        showHealth(Health::Unsound, tr("Not sound"),
-                   tr("The surface is not closed, meets itself, or bounds no solid."));
+        showHealth(Health::Unsound, tr("Needs repair"),
+                   tr("The surface is open, intersects itself or encloses no space."));
 }
 
 void ModelPanel::setStale()
@@ -103,7 +102,7 @@ void ModelPanel::setStale()
     for (QLabel* value : std::as_const(m_values))
         value->setEnabled(false);
     showHealth(Health::Unknown, tr("Not checked since the last change"),
-               tr("The figures are of before. They are found anew when the model rests."));
+               tr("These values are from before the last change. They are updated when the model is idle."));
 }
 
 /// Icon and word say it; colour only repeats it.

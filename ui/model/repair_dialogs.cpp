@@ -40,24 +40,24 @@ void askToRepair(QWidget* parent, RepairUse use, const QString& problem,
                  const std::function<void(const core::RepairOptions& options)>& callback)
 {
     auto* dialog = new QDialog(parent);
-    QVBoxLayout* column = beginDialog(dialog, "mendDialog", RepairDialogs::tr("Mend the Model"));
+    QVBoxLayout* column = beginDialog(dialog, "mendDialog", RepairDialogs::tr("Repair the Model"));
     const core::RepairOptions defaults;
     auto* largeHoles =
-        check("largeHoles", RepairDialogs::tr("Fill large holes, too: longer than a quarter of the model"),
+        check("largeHoles", RepairDialogs::tr("Also fill large holes (over a quarter of the model's size)"),
               defaults.fillLargeHoles);
-    auto* cavities = check("cavities", RepairDialogs::tr("Parts inside of others are cavities, not solid"),
-                           defaults.innerAreCavities);
+    auto* cavities =
+        check("cavities", RepairDialogs::tr("Treat enclosed parts as cavities"), defaults.innerAreCavities);
     column->addWidget(dialogText(problem, textWidth));
     column->addWidget(
-        dialogText(RepairDialogs::tr("Fettle can mend it: holes are filled, faces turned outwards, and parts that "
-                                     "intersect become one. You will see what changed. The file stays as it is."),
+        dialogText(RepairDialogs::tr("Fettle can repair it: it fills holes, turns faces outwards and joins parts that "
+                                     "intersect. You will see what changed. The file stays as it is."),
                    textWidth));
     column->addSpacing(dialogGap);
     column->addWidget(largeHoles);
     column->addWidget(cavities);
     column->addSpacing(dialogGap);
-    addDialogButtons(dialog, use == RepairUse::Opening ? RepairDialogs::tr("Mend and Open")
-                                                       : RepairDialogs::tr("Mend and Insert"))
+    addDialogButtons(dialog, use == RepairUse::Opening ? RepairDialogs::tr("Repair and Open")
+                                                       : RepairDialogs::tr("Repair and Insert"))
         ->setFocus();
 
     QObject::connect(dialog, &QDialog::accepted, dialog, [callback, largeHoles, cavities] {
@@ -71,12 +71,12 @@ void askToRepair(QWidget* parent, RepairUse use, const QString& problem,
 void askToAccept(QWidget* parent, const RepairDoubt& doubt, const std::function<void()>& callback)
 {
     auto* dialog = new QDialog(parent);
-    QVBoxLayout* column = beginDialog(dialog, "repairDoubtDialog", RepairDialogs::tr("Mended, But Not the Same"));
+    QVBoxLayout* column = beginDialog(dialog, "repairDoubtDialog", RepairDialogs::tr("Repaired, but Changed"));
     column->addWidget(dialogText(doubt.problem, textWidth));
     auto* pictures = new QGridLayout;
     int place = 0;
     for (const auto& [title, picture] : {std::pair(RepairDialogs::tr("In the file"), doubt.before),
-                                         std::pair(RepairDialogs::tr("Mended"), doubt.after)}) {
+                                         std::pair(RepairDialogs::tr("Repaired"), doubt.after)}) {
         auto* label = new QLabel;
         label->setPixmap(QPixmap::fromImage(picture));
         label->setAccessibleName(title);
@@ -94,9 +94,10 @@ void askToAccept(QWidget* parent, const RepairDoubt& doubt, const std::function<
 
 void showRepaired(QWidget* parent, RepairUse use, const QString& name, const QStringList& steps)
 {
-    const QString what = use == RepairUse::Opening
-                             ? RepairDialogs::tr("%1 was mended. It has no file of its own until you save it.")
-                             : RepairDialogs::tr("%1 was mended and inserted. Undo takes both back.");
+    const QString what =
+        use == RepairUse::Opening
+            ? RepairDialogs::tr("%1 was repaired. Save to keep the repaired model; the original file stays as it is.")
+            : RepairDialogs::tr("%1 was repaired and inserted. Undo reverts both.");
     auto* dialog =
         new QMessageBox(QMessageBox::Information, RepairDialogs::tr("Fettle"), what.arg(name), QMessageBox::Ok, parent);
     dialog->setObjectName(QStringLiteral("mendedDialog"));

@@ -73,8 +73,8 @@ QWidget* PreferencesDialog::buttonRow()
 
 void PreferencesDialog::askToReset()
 {
-    auto* question = new QMessageBox(QMessageBox::Question, windowTitle(),
-                                     tr("Should everything be as it was at first?"), QMessageBox::Cancel, this);
+    auto* question = new QMessageBox(QMessageBox::Question, windowTitle(), tr("Reset all settings to defaults?"),
+                                     QMessageBox::Cancel, this);
     question->setObjectName(QStringLiteral("resetQuestion"));
     question->setAttribute(Qt::WA_DeleteOnClose);
     question->setInformativeText(
@@ -95,7 +95,7 @@ QWidget* PreferencesDialog::appearancePage()
               &Preferences::language);
     addChoice(form, {"textSize", tr("&Text size"), tr("Makes the window's texts larger than the desktop has them.")},
               textSizes, &Preferences::textSize);
-    form->addRow(remark(tr("Another language and another text size hold from the next start on.")));
+    form->addRow(remark(tr("Restart Fettle to apply language and text size.")));
     addCheck(form,
              {"calm", tr("&Reduced motion"),
               tr("The view goes at once where it is sent, instead of flying there, and the light of who points stands "
@@ -109,17 +109,16 @@ QWidget* PreferencesDialog::inputPage()
     auto* page = new QWidget;
     QFormLayout* form = formIn(page);
     addCheck(form,
-             {"pressureToStrength", tr("A pen's pressure is the &strength"),
+             {"pressureToStrength", tr("Pen pressure controls &strength"),
               tr("A light touch changes little, a firm one much.")},
              [](Preferences& all) { return &all.input.pressureToStrength; });
     addCheck(form,
-             {"pressureToRadius", tr("A pen's pressure is the &radius"),
+             {"pressureToRadius", tr("Pen pressure controls &radius"),
               tr("A light touch makes a narrow stroke, a firm one a wide one.")},
              [](Preferences& all) { return &all.input.pressureToRadius; });
     addCheck(form,
-             {"altMovesView", tr("Alt and the &mouse move the view"),
-              tr("With Alt held, left orbits, middle pans and right zooms, on the model too; the keys of ZBrush have "
-                 "it otherwise.")},
+             {"altMovesView", tr("Alt and &mouse navigate"),
+              tr("Hold Alt: left orbits, middle pans and right zooms, on the model too. The keys of ZBrush differ.")},
              [](Preferences& all) { return &all.input.altMovesView; });
     addPen(form);
     return page;
@@ -132,11 +131,11 @@ QWidget* PreferencesDialog::filesPage()
     QFormLayout* form = formIn(page);
     addCheck(form,
              {"keepsVersions", tr("Keep the last three &versions of a file that is saved again"),
-              tr("What a file held before stays beside it, as vase.glb~1, vase.glb~2 and so on; it can be opened like "
-                 "any other.")},
+              tr("Older versions stay beside the file, as vase.glb~1, vase.glb~2 and so on. Open them like any other "
+                 "file.")},
              [](Preferences& all) { return &all.keepsBackups; });
-    form->addRow(remark(tr("Changes that are not saved yet are kept in any case, should Fettle end unexpectedly; the "
-                           "next start offers them.")));
+    form->addRow(remark(
+        tr("Unsaved changes are always kept if Fettle ends unexpectedly. The next start offers to recover them.")));
     return page;
 }
 

@@ -53,7 +53,7 @@ void connectCommands(const ReferenceContext& context, ReferenceImages* images, c
     showState();
 }
 
-/// What was just chosen is seen.
+/// Turns the view to the side of the image just chosen, unless it looks from there already.
 void turnTo(OrbitCamera::Side side, Viewport* viewport)
 {
     if (!looksFrom(viewport->camera(), side))

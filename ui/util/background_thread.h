@@ -22,10 +22,10 @@ public:
     ~BackgroundThread();
     Q_DISABLE_COPY_MOVE(BackgroundThread)
 
-    /// Any thread.
+    /// Queues a job for this thread. Thread: any.
     void run(std::function<void()> job);
-    /// Runs work() on this thread, then onDone(result) in the event loop of the thread that made this object. Any
-    /// thread.
+    /// Runs work() on this thread, then onDone(result) in the event loop of the thread that made this object.
+    /// Thread: any.
     template <class Work, class OnDone> void run(Work work, OnDone onDone)
     {
         run([this, work = std::move(work), onDone = std::move(onDone)]() mutable {

@@ -179,11 +179,11 @@ QString ErrorMessages::shortfall(core::Shortfall shortfall)
 {
     const QString sentences[] = {
         QString(),
-        tr("Nothing happened here: the surface would have met itself."),
-        tr("The brush stopped where surfaces met that may not join."),
-        tr("The brush stopped at the wall of the working volume."),
-        tr("That was too much work for one touch of the brush, which stopped early; stroke again to go on."),
-        tr("Nothing was added, because it would lie inside the model."),
+        tr("Nothing happened here: the surface would have intersected itself."),
+        tr("The brush stopped: surfaces touch, and they may not join here."),
+        tr("The brush stopped at the edge of the workspace."),
+        tr("The brush is too large for this much detail. Continue with another stroke."),
+        tr("Nothing was added, because it would be inside the model."),
         tr("Nothing was added, because it would be too close to the surface."),
         tr("Nothing was added, because it would reach beyond the working volume."),
         tr("Nothing was added, because the brush's shape is not sound at that size on the program's working grid."),
@@ -303,7 +303,7 @@ QString ErrorMessages::content(const core::FileError& error)
     case FileErrorKind::NotANumber:
         return notThatNumber(error, where);
     case FileErrorKind::IndexOutOfRange:
-        return tr("%1: a face names vertex %2, but there are %3 vertices.")
+        return tr("%1: a face refers to vertex %2, but there are only %3 vertices.")
             .arg(where, token(error), number(error.expected));
     case FileErrorKind::OutsideFolder:
         return tr("%1 names \"%2\", which is not in its folder; nothing from elsewhere is read.")
@@ -325,7 +325,7 @@ QString ErrorMessages::content(const core::FileError& error)
         return tr("%1 was not read: its reader asked for more memory than the %2 that a file of its size is given.")
             .arg(where, bytes(error.expected));
     case FileErrorKind::NoFaces:
-        return error.expected == 0 ? tr("%1 holds no faces.").arg(where)
+        return error.expected == 0 ? tr("%1 contains no faces.").arg(where)
                                    : tr("%1 holds no faces, except those of a slicer's parts that are no matter (%2): "
                                         "negative ones, modifiers and supports, which are left out.")
                                          .arg(where, number(error.expected));

@@ -43,29 +43,28 @@ QStringList RepairMessages::steps(const core::RepairReport& report)
     add(report.holes, tr("Holes filled: %1"));
     add(report.largeHoles, tr("of these, longer than a quarter of the model: %1"));
     add(report.innerParts, tr("Parts inside of others: %1"));
-    add(report.intersections, tr("Pairs of faces that met, cut and joined: %1"));
-    add(report.touchingEdges + report.touchingVertices,
-        tr("Edges and points at which parts merely touched, drawn apart: %1"));
+    add(report.intersections, tr("Intersections resolved: %1"));
+    add(report.touchingEdges + report.touchingVertices, tr("Touching edges and points separated: %1"));
     if (report.knots > 0)
         steps << tr("Tangles that could not be cut apart, covered by small solids: %1, the widest %2 mm")
                      .arg(number(report.knots), shortMillimetres(report.widestKnot));
     add(report.crumbs, tr("Tiny thin parts left out: %1"));
     add(report.unmasked, tr("Masked points that went, and their mask with them: %1"));
     if (report.remeshedAt)
-        steps << tr("The surface was made anew, with edges of about %1 mm.").arg(shortMillimetres(*report.remeshedAt));
+        steps << tr("The surface was rebuilt, with edges of about %1 mm.").arg(shortMillimetres(*report.remeshedAt));
     return steps;
 }
 
 QString RepairMessages::progress(const QString& file, core::RepairStep step)
 {
-    const QString sentences[] = {tr("Mending %1: points and faces"),
-                                 tr("Mending %1: cracks"),
-                                 tr("Mending %1: directions of the faces"),
-                                 tr("Mending %1: holes"),
-                                 tr("Mending %1: intersections"),
-                                 tr("Mending %1: a new surface"),
-                                 tr("Mending %1: the check"),
-                                 tr("Mending %1: measuring what moved")};
+    const QString sentences[] = {tr("Repairing %1: points and faces"),
+                                 tr("Repairing %1: cracks"),
+                                 tr("Repairing %1: face directions"),
+                                 tr("Repairing %1: holes"),
+                                 tr("Repairing %1: intersections"),
+                                 tr("Repairing %1: new surface"),
+                                 tr("Repairing %1: check"),
+                                 tr("Repairing %1: measuring the changes")};
     static_assert(std::size(sentences) == static_cast<std::size_t>(core::RepairStep::Measure) + 1);
     return sentences[static_cast<std::size_t>(step)].arg(file);
 }
@@ -88,26 +87,27 @@ QString RepairMessages::doubt(const QString& file, const core::RepairReport& rep
     if (report.isFaithful())
         return {};
     if (report.remeshedAt)
-        return tr("%1 could only be made anew, with edges of about %2 mm: its form is near the old one, its detail is "
-                  "lost.")
+        return tr("%1 could only be rebuilt, with edges of about %2 mm: its shape is close to the old one, but detail "
+                  "is lost.")
             .arg(file, shortMillimetres(*report.remeshedAt));
     constexpr double percent = 100;
     const double kept = report.keptVolume();
     const bool isLost = report.lost > core::RepairReport::mostLost * report.size;
     const bool isOfOtherVolume = kept < core::RepairReport::leastVolume || kept > core::RepairReport::mostVolume;
     if (!isLost && isOfOtherVolume)
-        return tr("%1 was mended, but has %2 % of its volume now.")
+        return tr("%1 was repaired, but now has %2 % of its volume.")
             .arg(file, QLocale().toString(percent * kept, 'f', 1));
     const double space = report.space.lost + report.space.gained,
                  otherSpace = report.otherSpace.lost + report.otherSpace.gained;
     if (!isLost && otherSpace > core::RepairReport::mostOtherSpace)
-        return tr("%1 was mended, but parts that could be holes were taken for parts that face the wrong way: %2 % of "
-                  "the space.")
+        return tr("%1 was repaired, but parts that could be holes were treated as parts that face the wrong way: %2 % "
+                  "of the space.")
             .arg(file, QLocale().toString(percent * otherSpace, 'f', 1));
     if (!isLost)
-        return tr("%1 was mended, but what it encloses now differs by %2 % from what its faces stood around.")
+        return tr("%1 was repaired, but the space that it encloses differs by %2 % from what its faces enclosed "
+                  "before.")
             .arg(file, QLocale().toString(percent * space, 'f', 1));
-    return tr("%1 was mended, but some of its surface went: it lies %2 mm from the new one on average, %3 % of the "
+    return tr("%1 was repaired, but part of its surface was lost: it is %2 mm from the new one on average, %3 % of the "
               "size.")
         .arg(file, shortMillimetres(report.lost), QLocale().toString(percent * report.lost / report.size, 'f', 1));
 }
@@ -116,23 +116,23 @@ QString RepairMessages::refusal(const QString& file, const core::RepairResult& r
 {
     switch (result.refusal) {
     case core::RepairRefusal::LargeHoles:
-        return tr("%1 was not mended: it has holes longer than a quarter of it (%2).")
+        return tr("%1 was not repaired: it has holes longer than a quarter of its size (%2).")
             .arg(file, number(result.report.largeHoles));
     case core::RepairRefusal::Unresolved:
-        return result.place ? tr("%1 cannot be mended as it is: its faces could not be cut apart near %2, %3, %4.")
+        return result.place ? tr("%1 cannot be repaired as it is: its faces could not be separated near %2, %3, %4.")
                                   .arg(file, millimetres(result.place->x()), millimetres(result.place->y()),
                                        millimetres(result.place->z()))
-                            : tr("%1 cannot be mended as it is: its faces could not be cut apart.").arg(file);
+                            : tr("%1 cannot be repaired as it is: its faces could not be separated.").arg(file);
     case core::RepairRefusal::TooMuchLost:
-        return tr("%1 cannot be mended as it is: its faces hang together too badly, and most of it would be lost.")
+        return tr("%1 cannot be repaired as it is: its faces are too badly connected, and most of it would be lost.")
             .arg(file);
     default:
         break;
     }
     if (result.report.sheets > 0)
-        return tr("%1 cannot be mended: it has %n open sheets that enclose no space, the largest %2 x %3 mm.", nullptr,
-                  static_cast<int>(result.report.sheets))
+        return tr("%1 cannot be repaired: it has %n open sheets that enclose no space, the largest %2 x %3 mm.",
+                  nullptr, static_cast<int>(result.report.sheets))
             .arg(file, shortMillimetres(result.report.sheetLength), shortMillimetres(result.report.sheetWidth));
-    return tr("%1 cannot be mended: its faces enclose no space.").arg(file);
+    return tr("%1 cannot be repaired: its faces enclose no space.").arg(file);
 }
 } // namespace ui

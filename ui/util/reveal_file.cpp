@@ -22,8 +22,7 @@ void showFolder(const QString& path, const std::function<void(const QString&)>& 
 {
     const QString folder = QFileInfo(path).absolutePath();
     if (!QDesktopServices::openUrl(QUrl::fromLocalFile(folder)))
-        refused(RevealFile::tr("There is no program here that shows folders; the file lies in %1.")
-                    .arg(QDir::toNativeSeparators(folder)));
+        refused(RevealFile::tr("No file manager was found; the file is in %1.").arg(QDir::toNativeSeparators(folder)));
 }
 } // namespace
 

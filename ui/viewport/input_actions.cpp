@@ -81,7 +81,7 @@ void connectAdding(QAction* action, const InputActionsContext& context)
                              viewport->setFocus();
                          viewport->input()->setMode(PointerMode::Add, adds);
                          if (adds)
-                             notice(InputActions::tr("Click where the ball should be. Esc puts it away."));
+                             notice(InputActions::tr("Click to place the ball. Esc cancels."));
                      });
     QObject::connect(context.viewport->input(), &PointerInput::modeChanged, action,
                      [action](PointerMode mode) { action->setChecked(mode == PointerMode::Add); });

@@ -16,7 +16,7 @@ struct InputActionsContext
 {
     SideColumn* column;
     Viewport* viewport;
-    std::function<void(const QString&)> notice; ///< says a small word
+    std::function<void(const QString&)> notice; ///< shows a short notice
 };
 
 /// Actions for pointer input in the view: values by moving the pointer, the steady stroke, adding a ball, the keyboard

@@ -7,7 +7,7 @@ namespace ui
 namespace
 {
 // Pixels.
-constexpr int side = 33;
+constexpr int overlaySide = 33;
 constexpr double arm = 14, hole = 5;
 } // namespace
 
@@ -15,7 +15,7 @@ KeyboardCursorOverlay::KeyboardCursorOverlay(QWidget* parent) : QWidget(parent)
 {
     setObjectName(QStringLiteral("keyCross"));
     setAttribute(Qt::WA_TransparentForMouseEvents);
-    resize(side, side);
+    resize(overlaySide, overlaySide);
     hide();
 }
 

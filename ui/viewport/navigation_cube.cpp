@@ -113,7 +113,7 @@ void NavigationCube::paintEvent(QPaintEvent*)
 /// Lays the word over the face as if it were written there.
 void NavigationCube::paint(const Face& face, QPainter& painter) const
 {
-    constexpr double flat = 100, most = 84; // of the face before it is laid down, and of its word
+    constexpr double flat = 100, most = 84; // side of the face and width limit of its word, before projection
     const bool isHovered = m_hovered == face.side;
     QColor fill = m_light ? QColor(70, 75, 82) : QColor(250, 251, 252);
     fill = m_light ? fill.lighter(100 + static_cast<int>(40 * face.slant))

@@ -9,7 +9,7 @@ namespace ui
 namespace
 {
 constexpr int lightSide = 72;                                ///< pixels; the ring at its widest is within
-constexpr double spotRadius = 7, minRing = 12, maxRing = 32; ///< the same
+constexpr double spotRadius = 7, minRing = 12, maxRing = 32; ///< pixels
 constexpr int frameMs = 40;
 constexpr double pulseMs = 1200, stillPulse = 0.4; ///< as in the headset
 constexpr QColor lightColor(160, 255, 70);         ///< nothing else has it; as in the headset

@@ -18,7 +18,7 @@ public:
 
     void setOn(bool on);
     bool isOn() const { return m_input->mode() == PointerMode::Point; }
-    /// The pointer moves.
+    /// Restarts the time after which a resting pointer points at nothing. Call when the pointer moves.
     void restartTimer();
     /// The place as it was reported last.
     const std::optional<core::SurfaceHit>& place() const { return m_place; }

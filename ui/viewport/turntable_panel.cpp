@@ -25,7 +25,7 @@ QCheckBox* makeSwitch(Turntable* turntable)
 {
     auto* box =
         named(new QCheckBox(TurntablePanel::tr("The model turns")), "turns",
-              TurntablePanel::tr("Turns the model under the hand: a hand that rests makes a groove all around (T)."));
+              TurntablePanel::tr("Turns the model under your hand. Hold still to cut a groove all around (T)."));
     QObject::connect(box, &QCheckBox::clicked, turntable, &Turntable::setOn);
     return box;
 }

@@ -40,7 +40,7 @@ std::int64_t steadyNow()
     return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// Its tip is what picks.
+/// Makes the cursor for picking, whose hot spot is the tip of the icon.
 QCursor pickCursor()
 {
     constexpr int size = 24, tip = 3;

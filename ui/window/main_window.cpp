@@ -13,6 +13,7 @@
 #include "ui/drawing/preview_panel.h"
 #include "ui/files/file_browser.h"
 #include "ui/headset/partner_bar.h"
+#include "ui/help/guide_window.h"
 #include "ui/help/help_actions.h"
 #include "ui/help/start_page.h"
 #include "ui/history/history_panel.h"
@@ -47,6 +48,7 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QPointer>
+#include <QPushButton>
 #include <QStatusBar>
 #include <QToolBar>
 
@@ -191,6 +193,12 @@ void MainWindow::State::buildPanels(QMenu* toggles)
     const auto focusModel = [this] { viewport->setFocus(); };
     column = new SideColumn(q);
     q->addDockWidget(Qt::RightDockWidgetArea, column);
+    QAction* onLeft = actions.get(QStringLiteral("view.panelsLeft"));
+    connect(onLeft, &QAction::toggled, q, [this](bool isLeft) {
+        q->addDockWidget(isLeft ? Qt::LeftDockWidgetArea : Qt::RightDockWidgetArea, column);
+    });
+    connect(column, &QDockWidget::dockLocationChanged, onLeft,
+            [onLeft](Qt::DockWidgetArea area) { onLeft->setChecked(area == Qt::LeftDockWidgetArea); });
     addLessonPanel(column, actions);
     addLessonEditor(column, actions);
     addBrushPanels({column, focusModel}, &brush, shapes);
@@ -525,8 +533,11 @@ void MainWindow::beginTurn()
 {
     const TurnDefaults& turnDefaults = m_state->turnDefaults;
     m_state->viewport->input()->finish();
+    if (auto* guide = findChild<GuideWindow*>())
+        guide->hide();
     m_state->settings.reset();
     restoreState(turnDefaults.bars);
+    m_state->breakBars(); // the window may have another width than when the class began
     m_state->column->setPanelStates(turnDefaults.panels);
     m_state->brush.reset();
     m_state->brush.setRadiusShare(m_state->settings.get(&Setting::radiusShare));

@@ -10,7 +10,7 @@ class MainWindow;
 // the hand with its symmetry, and the reference images. Thread: gui.
 
 void addMetadata(const MainWindow& window, core::DocumentMetadata& metadata);
-/// Applies the notes of a model that the window shows already. View and brush stay as they are where they are not
-/// noted.
+/// Applies the metadata of a model that the window shows already. View and brush stay as they are if the metadata does
+/// not contain them.
 void applyMetadata(MainWindow& window, const core::DocumentMetadata& metadata);
 } // namespace ui

@@ -185,7 +185,7 @@ std::vector<Rgb> paletteIn(const Json& metadata)
     return palette;
 }
 
-/// Empty if this is no GLB, or its JSON is longer than we write it.
+/// Returns the JSON chunk; empty if the file is no GLB, ends early, or has more JSON than maxJson.
 std::string jsonChunkOf(std::istream& file)
 {
     std::array<char, glbHeadSize + glbChunkHeadSize> head{};

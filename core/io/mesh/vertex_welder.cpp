@@ -1,9 +1,9 @@
-// Points that are one, by hashing, in three passes, each on all cores:
-//   1. file    the points of each chunk into the chunk's many buckets, by hash, in the order of the file
-//   2. search  each bucket in all chunks together, which a core's cache holds: each point takes the index of the first
-//   that is like it
-//   3. number  the first ones in the order of the file, each by how many bits before its own are set: so few that the
-//   cache holds them
+// Points that are equal, found by hashing in three passes, each on all cores:
+//   1. file    the points of each chunk are sorted by hash into that chunk's buckets, in the order of the file
+//   2. search  each bucket is gathered from all chunks, small enough for a core's cache; each point gets the index of
+//              the first point that equals it
+//   3. number  first points are numbered in the order of the file: a bit marks each, and the count of bits before it is
+//              its number; the bits are few enough for the cache
 
 #include "core/io/mesh/vertex_welder.h"
 

@@ -1,10 +1,10 @@
-// A dab's change in another sector:
+// Repetition of a dab's change in another sector of the symmetry:
 //   learn    the journal tells which faces went, which came, and which vertices moved; with a ring of faces around
 //            them they are the patch                                                                 changed_patch
-//   match    the patch as it was before, turned, is found face by face in the surface
-//   claim    no vertex of the patch's image has been changed by this dab already
-//   write    faces are exchanged, vertices moved and coloured as here
-//   verify   as every change is
+//   match    the patch as it was before the dab, turned into that sector, is found face by face in the surface
+//   claim    the patch's image must have no vertex that this dab has changed already
+//   write    faces are exchanged, vertices moved and coloured as in the patch
+//   verify   the copy is verified as every change is
 
 #include "core/sculpt/copy/patch_copy.h"
 

@@ -15,7 +15,7 @@ namespace
 /// The peak of Pull and Push at strength 1, in radii, and the step of Clay and Layer. Our choice: the paper (section
 /// 3.3) has eps = +-1 and leaves the length open.
 constexpr double peakPerRadius = 0.1;
-/// The share of that peak for Inflate: vertices that move along converging normals soon fold the surface up.
+/// Factor of the peak for Inflate: vertices that move along converging normals soon fold the surface up.
 constexpr double swellPerPeak = 0.6;
 /// The share of a vertex's distance from the line by which Pinch and Crease move it at strength 1, and the largest one.
 constexpr double pinchShare = 0.1, creasePinchShare = 0.25, maxPinched = 0.5;

@@ -52,7 +52,8 @@ Vec3 unit(const Vec3& v)
 
 double FusionInput::detail(Slot v) const
 {
-    return rest ? std::min(2 * rest->of(v), bounds.detail) : bounds.detail; // as d_detail is 2 d
+    return rest ? std::min(2 * rest->of(v), bounds.detail)
+                : bounds.detail; // the rest length stands for d; d_detail is 2 d
 }
 
 bool FusionCandidates::mayFace(const Mesh& mesh, const Region& region, std::span<const Slot> faces)
@@ -250,7 +251,7 @@ void FusionCandidates::dropTunnelsBesideJoins(const Mesh& mesh)
     const auto meetsImage = [&](const FusionPair& pair) {
         return !m_mirror->isInHalf(pair.p) || !m_mirror->isInHalf(pair.q);
     };
-    SlotSet meeting, grown; // vertices of the half
+    SlotSet meeting, grown; // vertices of the half that meet their image; with what joins connect to them
     for (const FusionPair& pair : m_pairs) {
         if (meetsImage(pair))
             meeting.add(m_mirror->isInHalf(pair.p) ? pair.p : pair.q);

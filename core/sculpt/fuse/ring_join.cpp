@@ -14,7 +14,7 @@ namespace core
 {
 namespace
 {
-/// The share of the way to the middle of its own umbrella by which a copy of a vertex moves.
+/// Share of the way to the middle of its umbrella by which a copy of a vertex moves.
 constexpr double apart = 0.25;
 
 Ring ringOf(const Mesh& mesh, Slot v)

@@ -44,6 +44,6 @@ private:
     const Ring& m_a;
     const Ring& m_b;
     std::vector<Triangle>& m_faces;
-    const Mesh* m_mesh = nullptr; ///< null: even steps
+    const Mesh* m_mesh = nullptr; ///< null: each ring takes its steps at an even rate
 };
 } // namespace core

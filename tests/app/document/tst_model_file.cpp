@@ -81,7 +81,7 @@ private Q_SLOTS:
     void anotherFilesNewNameIsNot();
     void inTheTrashTheModelIsUnsaved();
     void goneFromOutside_isSeen();
-    void goneFromOutside_isWrittenAnewAndSaidSo();
+    void goneFromOutside_isWrittenAgainAndSaidSo();
     void changedByAnother_asks();
     void changedByAnother_maySaveElsewhere();
     void ownWritingIsNotAnothers();
@@ -149,7 +149,7 @@ void TestModelFile::goneFromOutside_isSeen()
     QVERIFY(!o.program.window.close()); // the model is nowhere else
 }
 
-void TestModelFile::goneFromOutside_isWrittenAnewAndSaidSo()
+void TestModelFile::goneFromOutside_isWrittenAgainAndSaidSo()
 {
     Opened o;
     o.wait();
@@ -157,10 +157,11 @@ void TestModelFile::goneFromOutside_isWrittenAnewAndSaidSo()
     o.press("file.save");
     QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(o.path) && !o.program.document.job().isBusy(), longestWait);
     QCOMPARE(Opened::verticesIn(o.path), quint64(642));
-    QVERIFY(notice(o.program).contains(QStringLiteral("anew")));
+    QVERIFY(notice(o.program).contains(QStringLiteral("written again")));
     QVERIFY(!o.program.document.savedState().isModified() && !o.question());
     o.press("file.save");
-    QTRY_VERIFY_WITH_TIMEOUT(!notice(o.program).contains(QStringLiteral("anew")) && !o.program.document.job().isBusy(),
+    QTRY_VERIFY_WITH_TIMEOUT(!notice(o.program).contains(QStringLiteral("written again")) &&
+                                 !o.program.document.job().isBusy(),
                              longestWait);
 }
 

@@ -296,7 +296,7 @@ void TestOpening::aBrokenModelIsRepaired()
     QTRY_VERIFY(!repairQuestion(program));
     if (agrees) {
         QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, longestWait);
-        QVERIFY(repairReport(program).contains(QStringLiteral("Pairs of faces that met")));
+        QVERIFY(repairReport(program).contains(QStringLiteral("Intersections resolved")));
         QVERIFY(program.document.modelInfo().path.isEmpty());
         QVERIFY(program.document.savedState().isModified()); // the file has it broken
         QVERIFY(std::abs(program.document.modelInfo().size.x() - 29) < 0.1);
@@ -331,7 +331,7 @@ void TestOpening::aRepairThatLosesMuchIsAsked()
     }
     QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, longestWait);
     QVERIFY(program.document.savedState().isModified());
-    QVERIFY(repairReport(program).contains(QStringLiteral("anew")));
+    QVERIFY(repairReport(program).contains(QStringLiteral("rebuilt")));
 }
 
 /// Who let the changes go for a file need not do so again for its repair, but does for another file.
@@ -382,7 +382,7 @@ void TestOpening::aBrokenModelIsRepairedAndInserted()
     QTest::keyClick(place, Qt::Key_Return);
     QTRY_VERIFY_WITH_TIMEOUT(repairQuestion(program) && !program.document.job().isBusy(), longestWait);
     QTest::keyClick(repairQuestion(program), Qt::Key_Return);
-    QTRY_VERIFY_WITH_TIMEOUT(repairReport(program).contains(QStringLiteral("Pairs of faces that met")), longestWait);
+    QTRY_VERIFY_WITH_TIMEOUT(repairReport(program).contains(QStringLiteral("Intersections resolved")), longestWait);
     QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), longestWait);
     QCOMPARE(program.document.history().stack().count(), 2);
     QTRY_VERIFY(program.document.modelInfo().size.x() > before + 29);

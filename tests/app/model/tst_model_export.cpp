@@ -108,7 +108,7 @@ void TestModelExport::verdict_isOneLine()
     QVERIFY2(outcome.problem.isEmpty(), qPrintable(outcome.problem));
     QVERIFY2(outcome.verdict.startsWith(name) && outcome.verdict.contains(QStringLiteral("40.0 × 40.0 × 40.0 mm")) &&
                  outcome.verdict.contains(QStringLiteral("5,120 triangles")) &&
-                 outcome.verdict.contains(QStringLiteral("in fine fettle")),
+                 outcome.verdict.contains(QStringLiteral("watertight")),
              qPrintable(outcome.verdict));
     QVERIFY(!outcome.verdict.contains(u'\n') && !outcome.verdict.contains(QStringLiteral("inches")));
 }
@@ -213,7 +213,7 @@ void TestModelExport::dialog_writesWhatItIsAskedFor()
     QTest::keyClicks(most, QStringLiteral("321"));
     QTest::keyClick(most, Qt::Key_Return);
     chooseFile(program, "exportDialog", path("game")); // its ending comes from the preset
-    QTRY_VERIFY2(notice(program).contains(QStringLiteral("in fine fettle")), qPrintable(notice(program)));
+    QTRY_VERIFY2(notice(program).contains(QStringLiteral("watertight")), qPrintable(notice(program)));
     const core::TriangleMesh game = core::readMesh(path("game.glb").toStdString());
     QVERIFY(game.triangles.size() <= 321 && game.triangles.size() > 300);
     QVERIFY(notice(program).contains(QString::number(game.triangles.size())));
@@ -363,7 +363,7 @@ void TestModelExport::slicer_tellsWhatItSays()
     QFETCH(QString, said);
     const SlicerOnPath slicer(program);
     const ExportOutcome outcome = ModelExport::run({path("sliced.stl"), 0, true, {}, ball(20)}, quiet, {});
-    QVERIFY2(outcome.verdict.contains(QStringLiteral("in fine fettle")) && outcome.verdict.contains(said),
+    QVERIFY2(outcome.verdict.contains(QStringLiteral("watertight")) && outcome.verdict.contains(said),
              qPrintable(outcome.verdict));
 }
 

@@ -64,7 +64,7 @@ State stateIn(const QByteArray& line)
 /// Comes back as soon as it is so: every posted task wakes the event loop, so that the wait is short.
 template <class Condition> void until(Condition isSo)
 {
-    QTimer tick; // tasks that were posted before
+    QTimer tick; // wakes the loop: tasks posted before this call may not wake it again
     tick.start(20);
     QElapsedTimer clock;
     clock.start();
@@ -945,7 +945,7 @@ void TestRecovery::lostDisplay_keepsTheChanges()
 {
     const fs::path root = newRoot();
     const QByteArray word = killDisplayOf(root, QStringLiteral("changed"));
-    QVERIFY2(word.contains("are kept, and offered at the next start"), word.constData());
+    QVERIFY2(word.contains("are kept; the next start offers them"), word.constData());
     const auto found = core::recoverJournal(onlyFolderIn(root));
     QVERIFY(found && found->isUnsaved());
     QVERIFY(found->mesh->color(0) == red);

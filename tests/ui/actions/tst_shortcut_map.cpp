@@ -48,8 +48,8 @@ private Q_SLOTS:
             QTest::newRow(row.key) << row.value;
     }
 
-    /// Nothing that the preset gives is lost to another command, and every action that has a key somewhere has one
-    /// here.
+    /// Checks that no command loses a key of the preset to another, and that each action with a key in the table has
+    /// one.
     void eachPresetIsWhole()
     {
         QFETCH(ShortcutPreset, preset);

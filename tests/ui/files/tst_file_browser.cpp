@@ -212,7 +212,7 @@ private Q_SLOTS:
         QCOMPARE(browse(), models.path("inner"));
         panel->goTo(QDir::homePath());
         QCOMPARE(browse(), QDir::homePath());
-        window.files()->setOpened({.name = QStringLiteral("ball 9.obj"), .path = models.path("ball 9.obj")});
+        window.files()->setOpened({.name = QStringLiteral("ball 9.obj"), .box = {}, .path = models.path("ball 9.obj")});
         QCOMPARE(browse(), models.folder.path());
     }
 

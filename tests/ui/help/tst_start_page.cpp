@@ -19,6 +19,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -222,15 +223,18 @@ private Q_SLOTS:
         QVERIFY(!page->isVisible());
     }
 
-    /// The whole page is in the window, or can be scrolled to.
+    /// The whole page is in the window, or can be scrolled to where that is smaller than 960 x 540.
     void itFitsASmallWindow()
     {
         MainWindow window;
         StartPage* page = shownIn(window, true);
+        const QImage picture(150, 100, QImage::Format_RGB32);
+        page->setLessons({{QStringLiteral("mug"), QStringLiteral("A mug"), QStringLiteral("With a handle."), picture}});
         for (const QSize size : {QSize(960, 540), QSize(700, 420), QSize(1280, 690)}) {
             window.resize(size);
             QTRY_VERIFY(window.rect().contains(page->geometry()));
             auto* area = page->findChild<QScrollArea*>();
+            QTRY_COMPARE(area->verticalScrollBar()->maximum() > 0, size.height() < 540);
             auto* guide = page->findChild<QPushButton*>(QStringLiteral("startGuide"));
             area->ensureWidgetVisible(guide);
             QTRY_COMPARE(guide->visibleRegion(), QRegion(guide->rect()));

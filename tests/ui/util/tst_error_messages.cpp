@@ -114,7 +114,7 @@ private Q_SLOTS:
         e.place = {core::FilePlace::Unit::Byte, 2};
         QVERIFY(ui::ErrorMessages::sentence(e).endsWith(QStringLiteral("a coordinate is not a finite number.")));
         FileError none(FileErrorKind::NoFaces, path);
-        QVERIFY(ui::ErrorMessages::sentence(none).endsWith(QStringLiteral(" holds no faces.")));
+        QVERIFY(ui::ErrorMessages::sentence(none).endsWith(QStringLiteral(" contains no faces.")));
         none.expected = 3;
         QVERIFY(ui::ErrorMessages::sentence(none).contains(QStringLiteral("a slicer's parts that are no matter (3)")));
     }
@@ -131,8 +131,8 @@ private Q_SLOTS:
     {
         FileError e = error(FileErrorKind::IndexOutOfRange);
         e.token = "%1%2%3";
-        QVERIFY(ui::ErrorMessages::sentence(e).contains(QStringLiteral("vertex %1%2%3, but there are 1,234")) ||
-                ui::ErrorMessages::sentence(e).contains(QStringLiteral("vertex %1%2%3, but there are 1234")));
+        QVERIFY(ui::ErrorMessages::sentence(e).contains(QStringLiteral("vertex %1%2%3, but there are only 1,234")) ||
+                ui::ErrorMessages::sentence(e).contains(QStringLiteral("vertex %1%2%3, but there are only 1234")));
         FileError odd(FileErrorKind::CutOff, "100%1.stl");
         odd.expected = 10;
         QVERIFY(ui::ErrorMessages::sentence(odd).contains(QStringLiteral("100%1.stl")));

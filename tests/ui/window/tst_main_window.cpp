@@ -39,6 +39,7 @@
 #include <QStatusBar>
 #include <QTemporaryDir>
 #include <QToolBar>
+#include <QToolButton>
 #include <QTreeWidget>
 
 using core::Parameter;
@@ -463,6 +464,22 @@ private Q_SLOTS:
         QVERIFY(window.findChild<ui::ToolPalette*>()->isVisible());
     }
 
+    void panelsStayOnTheirSide()
+    {
+        for (const auto side : {Qt::LeftDockWidgetArea, Qt::RightDockWidgetArea}) {
+            {
+                MainWindow window;
+                act(window, "view.panelsLeft")->setChecked(side == Qt::LeftDockWidgetArea);
+                QCOMPARE(window.dockWidgetArea(window.findChild<ui::SideColumn*>()), side);
+                window.show();
+                window.close();
+            }
+            const MainWindow later;
+            QCOMPARE(later.dockWidgetArea(later.findChild<ui::SideColumn*>()), side);
+            QCOMPARE(act(later, "view.panelsLeft")->isChecked(), side == Qt::LeftDockWidgetArea);
+        }
+    }
+
     void switchesAndPanelsShowTheBrush()
     {
         MainWindow window;
@@ -681,11 +698,11 @@ private Q_SLOTS:
         act(window, "help.keys")->trigger();
         auto* box = child<QDialog>(window, "commandBox");
         auto* words = box->findChild<QLineEdit*>();
-        QTest::keyClicks(words, QStringLiteral("taken again")); // Redo, which cannot be done now
+        QTest::keyClicks(words, QStringLiteral("undone step")); // Redo, which cannot be done now
         QTest::keyClick(words, Qt::Key_Return);
         QVERIFY(box->isVisible());
         words->clear();
-        QTest::keyClicks(words, QStringLiteral("ROUGH evens"));
+        QTest::keyClicks(words, QStringLiteral("RELAX smooths"));
         QTest::keyClick(words, Qt::Key_Return);
         QVERIFY(!box->isVisible());
         QCOMPARE(window.brush()->stroke().tool, core::Tool::Smooth);
