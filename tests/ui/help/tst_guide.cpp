@@ -27,6 +27,13 @@ QString source(const QString& language, const QString& page)
     return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
 }
 
+/// Returns the picture that the guide finds: one of the language, or one for all.
+QImage pictureOf(const QString& language, const QString& path)
+{
+    const QImage own(QStringLiteral(":/help/%1/%2").arg(language, path));
+    return own.isNull() ? QImage(QStringLiteral(":/help/") + path) : own;
+}
+
 QStringList found(const QString& text, const QString& pattern)
 {
     QStringList all;
@@ -108,9 +115,39 @@ private Q_SLOTS:
             for (const QString& link : found(text, QStringLiteral(R"([^!]\[[^\]]*\]\(([^)]*)\))")))
                 QVERIFY2(pages.contains(link), qPrintable(link));
             for (const QString& picture : found(text, QStringLiteral(R"(!\[[^\]]*\]\(([^)]*)\))")))
-                QVERIFY2(QImage(QStringLiteral(":/help/") + picture).width() > 100, qPrintable(picture));
+                for (const QString& language : languages)
+                    QVERIFY2(pictureOf(language, picture).width() > 100, qPrintable(language + u' ' + picture));
             if (page.isLesson())
                 QVERIFY2(text.contains(QLatin1StringView(page.picture)), page.id);
+        }
+    }
+
+    /// Asks that each page fits a screen or two, and that each picture of a language is on a page.
+    void pagesAreShort_andShowAllPictures()
+    {
+        QSet<QString> shown;
+        for (const HelpPage& page : ui::helpPages()) {
+            const QString id = QLatin1StringView(page.id);
+            for (const QString& language : languages)
+                QVERIFY2(source(language, id).count(u'\n') <= 60, qPrintable(language + u' ' + id));
+            for (const QString& path :
+                 found(source(QStringLiteral("en"), id), QStringLiteral(R"(!\[[^\]]*\]\(([^)]*)\))")))
+                shown << path.section(u'/', -1);
+        }
+        for (const QString& language : languages)
+            for (const QString& file : QDir(QStringLiteral(":/help/%1/pictures").arg(language)).entryList())
+                QVERIFY2(shown.contains(file), qPrintable(language + u' ' + file));
+    }
+
+    /// Finds words that people from other programs of this kind would not understand.
+    void wordsAreThoseOfTheTrade()
+    {
+        const QRegularExpression odd(
+            QStringLiteral(R"(\b(anew|wands?|mend(s|ed|ing)?|taken back|does again|fine fettle|sound body)\b)"),
+            QRegularExpression::CaseInsensitiveOption);
+        for (const HelpPage& page : ui::helpPages()) {
+            const QString odds = odd.match(source(QStringLiteral("en"), QLatin1StringView(page.id))).captured();
+            QVERIFY2(odds.isEmpty(), qPrintable(QLatin1StringView(page.id) + QStringLiteral(": ") + odds));
         }
     }
 
