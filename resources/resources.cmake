@@ -96,6 +96,7 @@ set(FETTLE_RESOURCE_FILES
     icons/palette.svg
     icons/panel-close.svg
     icons/panel-float.svg
+    icons/panels-left.svg
     icons/pause.svg
     icons/pick.svg
     icons/point.svg
@@ -203,14 +204,21 @@ set(FETTLE_RESOURCE_FILES
     shaders/wire.frag
     shaders/wire.geom)
 foreach(LANGUAGE en de zh_CN)
-    foreach(PAGE first-steps lesson-vase lesson-head lesson-tablet view tools topology symmetry mask colour files preview history keys pen vr wands classroom problems)
+    foreach(PAGE
+            first-steps lesson-vase lesson-head lesson-tablet lessons view tools presets topology symmetry mask colour
+            model open repair files export print preview time-lapse history recovery keys pen vr controllers
+            vr-sculpting simulator classroom class-work record-lesson report problems)
         list(APPEND FETTLE_RESOURCE_FILES help/${LANGUAGE}/${PAGE}.md)
+    endforeach()
+    foreach(PICTURE
+            class export history lesson palette presets print recovery repair simulator start time-lapse unit window)
+        list(APPEND FETTLE_RESOURCE_FILES help/${LANGUAGE}/pictures/${PICTURE}.png) # made by TestGuidePictures
     endforeach()
 endforeach()
 foreach(STARTER ball cube torus slab vase head tablet)
     list(APPEND FETTLE_RESOURCE_FILES pictures/starter-${STARTER}.png)
 endforeach()
-foreach(PICTURE first-steps lesson-vase lesson-head lesson-tablet)
+foreach(PICTURE lesson-vase lesson-head lesson-tablet)
     list(APPEND FETTLE_RESOURCE_FILES help/pictures/${PICTURE}.png)
 endforeach()
 set(LESSON_first-clay pull push smooth stalk)

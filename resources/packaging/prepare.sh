@@ -37,7 +37,7 @@ libtinygltf-dev     tinygltf: reads what we write
 libbenchmark-dev    Google Benchmark
 clang-format        checks the format of the sources
 clang               libFuzzer, which feeds every reader the bytes of strangers
-libclang-rt-14-dev  the libraries of libFuzzer and the sanitizers
+libclang-rt-dev     the libraries of libFuzzer and the sanitizers
 openxr-layer-corevalidation  says where a client of OpenXR breaks its rules
 xvfb                a display without a screen
 openbox             a window manager for that display
@@ -66,6 +66,18 @@ fettle_apt_install()
         awk '/^(E: Failed to fetch|Err:|Ign:)/ && n++ {next} /^  / && seen[$0]++ {next} {print; fflush()}' >&2
 }
 
+# fettle_missing NAMES: those packages that are not installed, and that no installed one provides.
+fettle_missing()
+{
+    dpkg-query -W -f='${db:Status-Status} ${Package}, ${Provides}\n' | awk -v names="$1" '
+        sub(/^installed /, "") {
+            gsub(/ *\([^)]*\)/, "")
+            n = split($0, name, ", *")
+            for (i = 1; i <= n; ++i) have[name[i]]
+        }
+        END {n = split(names, name, "\n"); for (i = 1; i <= n; ++i) if (!(name[i] in have)) print name[i]}'
+}
+
 # fettle_install TABLE: installs the packages of the table that are missing.
 fettle_install()
 {
@@ -74,9 +86,7 @@ fettle_install()
     if ! command -v dpkg-query >/dev/null; then
         fettle_fail "this is not Debian, so nothing can be installed from here. Wanted are (by their Debian names): ${names//$'\n'/ }. Then: cmake --preset release && cmake --build --preset release"
     fi
-    # shellcheck disable=SC2086 # one word per package
-    missing=$({ dpkg-query -W -f='${Package} ${db:Status-Status}\n' $names 2>/dev/null || true; } |
-        awk -v names="$names" '$2 == "installed" {have[$1]} END {n = split(names, name, "\n"); for (i = 1; i <= n; ++i) if (!(name[i] in have)) print name[i]}')
+    missing=$(fettle_missing "$names")
     [ -n "$missing" ] || return 0
 
     fettle_say "Fettle needs these Debian packages, which are not installed yet:"

@@ -29,15 +29,23 @@ for type in model/stl model/obj application/x-ply application/x-amf; do
 done
 expect "the desktop entry begins in the simulator, too" grep -q '^Exec=fettle --vr-simulator$' "$packaging/org.fettle.Fettle.desktop"
 expect "the shell scripts parse" bash -c 'for script; do bash -n "$script" || exit 1; done' scripts \
-    "$source/run.sh" "$source/test.sh" "$packaging/prepare.sh" "$source/tests/support/with_display.sh"
+    "$source/run.sh" "$source/test.sh" "$packaging/prepare.sh" "$source/tests/support/with_display.sh" \
+    "$packaging/man_page.sh" "$packaging/fettle.bash"
 
 cpack --config "$2/CPackConfig.cmake" -B "$scratch/package" >"$scratch/cpack.log" 2>&1 ||
     { cat "$scratch/cpack.log"; exit 1; }
 deb=$(echo "$scratch"/package/fettle_*.deb)
 files=$(dpkg-deb --contents "$deb" | awk '{print $6}')
-for file in usr/bin/fettle usr/lib/fettle/libfettle_simulator.so usr/lib/fettle/fettle_simulator.json usr/share/applications/org.fettle.Fettle.desktop usr/share/icons/hicolor/scalable/apps/fettle.svg \
-    usr/share/mime/packages/org.fettle.Fettle.xml usr/share/metainfo/org.fettle.Fettle.metainfo.xml usr/share/doc/fettle/copyright; do
+for file in usr/bin/fettle usr/lib/fettle/libfettle_simulator.so usr/lib/fettle/fettle_simulator.json \
+    usr/share/applications/org.fettle.Fettle.desktop usr/share/icons/hicolor/scalable/apps/fettle.svg \
+    usr/share/mime/packages/org.fettle.Fettle.xml usr/share/metainfo/org.fettle.Fettle.metainfo.xml \
+    usr/share/doc/fettle/copyright usr/share/man/man1/fettle.1.gz usr/share/bash-completion/completions/fettle \
+    usr/share/doc/fettle/reference/command-output.md; do
     expect "the package brings $file" grep -qx "\./$file" <<<"$files"
+done
+manual=$(dpkg-deb --fsys-tarfile "$deb" | tar -xO ./usr/share/man/man1/fettle.1.gz | zcat | sed 's/\\-/-/g')
+for option in size bed repair no-clobber picture; do
+    expect "the manual page lists --$option" grep -q "^.fB--$option" <<<"$manual"
 done
 depends=$(dpkg-deb --field "$deb" Depends)
 for library in libqt6widgets6 libqt63drender6 libopenmesh1 'libdraco[0-9]*' libqt6svg6 \
