@@ -22,6 +22,7 @@ done
 
 fettle_install "$fettle_build_packages$fettle_test_packages"
 "$fettle_root/tests/check_format.sh" >&2
+"$fettle_root/tests/check_subjects.sh" >&2
 fettle_lock
 fettle_is_configured "$preset" BUILD_TESTING:BOOL=ON || fettle_configure "$preset" -DBUILD_TESTING=ON
 # First what needs no library of ours and fails at once: the layout of the sources and the sizes of classes.
