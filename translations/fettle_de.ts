@@ -99,7 +99,7 @@
         <translation>Stärkster Überhang, der sich ohne Stützen druckt, in Grad aus der Senkrechten (Vorgabe: 45).</translation>
     </message>
     <message>
-        <source>Width, depth and height that the printer holds, in mm (default: not looked at).</source>
+        <source>Width, depth and height of the printer&apos;s build volume, in mm (default: not checked).</source>
         <translation>Breite, Tiefe und Höhe, die der Drucker fasst, in mm (Vorgabe: wird nicht geprüft).</translation>
     </message>
     <message>
@@ -247,7 +247,7 @@
 <context>
     <name>app::ClassFileController</name>
     <message>
-        <source>%1 was written.</source>
+        <source>Saved %1.</source>
         <translation>%1 wurde geschrieben.</translation>
     </message>
     <message>
@@ -315,11 +315,11 @@
         <translation>%1 ist von einer neueren Version von Fettle.</translation>
     </message>
     <message>
-        <source>%1 holds no answers that can be read.</source>
+        <source>%1 contains no answers that can be read.</source>
         <translation>%1 enthält keine Antworten, die sich lesen lassen.</translation>
     </message>
     <message>
-        <source>%1: the answer &quot;%2&quot; is left out, because it is no whole number from %3 to %4.</source>
+        <source>%1: the answer &quot;%2&quot; is left out, because it is not a whole number from %3 to %4.</source>
         <translation>%1: Die Antwort „%2“ bleibt weg, weil sie keine ganze Zahl von %3 bis %4 ist.</translation>
     </message>
 </context>
@@ -341,7 +341,7 @@
         <translation>%1 kann nicht gelesen werden (%2).</translation>
     </message>
     <message>
-        <source>%1 is no class file: it is no text in UTF-8, or too long.</source>
+        <source>%1 is not a class file: it is not UTF-8 text, or it is too long.</source>
         <translation>%1 ist keine Klassendatei: Sie ist kein Text in UTF-8 oder zu lang.</translation>
     </message>
     <message>
@@ -349,7 +349,7 @@
         <translation>Eine Zeile lautet Schlüssel = Wert oder beginnt mit #.</translation>
     </message>
     <message>
-        <source>%1 stands there for the second time.</source>
+        <source>%1 appears twice.</source>
         <translation>%1 steht dort zum zweiten Mal.</translation>
     </message>
     <message>
@@ -369,7 +369,7 @@
         <translation>„%1“ gehört nicht zu %2.</translation>
     </message>
     <message>
-        <source>%1 is no key of a class file.</source>
+        <source>%1 is not a key of a class file.</source>
         <translation>%1 ist kein Schlüssel einer Klassendatei.</translation>
     </message>
     <message>
@@ -381,7 +381,7 @@
         <translation># Eine Klasse für Fettle. Sie beginnt mit: fettle --classroom und dem Namen dieser Datei.</translation>
     </message>
     <message>
-        <source>this is no PIN as Fettle writes it; Edit › Classroom sets one.</source>
+        <source>this is not a PIN as Fettle writes it; set one with Edit › Classroom.</source>
         <translation>Das ist keine PIN, wie Fettle sie schreibt; Bearbeiten › Klassenraum setzt eine.</translation>
     </message>
     <message>
@@ -393,7 +393,7 @@
         <translation>höchstens %1 Namen mit höchstens %2 Zeichen.</translation>
     </message>
     <message>
-        <source>%1 is no lesson: neither one of %2 nor a folder or zip.</source>
+        <source>%1 is not a lesson: it is neither one of %2 nor a folder or ZIP file.</source>
         <translation>%1 ist keine Lektion: weder eine von %2 noch ein Ordner oder eine Zip-Datei.</translation>
     </message>
     <message>
@@ -415,7 +415,7 @@
         <translation>%1 Bis dahin sind sie in %2.</translation>
     </message>
     <message>
-        <source>The class folder cannot be reached. The work is kept on this computer and goes there as soon as that is possible.</source>
+        <source>The class folder cannot be reached. The work is saved on this computer and will be moved there as soon as possible.</source>
         <translation>Der Ordner der Klasse ist nicht zu erreichen. Die Arbeit ist auf diesem Rechner aufgehoben und kommt dorthin, sobald das möglich ist.</translation>
     </message>
 </context>
@@ -430,7 +430,7 @@
         <translation>Die Arbeit wird aufgehoben: %1</translation>
     </message>
     <message>
-        <source>Not yet: other work on the model is not done.</source>
+        <source>Not yet: other work on the model is still running.</source>
         <translation>Noch nicht: Eine andere Arbeit am Modell ist noch nicht fertig.</translation>
     </message>
     <message>
@@ -507,7 +507,7 @@
         <translation>eine Lektion prüfen, indem sie bis zum Ende gespielt wird, oder das Modell eines Schülers nach einem ihrer Schritte</translation>
     </message>
     <message>
-        <source>say what a brush preset holds, or why it is none</source>
+        <source>show what a brush preset contains, or why it is invalid</source>
         <translation>sagen, was eine Pinselvorlage enthält, oder warum es keine ist</translation>
     </message>
     <message>
@@ -515,7 +515,7 @@
         <translation>Es gibt keinen Befehl „%1“: Die Befehle sind %2.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no option.</source>
+        <source>&quot;%1&quot; is not an option.</source>
         <translation>„%1“ ist keine Option.</translation>
     </message>
     <message>
@@ -523,11 +523,11 @@
         <translation>„%1“ ist weder ein Befehl noch eine Datei.</translation>
     </message>
     <message>
-        <source>%1 fettle --help lists what there is.</source>
+        <source>%1 See fettle --help.</source>
         <translation>%1 fettle --help zählt auf, was es gibt.</translation>
     </message>
     <message>
-        <source>%1 Did you mean %2? fettle --help lists what there is.</source>
+        <source>%1 Did you mean %2? See fettle --help.</source>
         <translation>%1 Meinten Sie %2? fettle --help zählt auf, was es gibt.</translation>
     </message>
     <message>
@@ -586,11 +586,11 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
 <context>
     <name>app::ConvertCommand</name>
     <message>
-        <source>%1 could be brought down to %2 triangles, not to %3: its holes and parts need at least %4. Nothing was written.</source>
+        <source>%1 could be reduced to %2 triangles, not to %3: its holes and parts need at least %4. Nothing was written.</source>
         <translation>%1 ließ sich auf %2 Dreiecke verringern, nicht auf %3: Löcher und Teile brauchen mindestens %4. Es wurde nichts geschrieben.</translation>
     </message>
     <message>
-        <source>%1 could be brought down to %2 triangles, not to %3: with fewer, no surface was found whose faces do not meet and whose holes stay open. Nothing was written.</source>
+        <source>%1 could be reduced to %2 triangles, not to %3: with fewer, no surface was found that keeps its holes open and does not intersect itself. Nothing was written.</source>
         <translation>%1 ließ sich auf %2 Dreiecke verringern, nicht auf %3: Mit weniger fand sich keine Fläche, deren Dreiecke einander nicht schneiden und deren Löcher offen bleiben. Es wurde nichts geschrieben.</translation>
     </message>
     <message>
@@ -652,7 +652,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
 <context>
     <name>app::Document</name>
     <message>
-        <source>The earlier steps cannot be undone any more: their file on disk cannot be read. The model is in order.</source>
+        <source>The earlier steps can no longer be undone: their file on disk cannot be read. The model itself is intact.</source>
         <translation>Die früheren Schritte lassen sich nicht mehr rückgängig machen: Ihre Datei auf der Festplatte ist nicht lesbar. Das Modell ist in Ordnung.</translation>
     </message>
     <message>
@@ -663,14 +663,14 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
 <context>
     <name>app::DrawingWorker</name>
     <message>
-        <source>%1 was written.</source>
+        <source>Saved %1.</source>
         <translation>%1 wurde geschrieben.</translation>
     </message>
 </context>
 <context>
     <name>app::HandoutSaving</name>
     <message>
-        <source>%1 was written.</source>
+        <source>Saved %1.</source>
         <translation>%1 wurde geschrieben.</translation>
     </message>
 </context>
@@ -702,19 +702,19 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
 <context>
     <name>app::HeadsetRequests</name>
     <message>
-        <source>The model was not restored: other work on it is not done yet.</source>
+        <source>The model was not restored: other work on it is still running.</source>
         <translation>Das Modell wurde nicht zurückgesetzt: Andere Arbeit daran ist noch nicht fertig.</translation>
     </message>
     <message>
-        <source>The model was not saved: other work on it is not done yet.</source>
+        <source>The model was not saved: other work on it is still running.</source>
         <translation>Das Modell wurde nicht gespeichert: Andere Arbeit daran ist noch nicht fertig.</translation>
     </message>
     <message>
-        <source>%1 was not opened: other work on the model is not done yet.</source>
+        <source>%1 was not opened: other work on the model is still running.</source>
         <translation>%1 wurde nicht geöffnet: Andere Arbeit am Modell ist noch nicht fertig.</translation>
     </message>
     <message>
-        <source>%1 was not opened: the present model has changes that no file holds.</source>
+        <source>%1 was not opened: the current model has unsaved changes.</source>
         <translation>%1 wurde nicht geöffnet: Das jetzige Modell hat Änderungen, die keine Datei enthält.</translation>
     </message>
     <message>
@@ -730,7 +730,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>%1 wurde nicht geöffnet: Eine Klasse hat ihre eigenen Modelle zum Anfangen.</translation>
     </message>
     <message>
-        <source>The mask was not changed: other work on the model is not done yet.</source>
+        <source>The mask was not changed: other work on the model is still running.</source>
         <translation>Die Maske wurde nicht geändert: Andere Arbeit am Modell ist noch nicht fertig.</translation>
     </message>
 </context>
@@ -852,7 +852,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Ordner für die Lektion, in dem sie sich ändern lässt.</translation>
     </message>
     <message>
-        <source>Folder for pictures of what each step leaves, step-1.png and so on.</source>
+        <source>Folder for a picture of the result of each step, step-1.png and so on.</source>
         <translation>Ordner für Bilder von dem, was jeder Schritt hinterlässt, step-1.png und so weiter.</translation>
     </message>
     <message>
@@ -872,7 +872,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>%1 ist kein Ordner.</translation>
     </message>
     <message>
-        <source>lesson: &quot;%1&quot; is no lesson: neither one of %2 nor a folder or zip.</source>
+        <source>lesson: &quot;%1&quot; is not a lesson: it is neither one of %2 nor a folder or ZIP file.</source>
         <translation>lesson: „%1“ ist keine Lektion: weder eine von %2 noch ein Ordner oder Zip.</translation>
     </message>
     <message>
@@ -918,7 +918,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Die Lektion wird vorbereitet</translation>
     </message>
     <message>
-        <source>Not yet: other work on the model is not done.</source>
+        <source>Not yet: other work on the model is still running.</source>
         <translation>Noch nicht: Eine andere Arbeit am Modell ist noch nicht fertig.</translation>
     </message>
     <message>
@@ -1013,7 +1013,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Schritt %1 hat noch keinen Text.</translation>
     </message>
     <message>
-        <source>Step %1, stroke %2 (%3) changes nothing any more.</source>
+        <source>Step %1, stroke %2 (%3) no longer changes anything.</source>
         <translation>Schritt %1, Strich %2 (%3) ändert nichts mehr.</translation>
     </message>
     <message>
@@ -1026,7 +1026,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Noch einmal abgespielt, endet die Lektion nicht mit dem Modell im Fenster.</translation>
     </message>
     <message>
-        <source>%1 is there already; a lesson&apos;s folder gets a name of its own.</source>
+        <source>%1 already exists. Choose another name for the lesson&apos;s folder.</source>
         <translation>%1 gibt es schon; der Ordner einer Lektion bekommt einen eigenen Namen.</translation>
     </message>
     <message>
@@ -1057,7 +1057,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Zeile %1, Byte %2</translation>
     </message>
     <message>
-        <source>its lesson.json is no lesson of this program</source>
+        <source>its lesson.json is not a lesson of Fettle</source>
         <translation>ihre lesson.json ist keine Lektion dieses Programms</translation>
     </message>
     <message>
@@ -1149,7 +1149,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>„%1“ ist zu lang: Höchstens %2 Text werden gelesen</translation>
     </message>
     <message>
-        <source>it holds too many files: at most %1 are read</source>
+        <source>it contains too many files: at most %1 are allowed</source>
         <translation>sie enthält zu viele Dateien: Höchstens %1 werden gelesen</translation>
     </message>
     <message>
@@ -1157,15 +1157,15 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>„%1“ hat zu viele Einträge: Höchstens %2 werden gelesen</translation>
     </message>
     <message>
-        <source>it names a file outside of its folder, or by no plain name: %1</source>
+        <source>it refers to a file that is outside of its folder, or whose name is not allowed: %1</source>
         <translation>sie nennt eine Datei außerhalb ihres Ordners oder mit keinem einfachen Namen: %1</translation>
     </message>
     <message>
-        <source>there is no lesson.json in it: a lesson is a folder or a zip with that file</source>
+        <source>it has no lesson.json: a lesson is a folder or ZIP file that contains one</source>
         <translation>darin ist keine lesson.json: Eine Lektion ist ein Ordner oder ein Zip mit dieser Datei</translation>
     </message>
     <message>
-        <source>this file is named, but not there</source>
+        <source>this file is missing</source>
         <translation>diese Datei wird genannt, ist aber nicht da</translation>
     </message>
     <message>
@@ -1173,7 +1173,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>das ist zu groß für eine Lektion: Höchstens %1 werden gelesen</translation>
     </message>
     <message>
-        <source>this is no PNG or JPEG picture</source>
+        <source>this is not a PNG or JPEG picture</source>
         <translation>das ist kein PNG- oder JPEG-Bild</translation>
     </message>
     <message>
@@ -1181,7 +1181,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>die Striche einer Lektion dürfen keine anderen Bilder oder Modelle brauchen</translation>
     </message>
     <message>
-        <source>this command cannot be done soundly on the model that it comes to</source>
+        <source>this command would break the model that it is applied to</source>
         <translation>dieser Befehl lässt sich an dem Modell, auf das er trifft, nicht einwandfrei ausführen</translation>
     </message>
     <message>
@@ -1292,7 +1292,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>wie das der Lehrkraft, bis auf %1 mm</translation>
     </message>
     <message>
-        <source>something sculpted in this step</source>
+        <source>Sculpt something in this step</source>
         <translation>in diesem Schritt modelliert</translation>
     </message>
     <message>
@@ -1330,11 +1330,11 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>%1 wird gespeichert</translation>
     </message>
     <message>
-        <source>%1 was written.</source>
+        <source>Saved %1.</source>
         <translation>%1 wurde geschrieben.</translation>
     </message>
     <message>
-        <source>Not yet: other work on the model is not done.</source>
+        <source>Not yet: other work on the model is still running.</source>
         <translation>Noch nicht: Eine andere Arbeit am Modell ist noch nicht fertig.</translation>
     </message>
     <message>
@@ -1349,7 +1349,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Dreiecke werden weniger</translation>
     </message>
     <message>
-        <source>%1 was written; it was not read back.</source>
+        <source>Saved %1. It was not verified.</source>
         <translation>%1 wurde geschrieben, aber nicht wieder gelesen.</translation>
     </message>
     <message>
@@ -1365,7 +1365,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>%1 wird wieder gelesen</translation>
     </message>
     <message>
-        <source>%1 was written, but it does not hold what was written. The disk may be failing, or another program changes the file.</source>
+        <source>Saved %1, but reading it back gave something else. The disk may be failing, or another program may be changing the file.</source>
         <translation>%1 wurde geschrieben, enthält aber nicht, was geschrieben wurde. Vielleicht ist der Datenträger schadhaft, oder ein anderes Programm ändert die Datei.</translation>
     </message>
     <message>
@@ -1373,7 +1373,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>%1: %2 × %3 × %4 mm, %5 Dreiecke; geprüft, wasserdicht.</translation>
     </message>
     <message>
-        <source>Its format does not hold the colours; GLB and 3MF do.</source>
+        <source>Its format has no colours; GLB and 3MF keep them.</source>
         <translation>Sein Format behält die Farben nicht; GLB und 3MF behalten sie.</translation>
     </message>
     <message>
@@ -1481,7 +1481,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
 <context>
     <name>app::ModelSaving</name>
     <message>
-        <source>%1 was written without the colours, which its format does not hold; GLB does.</source>
+        <source>Saved %1 without colours: its format has none. GLB keeps them.</source>
         <translation>%1 wurde ohne die Farben geschrieben, die sein Format nicht behält; GLB behält sie.</translation>
     </message>
     <message>
@@ -1743,7 +1743,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Spielt aufgezeichnete Striche auf einem Modell ab oder auf der Kugel der Veröffentlichung.</translation>
     </message>
     <message>
-        <source>replay: %1 is no option; the model is given with --in.</source>
+        <source>replay: %1 is not an option; give the model with --in.</source>
         <translation>replay: %1 ist keine Option; das Modell wird mit --in angegeben.</translation>
     </message>
     <message>
@@ -1807,7 +1807,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
 <context>
     <name>app::ReportCommand</name>
     <message>
-        <source>Writes a class report: of each model in a folder its picture, size and volume, whether it is print-ready or why not, and, of GLB files, the strokes and the time that it took. A class&apos;s works stand under their pupils&apos; names, with the time of the turn. Status 1: not all models can be read.</source>
+        <source>Writes a class report: for each model in a folder its picture, size and volume, whether it is print-ready or why not, and, for GLB files, the number of strokes and the time spent. Pupils&apos; models are listed by pupil, with the time of the turn. Status 1: not all models can be read.</source>
         <translation>Schreibt einen Klassenbericht: von jedem Modell eines Ordners Bild, Größe und Volumen, ob es druckfertig ist oder warum nicht, und von GLB-Dateien die Striche und die Zeit. Die Arbeiten einer Klasse stehen unter den Namen der Kinder, mit der Zeit, die jedes hatte. Status 1: nicht alle Modelle sind lesbar.</translation>
     </message>
     <message>
@@ -1833,7 +1833,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Die Modelle in %1 werden angesehen</translation>
     </message>
     <message>
-        <source>%1 was written.</source>
+        <source>Saved %1.</source>
         <translation>%1 wurde geschrieben.</translation>
     </message>
     <message>
@@ -1851,7 +1851,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
 <context>
     <name>app::SheetCommand</name>
     <message>
-        <source>Writes drawings of models to scale, a page of A4 each, in the order of their names. A class&apos;s works are called by their pupils. Status 1: not all of them have one.</source>
+        <source>Writes scale drawings of models, one A4 page each, in the order of their names. Pupils&apos; models are named by pupil. Status 1: not all models can be drawn.</source>
         <translation>Schreibt maßstäbliche Zeichnungen von Modellen, je eine Seite A4, nach Namen geordnet. Die Arbeiten einer Klasse heißen nach den Kindern. Status 1: nicht alle haben eine.</translation>
     </message>
     <message>
@@ -1859,7 +1859,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>%1 bekommt kein Blatt, weil seine Fläche nichts umschließt (%2).</translation>
     </message>
     <message>
-        <source>%1 was not written: there is no model that has a sheet.</source>
+        <source>%1 was not written: none of the models can be drawn.</source>
         <translation>%1 wurde nicht geschrieben: Kein Modell bekommt ein Blatt.</translation>
     </message>
     <message>
@@ -2009,7 +2009,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>%1: %2: %3</translation>
     </message>
     <message>
-        <source>%1 is not what it was when this stroke was recorded.</source>
+        <source>%1 has changed since this stroke was recorded.</source>
         <translation>%1 ist nicht mehr, was es war, als dieser Strich aufgezeichnet wurde.</translation>
     </message>
     <message>
@@ -2020,7 +2020,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
 <context>
     <name>app::TimeLapse</name>
     <message>
-        <source>%1 has a %2 already, and nothing was written over it: choose an empty folder.</source>
+        <source>%1 already contains %2, and nothing was overwritten: choose an empty folder.</source>
         <translation>In %1 gibt es schon %2, und nichts wurde überschrieben: Wählen Sie einen leeren Ordner.</translation>
     </message>
     <message>
@@ -2028,7 +2028,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Für einen Zeitraffer dieses Modells reicht der Speicher nicht.</translation>
     </message>
     <message>
-        <source>The earlier steps of the model cannot be read any more, so there is no time-lapse of them.</source>
+        <source>The earlier steps of the model can no longer be read, so they are not in the time-lapse.</source>
         <translation>Die früheren Schritte des Modells können nicht mehr gelesen werden, also gibt es keinen Zeitraffer davon.</translation>
     </message>
     <message>
@@ -2256,7 +2256,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Verschieben …</translation>
     </message>
     <message>
-        <source>Moves the whole model by so many millimetres.</source>
+        <source>Moves the whole model by a distance in millimetres.</source>
         <translation>Verschiebt das ganze Modell um so viele Millimeter.</translation>
     </message>
     <message>
@@ -2288,7 +2288,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>S&amp;ymmetrisch machen …</translation>
     </message>
     <message>
-        <source>Puts the mirror image of one half of the model in the other&apos;s place.</source>
+        <source>Replaces one half of the model by the mirror image of the other.</source>
         <translation>Setzt an die Stelle einer Hälfte des Modells das Spiegelbild der anderen.</translation>
     </message>
     <message>
@@ -2296,7 +2296,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Zentrieren</translation>
     </message>
     <message>
-        <source>Puts the middle of the model at the origin.</source>
+        <source>Moves the middle of the model to the origin.</source>
         <translation>Setzt die Mitte des Modells in den Ursprung.</translation>
     </message>
     <message>
@@ -2392,7 +2392,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Vertie&amp;fungen abdunkeln</translation>
     </message>
     <message>
-        <source>Darkens what is hollow and lightens ridges, so that fine shapes stand out.</source>
+        <source>Darkens hollows and lightens ridges, so that fine shapes stand out.</source>
         <translation>Dunkelt Vertiefungen ab und hellt Grate auf, damit feine Formen hervortreten.</translation>
     </message>
     <message>
@@ -2400,7 +2400,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Tönung unter dem Pi&amp;nsel</translation>
     </message>
     <message>
-        <source>Colours faintly what the next touch of the brush would move.</source>
+        <source>Tints the area that the brush would affect.</source>
         <translation>Färbt schwach ein, was der Pinsel als Nächstes bewegen würde.</translation>
     </message>
     <message>
@@ -2528,7 +2528,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Wie das &amp;Fenster</translation>
     </message>
     <message>
-        <source>Puts behind the model what suits the window, light or dark.</source>
+        <source>Uses a background that matches the window, light or dark.</source>
         <translation>Stellt hinter das Modell, was zum Fenster passt, hell oder dunkel.</translation>
     </message>
     <message>
@@ -2536,7 +2536,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Hell</translation>
     </message>
     <message>
-        <source>Puts a light grey behind the model.</source>
+        <source>Uses a light grey background.</source>
         <translation>Stellt ein helles Grau hinter das Modell.</translation>
     </message>
     <message>
@@ -2544,7 +2544,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Dunkel</translation>
     </message>
     <message>
-        <source>Puts a dark grey behind the model.</source>
+        <source>Uses a dark grey background.</source>
         <translation>Stellt ein dunkles Grau hinter das Modell.</translation>
     </message>
     <message>
@@ -2552,7 +2552,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>H&amp;immel</translation>
     </message>
     <message>
-        <source>Puts a pale blue sky behind the model.</source>
+        <source>Uses a pale blue sky as background.</source>
         <translation>Stellt einen blassblauen Himmel hinter das Modell.</translation>
     </message>
     <message>
@@ -2560,7 +2560,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Weiß</translation>
     </message>
     <message>
-        <source>Puts plain white behind the model.</source>
+        <source>Uses a plain white background.</source>
         <translation>Stellt reines Weiß hinter das Modell.</translation>
     </message>
     <message>
@@ -2568,7 +2568,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Schwarz</translation>
     </message>
     <message>
-        <source>Puts plain black behind the model.</source>
+        <source>Uses a plain black background.</source>
         <translation>Stellt reines Schwarz hinter das Modell.</translation>
     </message>
     <message>
@@ -2584,7 +2584,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>R&amp;adius ziehen</translation>
     </message>
     <message>
-        <source>Changes the radius as the pointer moves; a click or Return keeps it, Esc or the right button goes back.</source>
+        <source>Changes the radius as the pointer moves. Click or press Return to keep it; Esc or a right click cancels.</source>
         <translation>Ändert den Radius, wie der Zeiger sich bewegt; Klick oder Eingabe behält ihn, Esc oder rechte Taste geht zurück.</translation>
     </message>
     <message>
@@ -2592,7 +2592,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>S&amp;tärke ziehen</translation>
     </message>
     <message>
-        <source>Changes the strength as the pointer moves; a click or Return keeps it, Esc or the right button goes back.</source>
+        <source>Changes the strength as the pointer moves. Click or press Return to keep it; Esc or a right click cancels.</source>
         <translation>Ändert die Stärke, wie der Zeiger sich bewegt; Klick oder Eingabe behält sie, Esc oder rechte Taste geht zurück.</translation>
     </message>
     <message>
@@ -2616,7 +2616,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Farbe auf&amp;nehmen</translation>
     </message>
     <message>
-        <source>The next click on the model takes its colour for Paint.</source>
+        <source>Picks the paint colour from the model with the next click.</source>
         <translation>Der nächste Klick auf das Modell nimmt dessen Farbe zum Malen.</translation>
     </message>
     <message>
@@ -2804,7 +2804,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Wählen …</translation>
     </message>
     <message>
-        <source>Puts an image behind the model, on the side from which the view looks.</source>
+        <source>Adds an image behind the model, on the side that you look from.</source>
         <translation>Stellt ein Bild hinter das Modell, auf die Seite, von der die Ansicht blickt.</translation>
     </message>
     <message>
@@ -2820,7 +2820,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Vorlage &amp;entfernen</translation>
     </message>
     <message>
-        <source>Removes the image of the side from which the view looks.</source>
+        <source>Removes the image of the side that you look from.</source>
         <translation>Entfernt das Bild der Seite, von der die Ansicht blickt.</translation>
     </message>
     <message>
@@ -2908,7 +2908,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Aufs Druckbett s&amp;tellen</translation>
     </message>
     <message>
-        <source>Puts the model&apos;s lowest point at height 0, where a printer&apos;s bed is.</source>
+        <source>Moves the model&apos;s lowest point to height 0, onto the printer&apos;s bed.</source>
         <translation>Setzt den tiefsten Punkt des Modells auf Höhe 0, wo das Bett eines Druckers liegt.</translation>
     </message>
     <message>
@@ -2940,7 +2940,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Dem &amp;Kopf folgen</translation>
     </message>
     <message>
-        <source>Shows in this window what the person with the headset looks at, for a class to watch.</source>
+        <source>Shows in this window what the headset sees, for a class to watch.</source>
         <translation>Zeigt in diesem Fenster, wohin die Person mit der VR-Brille blickt, damit eine Klasse zusehen kann.</translation>
     </message>
     <message>
@@ -2988,7 +2988,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Gre&amp;ifen</translation>
     </message>
     <message>
-        <source>Moves what is under the brush with your hand. Shift smooths.</source>
+        <source>Moves the surface under the brush along with the pointer. Shift smooths.</source>
         <translation>Bewegt mit Ihrer Hand, was unter dem Pinsel ist. Mit Umschalt wird geglättet.</translation>
     </message>
     <message>
@@ -3004,7 +3004,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Verdrehen</translation>
     </message>
     <message>
-        <source>Twists what is under the brush as you drag away from it. %1 twists it the other way, Shift smooths.</source>
+        <source>Twists the surface under the brush as you drag away from it. %1 twists it the other way, Shift smooths.</source>
         <translation>Verdreht, was unter dem Pinsel ist, so weit Sie davon wegziehen. Mit %1 andersherum, mit Umschalt wird geglättet.</translation>
     </message>
     <message>
@@ -3024,7 +3024,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Schichten</translation>
     </message>
     <message>
-        <source>Protects the surface from all that other tools do. %1 wipes the mask away instead, Shift smooths.</source>
+        <source>Protects the surface from other tools. %1 erases the mask instead, Shift smooths.</source>
         <translation>Schützt die Oberfläche vor allem, was andere Werkzeuge tun. Mit %1 wird die Maske weggewischt, mit Umschalt wird geglättet.</translation>
     </message>
     <message>
@@ -3032,7 +3032,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Maske &amp;umkehren</translation>
     </message>
     <message>
-        <source>Protects what is free, and frees what is protected.</source>
+        <source>Swaps protected and unprotected areas.</source>
         <translation>Schützt, was frei ist, und gibt frei, was geschützt ist.</translation>
     </message>
     <message>
@@ -3040,7 +3040,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Maske &amp;löschen</translation>
     </message>
     <message>
-        <source>Frees the whole model.</source>
+        <source>Removes the mask from the whole model.</source>
         <translation>Gibt das ganze Modell frei.</translation>
     </message>
     <message>
@@ -3080,7 +3080,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Vertiefungen maskieren</translation>
     </message>
     <message>
-        <source>Protects what is hollow, too.</source>
+        <source>Also protects hollows.</source>
         <translation>Schützt auch, was hohl liegt.</translation>
     </message>
     <message>
@@ -3088,7 +3088,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Nach &amp;Farbe maskieren</translation>
     </message>
     <message>
-        <source>Protects what has about the paint colour, too.</source>
+        <source>Also protects areas close to the paint colour.</source>
         <translation>Schützt auch, was ungefähr die Malfarbe hat.</translation>
     </message>
     <message>
@@ -3096,7 +3096,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Ganze &amp;Teile maskieren</translation>
     </message>
     <message>
-        <source>Protects the whole of each separate part that the mask has reached.</source>
+        <source>Extends the mask to the whole of each part that it touches.</source>
         <translation>Schützt jedes einzelne Teil, das die Maske erreicht hat, ganz.</translation>
     </message>
     <message>
@@ -3144,7 +3144,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Klassenraum …</translation>
     </message>
     <message>
-        <source>Writes the file of a class: what pupils may do, how long their turns are, and the PIN that ends it.</source>
+        <source>Makes a class file: what pupils may do, how long their turns are, and the PIN that ends the class.</source>
         <translation>Schreibt die Datei einer Klasse: was Kinder tun dürfen, wie lange jedes an der Reihe ist und welche PIN sie beendet.</translation>
     </message>
     <message>
@@ -3216,7 +3216,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Um&amp;gekehrt</translation>
     </message>
     <message>
-        <source>Turns the tools round, for a hand that cannot hold %1 as well: Pull pushes, Clay digs.</source>
+        <source>Inverts the tools without holding %1: Pull pushes, Clay digs.</source>
         <translation>Kehrt die Werkzeuge um, für eine Hand, die nicht auch noch %1 halten kann: Ziehen drückt, Auftragen gräbt.</translation>
     </message>
     <message>
@@ -3228,7 +3228,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Nach &amp;links drehen</translation>
     </message>
     <message>
-        <source>Turns what faces you to the left, by 15 degrees.</source>
+        <source>Turns the model&apos;s near side to the left by 15 degrees.</source>
         <translation>Dreht nach links, was Ihnen zugewandt ist, um 15 Grad.</translation>
     </message>
     <message>
@@ -3236,7 +3236,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Nach &amp;rechts drehen</translation>
     </message>
     <message>
-        <source>Turns what faces you to the right, by 15 degrees.</source>
+        <source>Turns the model&apos;s near side to the right by 15 degrees.</source>
         <translation>Dreht nach rechts, was Ihnen zugewandt ist, um 15 Grad.</translation>
     </message>
     <message>
@@ -3244,7 +3244,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Nach &amp;oben drehen</translation>
     </message>
     <message>
-        <source>Turns what faces you upwards, by 15 degrees.</source>
+        <source>Turns the model&apos;s near side upwards by 15 degrees.</source>
         <translation>Dreht nach oben, was Ihnen zugewandt ist, um 15 Grad.</translation>
     </message>
     <message>
@@ -3252,7 +3252,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Nach &amp;unten drehen</translation>
     </message>
     <message>
-        <source>Turns what faces you downwards, by 15 degrees.</source>
+        <source>Turns the model&apos;s near side downwards by 15 degrees.</source>
         <translation>Dreht nach unten, was Ihnen zugewandt ist, um 15 Grad.</translation>
     </message>
     <message>
@@ -3325,7 +3325,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1 ist zu klein für eine Pinselform.</translation>
     </message>
     <message>
-        <source>%1 has too many triangles for a brush&apos;s shape: at most %2 are taken. Export it with fewer triangles first.</source>
+        <source>%1 has too many triangles for a brush&apos;s shape: at most %2 are allowed. Export it with fewer triangles first.</source>
         <translation>%1 hat zu viele Dreiecke für eine Pinselform: höchstens %2 sind möglich. Exportieren Sie es zuerst mit weniger Dreiecken.</translation>
     </message>
     <message>
@@ -3443,7 +3443,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Airbrush</translation>
     </message>
     <message>
-        <source>The tool goes on as long as you hold it in one place.</source>
+        <source>The tool continues for as long as you hold it in one place.</source>
         <translation>Das Werkzeug arbeitet weiter, solange Sie es an einer Stelle halten.</translation>
     </message>
     <message>
@@ -3503,7 +3503,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Ein Radius für alle Werkzeuge</translation>
     </message>
     <message>
-        <source>Another tool leaves the radius as it is. Without it each tool has a radius of its own, as it has a strength of its own.</source>
+        <source>Keeps the radius when you change the tool. When off, each tool has its own radius, as it has its own strength.</source>
         <translation>Ein anderes Werkzeug lässt den Radius, wie er ist. Sonst hat jedes Werkzeug seinen eigenen Radius, so wie es seine eigene Stärke hat.</translation>
     </message>
 </context>
@@ -3820,7 +3820,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Dieser Ordner lässt sich nicht anlegen.</translation>
     </message>
     <message>
-        <source>Other &amp;names may be typed</source>
+        <source>Allow other &amp;names</source>
         <translation>Andere &amp;Namen dürfen getippt werden</translation>
     </message>
     <message>
@@ -3863,7 +3863,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1 der Malfarbe, 0 bis 255.</translation>
     </message>
     <message>
-        <source>%1 is no colour: # and six digits, 0 to f, are one.</source>
+        <source>%1 is not a colour: write # and six digits from 0 to f.</source>
         <translation>%1 ist keine Farbe: # und sechs Ziffern, 0 bis f, sind eine.</translation>
     </message>
     <message>
@@ -3890,7 +3890,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Behält die Malfarbe bei den Farbfeldern.</translation>
     </message>
     <message>
-        <source>%1: a click takes it, Delete removes it.</source>
+        <source>%1: click to use it, press Delete to remove it.</source>
         <translation>%1: Ein Klick nimmt sie, Entf entfernt sie.</translation>
     </message>
     <message>
@@ -4206,7 +4206,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1 ist kein Ordner.</translation>
     </message>
     <message>
-        <source>%1 cannot be looked into: it is not permitted.</source>
+        <source>%1 cannot be opened: permission denied.</source>
         <translation>%1 kann nicht eingesehen werden: Es ist nicht erlaubt.</translation>
     </message>
     <message>
@@ -4222,11 +4222,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Eine Datei braucht einen Namen.</translation>
     </message>
     <message>
-        <source>A file&apos;s name may not hold the sign %1.</source>
+        <source>A file name may not contain %1.</source>
         <translation>Der Name einer Datei darf das Zeichen %1 nicht enthalten.</translation>
     </message>
     <message>
-        <source>A file&apos;s name may not hold control characters.</source>
+        <source>A file name may not contain control characters.</source>
         <translation>Der Name einer Datei darf keine Steuerzeichen enthalten.</translation>
     </message>
     <message>
@@ -4258,7 +4258,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         </translation>
     </message>
     <message>
-        <source>Nothing in %1 can be changed: it is not permitted.</source>
+        <source>Nothing in %1 can be changed: permission denied.</source>
         <translation>In %1 lässt sich nichts ändern: Es ist nicht erlaubt.</translation>
     </message>
 </context>
@@ -4308,7 +4308,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Filtern</translation>
     </message>
     <message>
-        <source>Shows only what has these letters in its name.</source>
+        <source>Shows only files whose names contain these letters.</source>
         <translation>Zeigt nur, was diese Buchstaben im Namen hat.</translation>
     </message>
     <message>
@@ -4398,7 +4398,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Gesuchte Wörter</translation>
     </message>
     <message>
-        <source>Leaves only the pages that have these words; Return goes to the next place.</source>
+        <source>Shows only pages with these words. Return finds the next place.</source>
         <translation>Lässt nur die Seiten mit diesen Wörtern; die Eingabetaste geht zur nächsten Stelle.</translation>
     </message>
     <message>
@@ -4499,7 +4499,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Verlauf</translation>
     </message>
     <message>
-        <source>Every step since the model was opened. A click or Return goes there.</source>
+        <source>Every step since the model was opened. Click one, or press Return, to go there.</source>
         <translation>Jeder Schritt, seit das Modell geöffnet wurde. Ein Klick oder die Eingabetaste führt dorthin.</translation>
     </message>
     <message>
@@ -4598,7 +4598,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Fettle</translation>
     </message>
     <message>
-        <source>As in Blender</source>
+        <source>Blender</source>
         <translation>Wie in Blender</translation>
     </message>
     <message>
@@ -4630,7 +4630,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Vorgabe</translation>
     </message>
     <message>
-        <source>Chooses the keys to begin with; what you changed yourself stays.</source>
+        <source>Chooses a set of keys. Keys that you changed yourself stay.</source>
         <translation>Wählt, mit welchen Tasten begonnen wird; was Sie selbst geändert haben, bleibt.</translation>
     </message>
     <message>
@@ -4654,7 +4654,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Zweite Taste</translation>
     </message>
     <message>
-        <source>Press the key that the command is to have; Backspace takes it away.</source>
+        <source>Press the new key for the command, or Backspace to remove it.</source>
         <translation>Drücken Sie die Taste, die der Befehl haben soll; die Rücktaste nimmt sie weg.</translation>
     </message>
     <message>
@@ -4674,11 +4674,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Markiert den Befehl, der die Taste hat.</translation>
     </message>
     <message>
-        <source>This key cannot be another.</source>
+        <source>This key cannot be changed.</source>
         <translation>Diese Taste kann keine andere sein.</translation>
     </message>
     <message>
-        <source>%1 is taken: %2 has it.</source>
+        <source>%1 is already used by %2.</source>
         <translation>%1 ist vergeben: an „%2“.</translation>
     </message>
     <message>
@@ -4732,7 +4732,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Aufzeichnen</translation>
     </message>
     <message>
-        <source>Begins a lesson of one step. The strokes before it cannot be undone any more.</source>
+        <source>Begins a lesson of one step. Earlier strokes can no longer be undone.</source>
         <translation>Beginnt eine Lektion mit einem Schritt. Die Striche davor lassen sich nicht mehr rückgängig machen.</translation>
     </message>
     <message>
@@ -4860,7 +4860,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
 <context>
     <name>ui::LessonPanel</name>
     <message>
-        <source>Choose a lesson. It begins with a model of its own.</source>
+        <source>Choose a lesson. It starts with its own model.</source>
         <translation>Wähle eine Lektion. Sie beginnt mit einem eigenen Modell.</translation>
     </message>
     <message>
@@ -5149,7 +5149,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1[*] – Fettle</translation>
     </message>
     <message>
-        <source>%1 was written.</source>
+        <source>Saved %1.</source>
         <translation>%1 wurde geschrieben.</translation>
     </message>
     <message>
@@ -5492,11 +5492,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1 ist zu groß: Die Datei hat %2, gelesen werden höchstens %3.</translation>
     </message>
     <message>
-        <source>%1 is no %2 file.</source>
+        <source>%1 is not a valid %2 file.</source>
         <translation>%1 ist keine %2-Datei.</translation>
     </message>
     <message>
-        <source>%1 is no %2 file; it looks like %3.</source>
+        <source>%1 is not a valid %2 file; it looks like %3.</source>
         <translation>%1 ist keine %2-Datei; es sieht nach %3 aus.</translation>
     </message>
     <message>
@@ -5504,7 +5504,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>reinem Text</translation>
     </message>
     <message>
-        <source>%1: the file is cut off here.</source>
+        <source>%1: the file is incomplete; it ends here.</source>
         <translation>%1: Die Datei bricht hier ab.</translation>
     </message>
     <message>
@@ -5536,7 +5536,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1: Eine Fläche nennt Eckpunkt %2, es gibt aber %3 Eckpunkte.</translation>
     </message>
     <message>
-        <source>%1: too many %2; at most %3 are taken.</source>
+        <source>%1: too many %2; at most %3 are allowed.</source>
         <translation>%1: zu viele Elemente (%2); höchstens %3 sind möglich.</translation>
     </message>
     <message>
@@ -5544,11 +5544,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1 enthält keine Flächen.</translation>
     </message>
     <message>
-        <source>%1 holds no faces, except those of a slicer&apos;s parts that are no matter (%2): negative ones, modifiers and supports, which are left out.</source>
+        <source>%1 contains no faces, except those of slicer parts that are not printed (%2): negative volumes, modifiers and supports, which are left out.</source>
         <translation>%1 enthält keine Flächen außer denen von Teilen eines Slicers, die kein Material sind (%2): negative Teile, Modifikatoren und Stützen, die ausgelassen werden.</translation>
     </message>
     <message>
-        <source>%1 cannot be written: it is not permitted%2.</source>
+        <source>%1 cannot be written: it is not allowed%2.</source>
         <translation>%1 lässt sich nicht schreiben: keine Berechtigung%2.</translation>
     </message>
     <message>
@@ -5572,7 +5572,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1 wurde nicht geschrieben: So weit vom Ursprung entfernt sind die Koordinaten zu grob für die Einzelheiten des Modells. Das Modell zuerst zentrieren.</translation>
     </message>
     <message>
-        <source>%1 cannot be written: there is no folder %2.</source>
+        <source>%1 cannot be written: the folder %2 does not exist.</source>
         <translation>%1 kann nicht geschrieben werden: Es gibt keinen Ordner %2.</translation>
     </message>
     <message>
@@ -5628,11 +5628,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1: Zeichnungen werden als PDF, SVG oder PNG geschrieben; die Endung sagt, als was.</translation>
     </message>
     <message>
-        <source>%1 holds no image that can be read.</source>
+        <source>%1 contains no image that can be read.</source>
         <translation>%1 enthält kein Bild, das gelesen werden kann.</translation>
     </message>
     <message>
-        <source>The reference image %1 is not there any more.</source>
+        <source>The reference image %1 no longer exists.</source>
         <translation>Das Vorlagenbild %1 ist nicht mehr da.</translation>
     </message>
     <message>
@@ -5652,15 +5652,15 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1 ist X3D in binärer, gepackter oder VRML-Kodierung, die nicht gelesen wird: Speichern Sie die Datei als XML (.x3d) oder GLB.</translation>
     </message>
     <message>
-        <source>%1 is not read: what is packed in it takes more than %2, which is too much for a file of its size.</source>
+        <source>%1 was not read: unpacked it is larger than %2, which is too much for a file of its size.</source>
         <translation>%1 wird nicht gelesen: Was darin gepackt ist, braucht mehr als %2, und das ist zu viel für eine Datei ihrer Größe.</translation>
     </message>
     <message>
-        <source>The model has only %1 mm³: slicers may take it for one in inches.</source>
+        <source>The model has only %1 mm³: slicers may read it as inches.</source>
         <translation>Das Modell hat nur %1 mm³: Druckprogramme könnten es für eines in Zoll halten.</translation>
     </message>
     <message>
-        <source>The model has only %1 mm³: slicers may take it for one in metres.</source>
+        <source>The model has only %1 mm³: slicers may read it as metres.</source>
         <translation>Das Modell hat nur %1 mm³: Druckprogramme könnten es für eines in Metern halten.</translation>
     </message>
     <message>
@@ -5693,7 +5693,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         </translation>
     </message>
     <message>
-        <source>%1 names &quot;%2&quot;, which is not in its folder; nothing from elsewhere is read.</source>
+        <source>%1 refers to &quot;%2&quot;, which is not in its folder; files elsewhere are not read.</source>
         <translation>%1 nennt „%2“, was nicht in seinem Ordner liegt; von anderswo wird nichts gelesen.</translation>
     </message>
     <message>
@@ -5709,7 +5709,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1: Der Leser kann damit nichts anfangen (%2).</translation>
     </message>
     <message>
-        <source>%1 was not read: its reader, a process of its own, broke off over it.</source>
+        <source>%1 was not read: the process that reads it ended unexpectedly.</source>
         <translation>%1 wurde nicht gelesen: Der Leser, ein eigener Prozess, ist darüber abgebrochen.</translation>
     </message>
     <message>
@@ -5721,7 +5721,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1 wurde nicht gelesen: Der Leser verlangte mehr als die %2 Speicher, die eine Datei dieser Größe bekommt.</translation>
     </message>
     <message>
-        <source>%1: at that size the coordinates are no numbers any more.</source>
+        <source>%1: at that size the coordinates overflow.</source>
         <translation>%1: Bei dieser Größe sind die Koordinaten keine Zahlen mehr.</translation>
     </message>
     <message>
@@ -5733,15 +5733,15 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Es wurde nichts hinzugefügt, weil es im Inneren des Modells läge.</translation>
     </message>
     <message>
-        <source>Nothing was added, because it would be too close to the surface.</source>
+        <source>Nothing was added, because it would touch the model.</source>
         <translation>Es wurde nichts hinzugefügt, weil es der Oberfläche zu nahe wäre.</translation>
     </message>
     <message>
-        <source>Nothing was added, because it would reach beyond the working volume.</source>
+        <source>Nothing was added, because it would reach beyond the workspace.</source>
         <translation>Es wurde nichts hinzugefügt, weil es über den Arbeitsraum hinausreichte.</translation>
     </message>
     <message>
-        <source>Nothing was added, because the brush&apos;s shape is not sound at that size on the program&apos;s working grid.</source>
+        <source>Nothing was added, because the brush&apos;s shape is not watertight at that size.</source>
         <translation>Es wurde nichts hinzugefügt, weil die Pinselform in dieser Größe auf dem Arbeitsgitter des Programms nicht in Ordnung ist.</translation>
     </message>
     <message>
@@ -5765,7 +5765,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1: Dieser Ordner ist nicht lesbar%2.</translation>
     </message>
     <message>
-        <source>%1: there is no model in this folder (%2).</source>
+        <source>%1: this folder contains no models (%2).</source>
         <translation>%1: In diesem Ordner liegt kein Modell (%2).</translation>
     </message>
     <message>
@@ -5785,7 +5785,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Werte, die ihr Kopf nicht ankündigt</translation>
     </message>
     <message>
-        <source>what stands behind the model (%1)</source>
+        <source>data after the end of the model (%1)</source>
         <translation>was hinter dem Modell steht (%1)</translation>
     </message>
     <message>
@@ -5897,7 +5897,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1: „%2“ wird hier gebraucht, fehlt aber.</translation>
     </message>
     <message>
-        <source>%1: &quot;%2&quot; comes a second time.</source>
+        <source>%1: &quot;%2&quot; appears twice.</source>
         <translation>%1: „%2“ kommt ein zweites Mal vor.</translation>
     </message>
     <message>
@@ -5925,23 +5925,23 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1: „%2“ sollte eine ganze, nicht negative Zahl sein, ist aber etwas anderes.</translation>
     </message>
     <message>
-        <source>%1: &quot;%2&quot; should be a list of so many numbers as the format says, but is something else.</source>
+        <source>%1: &quot;%2&quot; should be a list of as many numbers as the format requires, but is something else.</source>
         <translation>%1: „%2“ sollte eine Liste von so vielen Zahlen sein, wie das Format sagt, ist aber etwas anderes.</translation>
     </message>
     <message>
-        <source>%1: more is to be read from &quot;%2&quot; than it holds.</source>
+        <source>%1: &quot;%2&quot; contains less data than should be read from it.</source>
         <translation>%1: Aus „%2“ soll mehr gelesen werden, als darin ist.</translation>
     </message>
     <message>
-        <source>%1: &quot;%2&quot; has a type or a count that does not fit what names it.</source>
+        <source>%1: &quot;%2&quot; has a type or a count that does not fit its use.</source>
         <translation>%1: „%2“ hat einen Typ oder eine Anzahl, die nicht zu dem passt, was es nennt.</translation>
     </message>
     <message>
-        <source>%1: &quot;%2&quot; hold themselves, or are nested too deeply.</source>
+        <source>%1: &quot;%2&quot; contain themselves, or are nested too deeply.</source>
         <translation>%1: „%2“ enthalten sich selbst oder sind zu tief verschachtelt.</translation>
     </message>
     <message>
-        <source>%1 needs the extension %2, which is not read: save it without, in the program that it comes from.</source>
+        <source>%1 needs the extension %2, which Fettle cannot read: save it without, in the program that made it.</source>
         <translation>%1 braucht die Erweiterung %2, die nicht gelesen wird: Speichern Sie die Datei ohne sie, in dem Programm, aus dem sie kommt.</translation>
     </message>
     <message>
@@ -5969,7 +5969,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1: Der Teil „%2“ ist nicht im Paket.</translation>
     </message>
     <message>
-        <source>%1: &quot;%2&quot;, which should say where in the package the model is, names none.</source>
+        <source>%1: &quot;%2&quot; should say where in the package the model is, but does not.</source>
         <translation>%1: „%2“, das sagen sollte, wo im Paket das Modell ist, nennt keines.</translation>
     </message>
     <message>
@@ -6092,7 +6092,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Modell symmetrisch machen</translation>
     </message>
     <message>
-        <source>The mirror goes through the origin. Which half is kept?</source>
+        <source>Mirror across the origin. Which half is kept?</source>
         <translation>Der Spiegel geht durch den Ursprung. Welche Hälfte bleibt?</translation>
     </message>
     <message>
@@ -6255,7 +6255,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1 war gelöscht oder verschoben und wurde neu geschrieben.</translation>
     </message>
     <message>
-        <source>%1 was written. View, brush, symmetry and reference images are kept by GLB files only: Save As.</source>
+        <source>Saved %1. Only GLB files keep view, brush, symmetry and reference images: use Save As.</source>
         <translation>%1 wurde geschrieben. Ansicht, Pinsel, Symmetrie und Vorlagen behalten nur GLB-Dateien: Speichern unter.</translation>
     </message>
     <message>
@@ -6405,7 +6405,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Name oder Spitzname</translation>
     </message>
     <message>
-        <source>Begins the turn. (Return)</source>
+        <source>Starts the turn. (Return)</source>
         <translation>Fängt an. (Eingabetaste)</translation>
     </message>
     <message>
@@ -6461,7 +6461,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Stifttest</translation>
     </message>
     <message>
-        <source>Draw here: the line shows what your pen&apos;s pressure becomes.</source>
+        <source>Draw here: the line shows the effect of your pen&apos;s pressure.</source>
         <translation>Hier zeichnen: Die Linie zeigt, was aus dem Druck des Stifts wird.</translation>
     </message>
     <message>
@@ -6522,7 +6522,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Farben</translation>
     </message>
     <message>
-        <source>Chooses a light or a dark window, or what the desktop has.</source>
+        <source>Chooses a light or a dark window, or follows the desktop.</source>
         <translation>Wählt ein helles oder dunkles Fenster, oder was der Desktop hat.</translation>
     </message>
     <message>
@@ -6534,7 +6534,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Wählt die Sprache der Texte im Fenster.</translation>
     </message>
     <message>
-        <source>As the system</source>
+        <source>Same as the system</source>
         <translation>Wie das System</translation>
     </message>
     <message>
@@ -6574,7 +6574,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Tasten</translation>
     </message>
     <message>
-        <source>Sets everything in the program to what it was at first, after a question.</source>
+        <source>Resets all settings of the program to their defaults, after a question.</source>
         <translation>Setzt nach einer Rückfrage alles im Programm auf den Anfang zurück.</translation>
     </message>
     <message>
@@ -6638,7 +6638,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>The view goes at once where it is sent, instead of flying there, and the light of who points stands still.</source>
+        <source>The view jumps to its place instead of flying there, and the light that points in VR does not pulse.</source>
         <translation>Die Ansicht springt sofort ans Ziel, statt hinzufliegen, und das Licht dessen, der zeigt, steht still.</translation>
     </message>
 </context>
@@ -6751,7 +6751,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         </translation>
     </message>
     <message>
-        <source>Parts of the surface that are not connected; hollows count, too.</source>
+        <source>Separate parts of the surface; closed hollows count as parts.</source>
         <translation>Teile der Oberfläche, die nicht zusammenhängen; Hohlräume zählen mit.</translation>
     </message>
     <message>
@@ -6816,7 +6816,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>bis %1, %2</translation>
     </message>
     <message>
-        <source>How much of the surface lies flat on the bed.</source>
+        <source>Area of the surface that is flat on the bed.</source>
         <translation>Wie viel der Oberfläche flach auf dem Druckbett liegt.</translation>
     </message>
     <message>
@@ -6898,7 +6898,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Wand ab</translation>
     </message>
     <message>
-        <source>Thinner walls are found: two lines of the nozzle, as a rule.</source>
+        <source>Finds thinner walls. Two lines of the nozzle are usual.</source>
         <translation>Dünnere Wände werden gefunden: in der Regel zwei Linien der Düse.</translation>
     </message>
     <message>
@@ -7228,7 +7228,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation> %</translation>
     </message>
     <message>
-        <source>How much the image hides of what lies behind it.</source>
+        <source>Opacity of the image.</source>
         <translation>Wie stark das Bild verdeckt, was hinter ihm liegt.</translation>
     </message>
     <message>
@@ -8003,7 +8003,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Modell</translation>
     </message>
     <message>
-        <source>The model cannot be shown: the graphics driver does not do what it offers.</source>
+        <source>The model cannot be shown: the graphics driver lacks a feature that it claims to have.</source>
         <translation>Das Modell lässt sich nicht anzeigen: Der Grafiktreiber leistet nicht, was er anbietet.</translation>
     </message>
 </context>
@@ -8113,7 +8113,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Einen Moment …</translation>
     </message>
     <message>
-        <source>The model is not saved: save it first, or hold to open.</source>
+        <source>The model has unsaved changes: save it first, or hold to open.</source>
         <translation>Das Modell ist nicht gespeichert: zuerst speichern oder zum Öffnen halten.</translation>
     </message>
     <message>
@@ -8256,7 +8256,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1 läuft, aber keine VR-Brille ist bereit (%2). Bitte anschließen, einschalten und erneut suchen.</translation>
     </message>
     <message>
-        <source>%1 shows %2, but takes no OpenGL pictures.</source>
+        <source>%1 supports %2, but it does not support OpenGL.</source>
         <translation>%1 zeigt %2, nimmt aber keine OpenGL-Bilder an.</translation>
     </message>
     <message>
@@ -8268,7 +8268,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Die VR-Brille ist hier schon in Gebrauch.</translation>
     </message>
     <message>
-        <source>%1 asks for OpenGL %2 and refuses OpenGL %3, which Fettle uses. Another OpenXR runtime may take it.</source>
+        <source>%1 asks for OpenGL %2 and refuses OpenGL %3, which Fettle uses. Another OpenXR runtime may accept it.</source>
         <extracomment>%1: the headset&apos;s program; %2, %3: versions, such as 4.5</extracomment>
         <translation>%1 verlangt OpenGL %2 und lehnt OpenGL %3 ab, das Fettle verwendet. Eine andere OpenXR-Laufzeitumgebung nimmt es vielleicht an.</translation>
     </message>
@@ -8715,7 +8715,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1: dieses Bild kann nicht geschrieben werden.</translation>
     </message>
     <message>
-        <source>Says what a brush preset holds, or why it is none (status 2). Without a preset: lists those of the program.</source>
+        <source>Shows what a brush preset contains, or why it is invalid (status 2). Without a preset: lists the program&apos;s presets.</source>
         <translation>Sagt, was eine Pinselvorlage enthält, oder warum es keine ist (Status 2). Ohne Vorlage: zählt die des Programms auf.</translation>
     </message>
     <message>
@@ -8723,7 +8723,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Eine Vorlagendatei oder der Name einer Vorlage des Programms.</translation>
     </message>
     <message>
-        <source>Where a picture of one stroke of the brush goes, PNG.</source>
+        <source>File for a picture of one stroke of the brush, PNG.</source>
         <translation>Wohin ein Bild von einem Strich des Pinsels kommt, PNG.</translation>
     </message>
     <message>
@@ -8794,7 +8794,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Löschen</translation>
     </message>
     <message>
-        <source>Puts this preset into the trash.</source>
+        <source>Moves this preset to the trash.</source>
         <translation>Legt diese Vorlage in den Papierkorb.</translation>
     </message>
     <message>
@@ -8853,7 +8853,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Schwellen</translation>
     </message>
     <message>
-        <source>Blows up what is under it, with a soft edge.</source>
+        <source>Inflates the surface under it, with a soft edge.</source>
         <translation>Bläht auf, was darunter liegt, mit weichem Rand.</translation>
     </message>
     <message>
@@ -8995,7 +8995,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>das ist kein JSON</translation>
     </message>
     <message>
-        <source>this is no stroke file of version 1 (%1)</source>
+        <source>this is not a stroke file of version 1 (%1)</source>
         <translation>das ist keine Strichdatei der Version 1 (%1)</translation>
     </message>
     <message>
@@ -9075,7 +9075,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>diese Datei ist zu groß: höchstens %1 werden gelesen</translation>
     </message>
     <message>
-        <source>this is no brush preset of version 1 (%1)</source>
+        <source>this is not a brush preset of version 1 (%1)</source>
         <translation>das ist keine Pinselvorlage der Version 1 (%1)</translation>
     </message>
     <message>
@@ -9139,7 +9139,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Die Datei, die geschrieben wird, im Format ihrer Endung; oder -.</translation>
     </message>
     <message>
-        <source>%1: the file to write is missing; -o names it.</source>
+        <source>%1: the output file is missing; name it with -o.</source>
         <translation>%1: Die Datei, die geschrieben werden soll, fehlt; -o nennt sie.</translation>
     </message>
 </context>
@@ -9177,7 +9177,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Format eines Modells, das von der Standardeingabe, -, gelesen wird.</translation>
     </message>
     <message>
-        <source>Format of what is written to the standard output, -.</source>
+        <source>Format of the standard output, -.</source>
         <translation>Format dessen, was auf die Standardausgabe, -, geschrieben wird.</translation>
     </message>
     <message>
@@ -9189,7 +9189,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Die Standardeingabe kann nicht gelesen werden (%1).</translation>
     </message>
     <message>
-        <source>%1: %2 is no text, and is not shown in a terminal: send the standard output to a file or a program.</source>
+        <source>%1: %2 is binary and is not printed to a terminal: redirect the standard output to a file or a program.</source>
         <translation>%1: %2 ist kein Text und wird nicht auf einem Terminal gezeigt: Leiten Sie die Standardausgabe in eine Datei oder ein Programm.</translation>
     </message>
     <message>

@@ -99,7 +99,7 @@
         <translation>无需支撑即可打印的最大悬垂，以偏离竖直方向的度数表示（默认 45）。</translation>
     </message>
     <message>
-        <source>Width, depth and height that the printer holds, in mm (default: not looked at).</source>
+        <source>Width, depth and height of the printer&apos;s build volume, in mm (default: not checked).</source>
         <translation>打印机能容纳的宽、深、高，单位毫米（默认不检查）。</translation>
     </message>
     <message>
@@ -245,7 +245,7 @@
 <context>
     <name>app::ClassFileController</name>
     <message>
-        <source>%1 was written.</source>
+        <source>Saved %1.</source>
         <translation>%1 已写出。</translation>
     </message>
     <message>
@@ -310,11 +310,11 @@
         <translation>%1 由更新版本的 Fettle 写出。</translation>
     </message>
     <message>
-        <source>%1 holds no answers that can be read.</source>
+        <source>%1 contains no answers that can be read.</source>
         <translation>%1 中没有可以读取的回答。</translation>
     </message>
     <message>
-        <source>%1: the answer &quot;%2&quot; is left out, because it is no whole number from %3 to %4.</source>
+        <source>%1: the answer &quot;%2&quot; is left out, because it is not a whole number from %3 to %4.</source>
         <translation>%1：回答“%2”被略去，因为它不是 %3 到 %4 的整数。</translation>
     </message>
 </context>
@@ -336,7 +336,7 @@
         <translation>无法读取 %1（%2）。</translation>
     </message>
     <message>
-        <source>%1 is no class file: it is no text in UTF-8, or too long.</source>
+        <source>%1 is not a class file: it is not UTF-8 text, or it is too long.</source>
         <translation>%1 不是课堂文件：它不是 UTF-8 文本，或者太长。</translation>
     </message>
     <message>
@@ -344,7 +344,7 @@
         <translation>每一行应为“键 = 值”，或以 # 开头。</translation>
     </message>
     <message>
-        <source>%1 stands there for the second time.</source>
+        <source>%1 appears twice.</source>
         <translation>%1 重复出现。</translation>
     </message>
     <message>
@@ -364,7 +364,7 @@
         <translation>“%1”不在以下之列：%2。</translation>
     </message>
     <message>
-        <source>%1 is no key of a class file.</source>
+        <source>%1 is not a key of a class file.</source>
         <translation>%1 不是课堂文件的键。</translation>
     </message>
     <message>
@@ -376,7 +376,7 @@
         <translation># Fettle 的课堂。启动方式：fettle --classroom 加上此文件的名称。</translation>
     </message>
     <message>
-        <source>this is no PIN as Fettle writes it; Edit › Classroom sets one.</source>
+        <source>this is not a PIN as Fettle writes it; set one with Edit › Classroom.</source>
         <translation>这不是 Fettle 写入的 PIN；请用“编辑 › 课堂”设置。</translation>
     </message>
     <message>
@@ -388,7 +388,7 @@
         <translation>最多 %1 个名字，每个最多 %2 个字符。</translation>
     </message>
     <message>
-        <source>%1 is no lesson: neither one of %2 nor a folder or zip.</source>
+        <source>%1 is not a lesson: it is neither one of %2 nor a folder or ZIP file.</source>
         <translation>%1 不是课程：既不是 %2 之一，也不是文件夹或 zip。</translation>
     </message>
     <message>
@@ -410,7 +410,7 @@
         <translation>%1 在此之前它们位于 %2。</translation>
     </message>
     <message>
-        <source>The class folder cannot be reached. The work is kept on this computer and goes there as soon as that is possible.</source>
+        <source>The class folder cannot be reached. The work is saved on this computer and will be moved there as soon as possible.</source>
         <translation>无法访问课堂文件夹。作品已保存在本机，一旦可行就会移到那里。</translation>
     </message>
 </context>
@@ -425,7 +425,7 @@
         <translation>正在保存作品：%1</translation>
     </message>
     <message>
-        <source>Not yet: other work on the model is not done.</source>
+        <source>Not yet: other work on the model is still running.</source>
         <translation>请稍候：模型上的其他操作尚未完成。</translation>
     </message>
     <message>
@@ -500,7 +500,7 @@
         <translation>播放课程到底来检查它，或按其中一步评判学生的模型</translation>
     </message>
     <message>
-        <source>say what a brush preset holds, or why it is none</source>
+        <source>show what a brush preset contains, or why it is invalid</source>
         <translation>说明笔刷预设的内容，或为何不是预设</translation>
     </message>
     <message>
@@ -508,7 +508,7 @@
         <translation>没有命令“%1”：可用命令为 %2。</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no option.</source>
+        <source>&quot;%1&quot; is not an option.</source>
         <translation>“%1”不是选项。</translation>
     </message>
     <message>
@@ -516,11 +516,11 @@
         <translation>“%1”既不是命令，也不是文件。</translation>
     </message>
     <message>
-        <source>%1 fettle --help lists what there is.</source>
+        <source>%1 See fettle --help.</source>
         <translation>%1可用内容见 fettle --help。</translation>
     </message>
     <message>
-        <source>%1 Did you mean %2? fettle --help lists what there is.</source>
+        <source>%1 Did you mean %2? See fettle --help.</source>
         <translation>%1您是否想输入 %2？可用内容见 fettle --help。</translation>
     </message>
     <message>
@@ -579,11 +579,11 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
 <context>
     <name>app::ConvertCommand</name>
     <message>
-        <source>%1 could be brought down to %2 triangles, not to %3: its holes and parts need at least %4. Nothing was written.</source>
+        <source>%1 could be reduced to %2 triangles, not to %3: its holes and parts need at least %4. Nothing was written.</source>
         <translation>%1 可以减少到 %2 个三角形，但不能减少到 %3 个：其孔洞和部件至少需要 %4 个。未写入任何文件。</translation>
     </message>
     <message>
-        <source>%1 could be brought down to %2 triangles, not to %3: with fewer, no surface was found whose faces do not meet and whose holes stay open. Nothing was written.</source>
+        <source>%1 could be reduced to %2 triangles, not to %3: with fewer, no surface was found that keeps its holes open and does not intersect itself. Nothing was written.</source>
         <translation>%1 可以减少到 %2 个三角形，但不能减少到 %3 个：更少时，找不到面互不相交且孔洞保持敞开的曲面。未写入任何文件。</translation>
     </message>
     <message>
@@ -644,7 +644,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
 <context>
     <name>app::Document</name>
     <message>
-        <source>The earlier steps cannot be undone any more: their file on disk cannot be read. The model is in order.</source>
+        <source>The earlier steps can no longer be undone: their file on disk cannot be read. The model itself is intact.</source>
         <translation>无法再撤销更早的步骤：磁盘上的记录文件无法读取。模型完好。</translation>
     </message>
     <message>
@@ -655,14 +655,14 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
 <context>
     <name>app::DrawingWorker</name>
     <message>
-        <source>%1 was written.</source>
+        <source>Saved %1.</source>
         <translation>已写入 %1。</translation>
     </message>
 </context>
 <context>
     <name>app::HandoutSaving</name>
     <message>
-        <source>%1 was written.</source>
+        <source>Saved %1.</source>
         <translation>已写入 %1。</translation>
     </message>
 </context>
@@ -694,19 +694,19 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
 <context>
     <name>app::HeadsetRequests</name>
     <message>
-        <source>The model was not restored: other work on it is not done yet.</source>
+        <source>The model was not restored: other work on it is still running.</source>
         <translation>模型没有重置：对它的其他处理尚未完成。</translation>
     </message>
     <message>
-        <source>The model was not saved: other work on it is not done yet.</source>
+        <source>The model was not saved: other work on it is still running.</source>
         <translation>模型没有保存：对它的其他处理尚未完成。</translation>
     </message>
     <message>
-        <source>%1 was not opened: other work on the model is not done yet.</source>
+        <source>%1 was not opened: other work on the model is still running.</source>
         <translation>没有打开 %1：对模型的其他处理尚未完成。</translation>
     </message>
     <message>
-        <source>%1 was not opened: the present model has changes that no file holds.</source>
+        <source>%1 was not opened: the current model has unsaved changes.</source>
         <translation>没有打开 %1：当前模型有尚未存入任何文件的更改。</translation>
     </message>
     <message>
@@ -722,7 +722,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>未打开 %1：课堂有自己的起始模型。</translation>
     </message>
     <message>
-        <source>The mask was not changed: other work on the model is not done yet.</source>
+        <source>The mask was not changed: other work on the model is still running.</source>
         <translation>遮罩未更改：模型上的其他操作尚未完成。</translation>
     </message>
 </context>
@@ -844,7 +844,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>存放课程的文件夹，可在其中修改。</translation>
     </message>
     <message>
-        <source>Folder for pictures of what each step leaves, step-1.png and so on.</source>
+        <source>Folder for a picture of the result of each step, step-1.png and so on.</source>
         <translation>存放每一步结果图片的文件夹，名为 step-1.png 等。</translation>
     </message>
     <message>
@@ -864,7 +864,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>%1 不是文件夹。</translation>
     </message>
     <message>
-        <source>lesson: &quot;%1&quot; is no lesson: neither one of %2 nor a folder or zip.</source>
+        <source>lesson: &quot;%1&quot; is not a lesson: it is neither one of %2 nor a folder or ZIP file.</source>
         <translation>lesson：“%1”不是课程：既不是 %2 之一，也不是文件夹或 zip。</translation>
     </message>
     <message>
@@ -910,7 +910,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>正在准备课程</translation>
     </message>
     <message>
-        <source>Not yet: other work on the model is not done.</source>
+        <source>Not yet: other work on the model is still running.</source>
         <translation>请稍候：模型上的其他操作尚未完成。</translation>
     </message>
     <message>
@@ -1004,7 +1004,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>第 %1 步还没有文字。</translation>
     </message>
     <message>
-        <source>Step %1, stroke %2 (%3) changes nothing any more.</source>
+        <source>Step %1, stroke %2 (%3) no longer changes anything.</source>
         <translation>第 %1 步的第 %2 笔（%3）不再改变任何东西。</translation>
     </message>
     <message>
@@ -1017,7 +1017,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>再次播放后，课程的结果与窗口中的模型不同。</translation>
     </message>
     <message>
-        <source>%1 is there already; a lesson&apos;s folder gets a name of its own.</source>
+        <source>%1 already exists. Choose another name for the lesson&apos;s folder.</source>
         <translation>%1 已经存在；课程的文件夹要有自己的名称。</translation>
     </message>
     <message>
@@ -1048,7 +1048,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>第 %1 行，第 %2 字节</translation>
     </message>
     <message>
-        <source>its lesson.json is no lesson of this program</source>
+        <source>its lesson.json is not a lesson of Fettle</source>
         <translation>其中的 lesson.json 不是本程序的课程</translation>
     </message>
     <message>
@@ -1140,7 +1140,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>“%1”太长：最多读取 %2 的文字</translation>
     </message>
     <message>
-        <source>it holds too many files: at most %1 are read</source>
+        <source>it contains too many files: at most %1 are allowed</source>
         <translation>其中的文件太多：最多读取 %1 个</translation>
     </message>
     <message>
@@ -1148,15 +1148,15 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>“%1”的条目太多：最多读取 %2 个</translation>
     </message>
     <message>
-        <source>it names a file outside of its folder, or by no plain name: %1</source>
+        <source>it refers to a file that is outside of its folder, or whose name is not allowed: %1</source>
         <translation>它指名的文件在其文件夹之外，或名称不规范：%1</translation>
     </message>
     <message>
-        <source>there is no lesson.json in it: a lesson is a folder or a zip with that file</source>
+        <source>it has no lesson.json: a lesson is a folder or ZIP file that contains one</source>
         <translation>里面没有 lesson.json：课程是含有该文件的文件夹或 zip</translation>
     </message>
     <message>
-        <source>this file is named, but not there</source>
+        <source>this file is missing</source>
         <translation>提到了这个文件，但它不在</translation>
     </message>
     <message>
@@ -1164,7 +1164,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>对课程来说太大：最多读取 %1</translation>
     </message>
     <message>
-        <source>this is no PNG or JPEG picture</source>
+        <source>this is not a PNG or JPEG picture</source>
         <translation>这不是 PNG 或 JPEG 图片</translation>
     </message>
     <message>
@@ -1172,7 +1172,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>课程的笔画不能需要其他图片或模型</translation>
     </message>
     <message>
-        <source>this command cannot be done soundly on the model that it comes to</source>
+        <source>this command would break the model that it is applied to</source>
         <translation>在它遇到的模型上，无法完好地执行这个命令</translation>
     </message>
     <message>
@@ -1283,7 +1283,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>与老师的相差不超过 %1 毫米</translation>
     </message>
     <message>
-        <source>something sculpted in this step</source>
+        <source>Sculpt something in this step</source>
         <translation>在这一步里雕刻过</translation>
     </message>
     <message>
@@ -1320,11 +1320,11 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>正在保存 %1</translation>
     </message>
     <message>
-        <source>%1 was written.</source>
+        <source>Saved %1.</source>
         <translation>已写入 %1。</translation>
     </message>
     <message>
-        <source>Not yet: other work on the model is not done.</source>
+        <source>Not yet: other work on the model is still running.</source>
         <translation>请稍候：模型上的其他操作尚未完成。</translation>
     </message>
     <message>
@@ -1339,7 +1339,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>正在减少三角形</translation>
     </message>
     <message>
-        <source>%1 was written; it was not read back.</source>
+        <source>Saved %1. It was not verified.</source>
         <translation>已写入 %1；未重新读取。</translation>
     </message>
     <message>
@@ -1355,7 +1355,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>正在重新读取 %1</translation>
     </message>
     <message>
-        <source>%1 was written, but it does not hold what was written. The disk may be failing, or another program changes the file.</source>
+        <source>Saved %1, but reading it back gave something else. The disk may be failing, or another program may be changing the file.</source>
         <translation>已写入 %1，但其内容与写入的不一致。可能是磁盘出现故障，或有其他程序正在修改该文件。</translation>
     </message>
     <message>
@@ -1363,7 +1363,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>%1：%2 × %3 × %4 毫米，%5 个三角形；已核对，水密。</translation>
     </message>
     <message>
-        <source>Its format does not hold the colours; GLB and 3MF do.</source>
+        <source>Its format has no colours; GLB and 3MF keep them.</source>
         <translation>该格式不保存颜色；GLB 和 3MF 保存颜色。</translation>
     </message>
     <message>
@@ -1471,7 +1471,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
 <context>
     <name>app::ModelSaving</name>
     <message>
-        <source>%1 was written without the colours, which its format does not hold; GLB does.</source>
+        <source>Saved %1 without colours: its format has none. GLB keeps them.</source>
         <translation>已写入 %1，但不含颜色：该格式不保存颜色，GLB 则保存。</translation>
     </message>
     <message>
@@ -1733,7 +1733,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>在模型或论文所用的球体上回放录制的笔画。</translation>
     </message>
     <message>
-        <source>replay: %1 is no option; the model is given with --in.</source>
+        <source>replay: %1 is not an option; give the model with --in.</source>
         <translation>replay：%1 不是选项；请用 --in 指定模型。</translation>
     </message>
     <message>
@@ -1797,7 +1797,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
 <context>
     <name>app::ReportCommand</name>
     <message>
-        <source>Writes a class report: of each model in a folder its picture, size and volume, whether it is print-ready or why not, and, of GLB files, the strokes and the time that it took. A class&apos;s works stand under their pupils&apos; names, with the time of the turn. Status 1: not all models can be read.</source>
+        <source>Writes a class report: for each model in a folder its picture, size and volume, whether it is print-ready or why not, and, for GLB files, the number of strokes and the time spent. Pupils&apos; models are listed by pupil, with the time of the turn. Status 1: not all models can be read.</source>
         <translation>写出班级报告：文件夹中每个模型的图片、大小和体积，能否打印或为何不能；GLB 文件还有笔画数和用时。课堂的作品列在学生姓名下，并附该轮的用时。状态 1：有模型无法读取。</translation>
     </message>
     <message>
@@ -1822,7 +1822,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>正在查看 %1 中的模型</translation>
     </message>
     <message>
-        <source>%1 was written.</source>
+        <source>Saved %1.</source>
         <translation>已写入 %1。</translation>
     </message>
     <message>
@@ -1840,7 +1840,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
 <context>
     <name>app::SheetCommand</name>
     <message>
-        <source>Writes drawings of models to scale, a page of A4 each, in the order of their names. A class&apos;s works are called by their pupils. Status 1: not all of them have one.</source>
+        <source>Writes scale drawings of models, one A4 page each, in the order of their names. Pupils&apos; models are named by pupil. Status 1: not all models can be drawn.</source>
         <translation>按比例写出模型的图纸，每个模型一页 A4，按名称排序。课堂的作品以学生姓名为名。状态 1：并非每个模型都有图纸。</translation>
     </message>
     <message>
@@ -1848,7 +1848,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>%1 没有图纸，因为其表面没有围成任何空间（%2）。</translation>
     </message>
     <message>
-        <source>%1 was not written: there is no model that has a sheet.</source>
+        <source>%1 was not written: none of the models can be drawn.</source>
         <translation>%1 未写入：没有可出图纸的模型。</translation>
     </message>
     <message>
@@ -1998,7 +1998,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>%1：%2：%3</translation>
     </message>
     <message>
-        <source>%1 is not what it was when this stroke was recorded.</source>
+        <source>%1 has changed since this stroke was recorded.</source>
         <translation>%1 与录制这一笔时的内容不同。</translation>
     </message>
     <message>
@@ -2009,7 +2009,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
 <context>
     <name>app::TimeLapse</name>
     <message>
-        <source>%1 has a %2 already, and nothing was written over it: choose an empty folder.</source>
+        <source>%1 already contains %2, and nothing was overwritten: choose an empty folder.</source>
         <translation>%1 中已有 %2，没有覆盖任何文件：请选择一个空文件夹。</translation>
     </message>
     <message>
@@ -2017,7 +2017,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>内存不足，无法导出这个模型的延时图片。</translation>
     </message>
     <message>
-        <source>The earlier steps of the model cannot be read any more, so there is no time-lapse of them.</source>
+        <source>The earlier steps of the model can no longer be read, so they are not in the time-lapse.</source>
         <translation>无法再读取模型较早的步骤，因此没有它们的延时图片。</translation>
     </message>
     <message>
@@ -2244,7 +2244,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>移动(&amp;M)…</translation>
     </message>
     <message>
-        <source>Moves the whole model by so many millimetres.</source>
+        <source>Moves the whole model by a distance in millimetres.</source>
         <translation>将整个模型移动指定的毫米数。</translation>
     </message>
     <message>
@@ -2276,7 +2276,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>对称化(&amp;Y)…</translation>
     </message>
     <message>
-        <source>Puts the mirror image of one half of the model in the other&apos;s place.</source>
+        <source>Replaces one half of the model by the mirror image of the other.</source>
         <translation>用模型一半的镜像替换另一半。</translation>
     </message>
     <message>
@@ -2284,7 +2284,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>居中(&amp;C)</translation>
     </message>
     <message>
-        <source>Puts the middle of the model at the origin.</source>
+        <source>Moves the middle of the model to the origin.</source>
         <translation>将模型的中心放到原点。</translation>
     </message>
     <message>
@@ -2380,7 +2380,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>凹处变暗(&amp;Y)</translation>
     </message>
     <message>
-        <source>Darkens what is hollow and lightens ridges, so that fine shapes stand out.</source>
+        <source>Darkens hollows and lightens ridges, so that fine shapes stand out.</source>
         <translation>使凹处变暗、凸脊变亮，让细小的形状更清楚。</translation>
     </message>
     <message>
@@ -2388,7 +2388,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>笔刷下的着色(&amp;U)</translation>
     </message>
     <message>
-        <source>Colours faintly what the next touch of the brush would move.</source>
+        <source>Tints the area that the brush would affect.</source>
         <translation>用淡色标出笔刷下一笔会移动的部分。</translation>
     </message>
     <message>
@@ -2516,7 +2516,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>随窗口(&amp;W)</translation>
     </message>
     <message>
-        <source>Puts behind the model what suits the window, light or dark.</source>
+        <source>Uses a background that matches the window, light or dark.</source>
         <translation>模型背后随窗口变亮或变暗。</translation>
     </message>
     <message>
@@ -2524,7 +2524,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>浅色(&amp;L)</translation>
     </message>
     <message>
-        <source>Puts a light grey behind the model.</source>
+        <source>Uses a light grey background.</source>
         <translation>模型背后为浅灰色。</translation>
     </message>
     <message>
@@ -2532,7 +2532,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>深色(&amp;D)</translation>
     </message>
     <message>
-        <source>Puts a dark grey behind the model.</source>
+        <source>Uses a dark grey background.</source>
         <translation>模型背后为深灰色。</translation>
     </message>
     <message>
@@ -2540,7 +2540,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>天空(&amp;S)</translation>
     </message>
     <message>
-        <source>Puts a pale blue sky behind the model.</source>
+        <source>Uses a pale blue sky as background.</source>
         <translation>模型背后为淡蓝色的天空。</translation>
     </message>
     <message>
@@ -2548,7 +2548,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>白色(&amp;H)</translation>
     </message>
     <message>
-        <source>Puts plain white behind the model.</source>
+        <source>Uses a plain white background.</source>
         <translation>模型背后为纯白色。</translation>
     </message>
     <message>
@@ -2556,7 +2556,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>黑色(&amp;B)</translation>
     </message>
     <message>
-        <source>Puts plain black behind the model.</source>
+        <source>Uses a plain black background.</source>
         <translation>模型背后为纯黑色。</translation>
     </message>
     <message>
@@ -2572,7 +2572,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>拖动半径(&amp;D)</translation>
     </message>
     <message>
-        <source>Changes the radius as the pointer moves; a click or Return keeps it, Esc or the right button goes back.</source>
+        <source>Changes the radius as the pointer moves. Click or press Return to keep it; Esc or a right click cancels.</source>
         <translation>随指针移动改变半径；单击或回车保留，Esc 或右键恢复原值。</translation>
     </message>
     <message>
@@ -2580,7 +2580,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>拖动强度(&amp;G)</translation>
     </message>
     <message>
-        <source>Changes the strength as the pointer moves; a click or Return keeps it, Esc or the right button goes back.</source>
+        <source>Changes the strength as the pointer moves. Click or press Return to keep it; Esc or a right click cancels.</source>
         <translation>随指针移动改变强度；单击或回车保留，Esc 或右键恢复原值。</translation>
     </message>
     <message>
@@ -2604,7 +2604,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>取色(&amp;K)</translation>
     </message>
     <message>
-        <source>The next click on the model takes its colour for Paint.</source>
+        <source>Picks the paint colour from the model with the next click.</source>
         <translation>下一次点击模型时取其颜色用于上色。</translation>
     </message>
     <message>
@@ -2792,7 +2792,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>选择(&amp;C)…</translation>
     </message>
     <message>
-        <source>Puts an image behind the model, on the side from which the view looks.</source>
+        <source>Adds an image behind the model, on the side that you look from.</source>
         <translation>在当前视图所朝的一侧，把一张图片放到模型后面。</translation>
     </message>
     <message>
@@ -2808,7 +2808,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>移除参考图(&amp;R)</translation>
     </message>
     <message>
-        <source>Removes the image of the side from which the view looks.</source>
+        <source>Removes the image of the side that you look from.</source>
         <translation>移除当前视图所朝一侧的图片。</translation>
     </message>
     <message>
@@ -2896,7 +2896,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>放到打印床(&amp;L)</translation>
     </message>
     <message>
-        <source>Puts the model&apos;s lowest point at height 0, where a printer&apos;s bed is.</source>
+        <source>Moves the model&apos;s lowest point to height 0, onto the printer&apos;s bed.</source>
         <translation>把模型的最低点放到高度 0，即打印床所在处。</translation>
     </message>
     <message>
@@ -2928,7 +2928,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>跟随头部(&amp;F)</translation>
     </message>
     <message>
-        <source>Shows in this window what the person with the headset looks at, for a class to watch.</source>
+        <source>Shows in this window what the headset sees, for a class to watch.</source>
         <translation>在此窗口显示戴头显的人所看的内容，供全班观看。</translation>
     </message>
     <message>
@@ -2976,7 +2976,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>抓取(&amp;G)</translation>
     </message>
     <message>
-        <source>Moves what is under the brush with your hand. Shift smooths.</source>
+        <source>Moves the surface under the brush along with the pointer. Shift smooths.</source>
         <translation>抓住笔刷下的部分，随手移动。按住 Shift 为平滑。</translation>
     </message>
     <message>
@@ -2992,7 +2992,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>扭转(&amp;T)</translation>
     </message>
     <message>
-        <source>Twists what is under the brush as you drag away from it. %1 twists it the other way, Shift smooths.</source>
+        <source>Twists the surface under the brush as you drag away from it. %1 twists it the other way, Shift smooths.</source>
         <translation>把笔刷下的部分绕其中心扭转，拖得越远转得越多。按住 %1 反向扭转，按住 Shift 平滑。</translation>
     </message>
     <message>
@@ -3012,7 +3012,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>加层(&amp;Y)</translation>
     </message>
     <message>
-        <source>Protects the surface from all that other tools do. %1 wipes the mask away instead, Shift smooths.</source>
+        <source>Protects the surface from other tools. %1 erases the mask instead, Shift smooths.</source>
         <translation>保护表面不受其他工具影响。按住 %1 擦去遮罩，按住 Shift 平滑。</translation>
     </message>
     <message>
@@ -3020,7 +3020,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>反转遮罩(&amp;I)</translation>
     </message>
     <message>
-        <source>Protects what is free, and frees what is protected.</source>
+        <source>Swaps protected and unprotected areas.</source>
         <translation>保护自由的部分，放开受保护的部分。</translation>
     </message>
     <message>
@@ -3028,7 +3028,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>清除遮罩(&amp;C)</translation>
     </message>
     <message>
-        <source>Frees the whole model.</source>
+        <source>Removes the mask from the whole model.</source>
         <translation>放开整个模型。</translation>
     </message>
     <message>
@@ -3068,7 +3068,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>遮罩凹处(&amp;A)</translation>
     </message>
     <message>
-        <source>Protects what is hollow, too.</source>
+        <source>Also protects hollows.</source>
         <translation>也保护凹陷处。</translation>
     </message>
     <message>
@@ -3076,7 +3076,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>按颜色遮罩(&amp;L)</translation>
     </message>
     <message>
-        <source>Protects what has about the paint colour, too.</source>
+        <source>Also protects areas close to the paint colour.</source>
         <translation>也保护与画笔颜色相近的部分。</translation>
     </message>
     <message>
@@ -3084,7 +3084,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>遮罩整个部件(&amp;P)</translation>
     </message>
     <message>
-        <source>Protects the whole of each separate part that the mask has reached.</source>
+        <source>Extends the mask to the whole of each part that it touches.</source>
         <translation>把遮罩碰到的每个独立部件整个保护起来。</translation>
     </message>
     <message>
@@ -3132,7 +3132,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>课堂(&amp;C)…</translation>
     </message>
     <message>
-        <source>Writes the file of a class: what pupils may do, how long their turns are, and the PIN that ends it.</source>
+        <source>Makes a class file: what pupils may do, how long their turns are, and the PIN that ends the class.</source>
         <translation>写出课堂文件：学生可以做什么、每轮多长时间，以及结束课堂的 PIN。</translation>
     </message>
     <message>
@@ -3204,7 +3204,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>反转(&amp;V)</translation>
     </message>
     <message>
-        <source>Turns the tools round, for a hand that cannot hold %1 as well: Pull pushes, Clay digs.</source>
+        <source>Inverts the tools without holding %1: Pull pushes, Clay digs.</source>
         <translation>反转各工具，供无法同时按住 %1 的手使用：拉起变为按下，黏土变为挖去。</translation>
     </message>
     <message>
@@ -3216,7 +3216,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>向左转(&amp;L)</translation>
     </message>
     <message>
-        <source>Turns what faces you to the left, by 15 degrees.</source>
+        <source>Turns the model&apos;s near side to the left by 15 degrees.</source>
         <translation>把面向您的一侧向左转 15 度。</translation>
     </message>
     <message>
@@ -3224,7 +3224,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>向右转(&amp;R)</translation>
     </message>
     <message>
-        <source>Turns what faces you to the right, by 15 degrees.</source>
+        <source>Turns the model&apos;s near side to the right by 15 degrees.</source>
         <translation>把面向您的一侧向右转 15 度。</translation>
     </message>
     <message>
@@ -3232,7 +3232,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>向上转(&amp;U)</translation>
     </message>
     <message>
-        <source>Turns what faces you upwards, by 15 degrees.</source>
+        <source>Turns the model&apos;s near side upwards by 15 degrees.</source>
         <translation>把面向您的一侧向上转 15 度。</translation>
     </message>
     <message>
@@ -3240,7 +3240,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>向下转(&amp;D)</translation>
     </message>
     <message>
-        <source>Turns what faces you downwards, by 15 degrees.</source>
+        <source>Turns the model&apos;s near side downwards by 15 degrees.</source>
         <translation>把面向您的一侧向下转 15 度。</translation>
     </message>
     <message>
@@ -3313,7 +3313,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>%1 太小，不能用作笔刷形状。</translation>
     </message>
     <message>
-        <source>%1 has too many triangles for a brush&apos;s shape: at most %2 are taken. Export it with fewer triangles first.</source>
+        <source>%1 has too many triangles for a brush&apos;s shape: at most %2 are allowed. Export it with fewer triangles first.</source>
         <translation>%1 的三角形太多，不能用作笔刷形状：最多 %2 个。请先以较少的三角形导出。</translation>
     </message>
     <message>
@@ -3431,7 +3431,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>喷枪</translation>
     </message>
     <message>
-        <source>The tool goes on as long as you hold it in one place.</source>
+        <source>The tool continues for as long as you hold it in one place.</source>
         <translation>只要按住不动，工具就持续作用。</translation>
     </message>
     <message>
@@ -3491,7 +3491,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>所有工具共用半径</translation>
     </message>
     <message>
-        <source>Another tool leaves the radius as it is. Without it each tool has a radius of its own, as it has a strength of its own.</source>
+        <source>Keeps the radius when you change the tool. When off, each tool has its own radius, as it has its own strength.</source>
         <translation>换工具时半径不变。关闭后，每个工具各有自己的半径，正如各有自己的强度。</translation>
     </message>
 </context>
@@ -3804,7 +3804,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>无法新建此文件夹。</translation>
     </message>
     <message>
-        <source>Other &amp;names may be typed</source>
+        <source>Allow other &amp;names</source>
         <translation>可以输入其他名字(&amp;N)</translation>
     </message>
     <message>
@@ -3847,7 +3847,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>上色颜色的%1，0 到 255。</translation>
     </message>
     <message>
-        <source>%1 is no colour: # and six digits, 0 to f, are one.</source>
+        <source>%1 is not a colour: write # and six digits from 0 to f.</source>
         <translation>%1 不是颜色：应为 # 和六位数字（0 到 f）。</translation>
     </message>
     <message>
@@ -3874,7 +3874,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>把上色颜色保留到色板中。</translation>
     </message>
     <message>
-        <source>%1: a click takes it, Delete removes it.</source>
+        <source>%1: click to use it, press Delete to remove it.</source>
         <translation>%1：单击选用，Delete 键删除。</translation>
     </message>
     <message>
@@ -4189,7 +4189,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>%1 不是文件夹。</translation>
     </message>
     <message>
-        <source>%1 cannot be looked into: it is not permitted.</source>
+        <source>%1 cannot be opened: permission denied.</source>
         <translation>无法查看 %1：没有权限。</translation>
     </message>
     <message>
@@ -4205,11 +4205,11 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>文件需要一个名称。</translation>
     </message>
     <message>
-        <source>A file&apos;s name may not hold the sign %1.</source>
+        <source>A file name may not contain %1.</source>
         <translation>文件名不能包含字符 %1。</translation>
     </message>
     <message>
-        <source>A file&apos;s name may not hold control characters.</source>
+        <source>A file name may not contain control characters.</source>
         <translation>文件名不能包含控制字符。</translation>
     </message>
     <message>
@@ -4240,7 +4240,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         </translation>
     </message>
     <message>
-        <source>Nothing in %1 can be changed: it is not permitted.</source>
+        <source>Nothing in %1 can be changed: permission denied.</source>
         <translation>无法更改 %1 中的内容：没有权限。</translation>
     </message>
 </context>
@@ -4289,7 +4289,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>筛选</translation>
     </message>
     <message>
-        <source>Shows only what has these letters in its name.</source>
+        <source>Shows only files whose names contain these letters.</source>
         <translation>只显示名称中包含这些文字的项目。</translation>
     </message>
     <message>
@@ -4378,7 +4378,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>要搜索的词</translation>
     </message>
     <message>
-        <source>Leaves only the pages that have these words; Return goes to the next place.</source>
+        <source>Shows only pages with these words. Return finds the next place.</source>
         <translation>只保留含有这些词的页面；按回车转到下一处。</translation>
     </message>
     <message>
@@ -4477,7 +4477,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>历史</translation>
     </message>
     <message>
-        <source>Every step since the model was opened. A click or Return goes there.</source>
+        <source>Every step since the model was opened. Click one, or press Return, to go there.</source>
         <translation>打开模型以来的每一步。单击或按回车即可回到那里。</translation>
     </message>
     <message>
@@ -4576,7 +4576,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>Fettle</translation>
     </message>
     <message>
-        <source>As in Blender</source>
+        <source>Blender</source>
         <translation>与 Blender 相同</translation>
     </message>
     <message>
@@ -4608,7 +4608,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>方案</translation>
     </message>
     <message>
-        <source>Chooses the keys to begin with; what you changed yourself stays.</source>
+        <source>Chooses a set of keys. Keys that you changed yourself stay.</source>
         <translation>选择基础快捷键方案；您自己更改的快捷键保持不变。</translation>
     </message>
     <message>
@@ -4632,7 +4632,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>第二个快捷键</translation>
     </message>
     <message>
-        <source>Press the key that the command is to have; Backspace takes it away.</source>
+        <source>Press the new key for the command, or Backspace to remove it.</source>
         <translation>按下要分配给该命令的按键；退格键将其清除。</translation>
     </message>
     <message>
@@ -4652,11 +4652,11 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>选中占用该快捷键的命令。</translation>
     </message>
     <message>
-        <source>This key cannot be another.</source>
+        <source>This key cannot be changed.</source>
         <translation>此快捷键不能更改。</translation>
     </message>
     <message>
-        <source>%1 is taken: %2 has it.</source>
+        <source>%1 is already used by %2.</source>
         <translation>%1 已被“%2”占用。</translation>
     </message>
     <message>
@@ -4710,7 +4710,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>录制</translation>
     </message>
     <message>
-        <source>Begins a lesson of one step. The strokes before it cannot be undone any more.</source>
+        <source>Begins a lesson of one step. Earlier strokes can no longer be undone.</source>
         <translation>开始一个只有一步的课程。之前的笔画不能再撤销。</translation>
     </message>
     <message>
@@ -4838,7 +4838,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
 <context>
     <name>ui::LessonPanel</name>
     <message>
-        <source>Choose a lesson. It begins with a model of its own.</source>
+        <source>Choose a lesson. It starts with its own model.</source>
         <translation>选择一堂课。它用自己的模型开始。</translation>
     </message>
     <message>
@@ -5127,7 +5127,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>%1[*] – Fettle</translation>
     </message>
     <message>
-        <source>%1 was written.</source>
+        <source>Saved %1.</source>
         <translation>已写入 %1。</translation>
     </message>
     <message>
@@ -5468,11 +5468,11 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>%1 过大：文件大小为 %2，最多可读取 %3。</translation>
     </message>
     <message>
-        <source>%1 is no %2 file.</source>
+        <source>%1 is not a valid %2 file.</source>
         <translation>%1 不是 %2 文件。</translation>
     </message>
     <message>
-        <source>%1 is no %2 file; it looks like %3.</source>
+        <source>%1 is not a valid %2 file; it looks like %3.</source>
         <translation>%1 不是 %2 文件；看起来像 %3。</translation>
     </message>
     <message>
@@ -5480,7 +5480,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>纯文本</translation>
     </message>
     <message>
-        <source>%1: the file is cut off here.</source>
+        <source>%1: the file is incomplete; it ends here.</source>
         <translation>%1：文件在此处中断。</translation>
     </message>
     <message>
@@ -5512,7 +5512,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>%1：有面引用了顶点 %2，但只有 %3 个顶点。</translation>
     </message>
     <message>
-        <source>%1: too many %2; at most %3 are taken.</source>
+        <source>%1: too many %2; at most %3 are allowed.</source>
         <translation>%1：元素 (%2) 过多；最多允许 %3 个。</translation>
     </message>
     <message>
@@ -5520,11 +5520,11 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>%1 不含任何面。</translation>
     </message>
     <message>
-        <source>%1 holds no faces, except those of a slicer&apos;s parts that are no matter (%2): negative ones, modifiers and supports, which are left out.</source>
+        <source>%1 contains no faces, except those of slicer parts that are not printed (%2): negative volumes, modifiers and supports, which are left out.</source>
         <translation>%1 不含任何面，除了切片软件中不属于实体的部件（%2）：负体积、修改器和支撑，这些都会被略去。</translation>
     </message>
     <message>
-        <source>%1 cannot be written: it is not permitted%2.</source>
+        <source>%1 cannot be written: it is not allowed%2.</source>
         <translation>无法写入 %1：没有权限%2。</translation>
     </message>
     <message>
@@ -5548,7 +5548,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>%1 未写入：离原点这么远，坐标对模型的细节来说太粗略。请将模型重新居中。</translation>
     </message>
     <message>
-        <source>%1 cannot be written: there is no folder %2.</source>
+        <source>%1 cannot be written: the folder %2 does not exist.</source>
         <translation>无法写入 %1：没有文件夹 %2。</translation>
     </message>
     <message>
@@ -5604,11 +5604,11 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>%1：图纸可写为 PDF、SVG 或 PNG，由扩展名决定。</translation>
     </message>
     <message>
-        <source>%1 holds no image that can be read.</source>
+        <source>%1 contains no image that can be read.</source>
         <translation>%1 中没有可以读取的图片。</translation>
     </message>
     <message>
-        <source>The reference image %1 is not there any more.</source>
+        <source>The reference image %1 no longer exists.</source>
         <translation>参考图 %1 已不存在。</translation>
     </message>
     <message>
@@ -5628,15 +5628,15 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>%1 是采用二进制、压缩或 VRML 编码的 X3D，无法读取：请保存为 XML (.x3d) 或 GLB。</translation>
     </message>
     <message>
-        <source>%1 is not read: what is packed in it takes more than %2, which is too much for a file of its size.</source>
+        <source>%1 was not read: unpacked it is larger than %2, which is too much for a file of its size.</source>
         <translation>未读取 %1：其中压缩的内容超过 %2，对这样大小的文件来说太大了。</translation>
     </message>
     <message>
-        <source>The model has only %1 mm³: slicers may take it for one in inches.</source>
+        <source>The model has only %1 mm³: slicers may read it as inches.</source>
         <translation>模型只有 %1 mm³：切片软件可能把它当作以英寸为单位。</translation>
     </message>
     <message>
-        <source>The model has only %1 mm³: slicers may take it for one in metres.</source>
+        <source>The model has only %1 mm³: slicers may read it as metres.</source>
         <translation>模型只有 %1 mm³：切片软件可能把它当作以米为单位。</translation>
     </message>
     <message>
@@ -5668,7 +5668,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         </translation>
     </message>
     <message>
-        <source>%1 names &quot;%2&quot;, which is not in its folder; nothing from elsewhere is read.</source>
+        <source>%1 refers to &quot;%2&quot;, which is not in its folder; files elsewhere are not read.</source>
         <translation>%1 指向“%2”，它不在该文件所在的文件夹中；不会读取其他位置的内容。</translation>
     </message>
     <message>
@@ -5684,7 +5684,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>%1：读取程序无法识别其内容（%2）。</translation>
     </message>
     <message>
-        <source>%1 was not read: its reader, a process of its own, broke off over it.</source>
+        <source>%1 was not read: the process that reads it ended unexpectedly.</source>
         <translation>未读取 %1：读取它的独立进程中途崩溃了。</translation>
     </message>
     <message>
@@ -5696,7 +5696,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>未读取 %1：读取所需内存超过了这样大小的文件所允许的 %2。</translation>
     </message>
     <message>
-        <source>%1: at that size the coordinates are no numbers any more.</source>
+        <source>%1: at that size the coordinates overflow.</source>
         <translation>%1：这样的大小下坐标不再是数。</translation>
     </message>
     <message>
@@ -5708,15 +5708,15 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>没有添加任何东西，因为它会位于模型内部。</translation>
     </message>
     <message>
-        <source>Nothing was added, because it would be too close to the surface.</source>
+        <source>Nothing was added, because it would touch the model.</source>
         <translation>没有添加任何东西，因为它会离表面太近。</translation>
     </message>
     <message>
-        <source>Nothing was added, because it would reach beyond the working volume.</source>
+        <source>Nothing was added, because it would reach beyond the workspace.</source>
         <translation>没有添加任何东西，因为它会超出工作空间。</translation>
     </message>
     <message>
-        <source>Nothing was added, because the brush&apos;s shape is not sound at that size on the program&apos;s working grid.</source>
+        <source>Nothing was added, because the brush&apos;s shape is not watertight at that size.</source>
         <translation>没有添加任何东西，因为笔刷形状在该尺寸下落到程序的工作网格上不再完好。</translation>
     </message>
     <message>
@@ -5740,7 +5740,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>%1：无法读取此文件夹%2。</translation>
     </message>
     <message>
-        <source>%1: there is no model in this folder (%2).</source>
+        <source>%1: this folder contains no models (%2).</source>
         <translation>%1：此文件夹中没有模型（%2）。</translation>
     </message>
     <message>
@@ -5760,7 +5760,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>文件头未声明的值</translation>
     </message>
     <message>
-        <source>what stands behind the model (%1)</source>
+        <source>data after the end of the model (%1)</source>
         <translation>模型之后的内容（%1）</translation>
     </message>
     <message>
@@ -5872,7 +5872,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>%1：此处需要“%2”，但它不存在。</translation>
     </message>
     <message>
-        <source>%1: &quot;%2&quot; comes a second time.</source>
+        <source>%1: &quot;%2&quot; appears twice.</source>
         <translation>%1：“%2”第二次出现。</translation>
     </message>
     <message>
@@ -5900,23 +5900,23 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>%1：“%2”应为非负整数，却是别的内容。</translation>
     </message>
     <message>
-        <source>%1: &quot;%2&quot; should be a list of so many numbers as the format says, but is something else.</source>
+        <source>%1: &quot;%2&quot; should be a list of as many numbers as the format requires, but is something else.</source>
         <translation>%1：“%2”应为格式所规定个数的数字列表，却是别的内容。</translation>
     </message>
     <message>
-        <source>%1: more is to be read from &quot;%2&quot; than it holds.</source>
+        <source>%1: &quot;%2&quot; contains less data than should be read from it.</source>
         <translation>%1：要从“%2”读取的内容多于其所含。</translation>
     </message>
     <message>
-        <source>%1: &quot;%2&quot; has a type or a count that does not fit what names it.</source>
+        <source>%1: &quot;%2&quot; has a type or a count that does not fit its use.</source>
         <translation>%1：“%2”的类型或个数与引用它的内容不符。</translation>
     </message>
     <message>
-        <source>%1: &quot;%2&quot; hold themselves, or are nested too deeply.</source>
+        <source>%1: &quot;%2&quot; contain themselves, or are nested too deeply.</source>
         <translation>%1：“%2”包含自身，或嵌套过深。</translation>
     </message>
     <message>
-        <source>%1 needs the extension %2, which is not read: save it without, in the program that it comes from.</source>
+        <source>%1 needs the extension %2, which Fettle cannot read: save it without, in the program that made it.</source>
         <translation>%1 需要扩展 %2，而该扩展无法读取：请在来源程序中不使用它另行保存。</translation>
     </message>
     <message>
@@ -5944,7 +5944,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>%1：包中没有部件“%2”。</translation>
     </message>
     <message>
-        <source>%1: &quot;%2&quot;, which should say where in the package the model is, names none.</source>
+        <source>%1: &quot;%2&quot; should say where in the package the model is, but does not.</source>
         <translation>%1：“%2”应指明模型在包中的位置，却未指明。</translation>
     </message>
     <message>
@@ -6067,7 +6067,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>使模型对称</translation>
     </message>
     <message>
-        <source>The mirror goes through the origin. Which half is kept?</source>
+        <source>Mirror across the origin. Which half is kept?</source>
         <translation>镜面通过原点。保留哪一半？</translation>
     </message>
     <message>
@@ -6230,7 +6230,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>%1 已不存在，现已重新写入。</translation>
     </message>
     <message>
-        <source>%1 was written. View, brush, symmetry and reference images are kept by GLB files only: Save As.</source>
+        <source>Saved %1. Only GLB files keep view, brush, symmetry and reference images: use Save As.</source>
         <translation>已写入 %1。只有 GLB 文件保存视图、笔刷、对称设置和参考图：请使用“另存为”。</translation>
     </message>
     <message>
@@ -6380,7 +6380,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>名字或昵称</translation>
     </message>
     <message>
-        <source>Begins the turn. (Return)</source>
+        <source>Starts the turn. (Return)</source>
         <translation>开始这一轮。（回车）</translation>
     </message>
     <message>
@@ -6436,7 +6436,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>压感笔测试</translation>
     </message>
     <message>
-        <source>Draw here: the line shows what your pen&apos;s pressure becomes.</source>
+        <source>Draw here: the line shows the effect of your pen&apos;s pressure.</source>
         <translation>在此处绘画：线条会显示压感笔的压力变成多少。</translation>
     </message>
     <message>
@@ -6496,7 +6496,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>颜色(&amp;C)</translation>
     </message>
     <message>
-        <source>Chooses a light or a dark window, or what the desktop has.</source>
+        <source>Chooses a light or a dark window, or follows the desktop.</source>
         <translation>选择浅色或深色的窗口，或与桌面一致。</translation>
     </message>
     <message>
@@ -6508,7 +6508,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>选择窗口文字的语言。</translation>
     </message>
     <message>
-        <source>As the system</source>
+        <source>Same as the system</source>
         <translation>跟随系统</translation>
     </message>
     <message>
@@ -6548,7 +6548,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>快捷键(&amp;K)</translation>
     </message>
     <message>
-        <source>Sets everything in the program to what it was at first, after a question.</source>
+        <source>Resets all settings of the program to their defaults, after a question.</source>
         <translation>确认后，将程序中的一切恢复为初始状态。</translation>
     </message>
     <message>
@@ -6612,7 +6612,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>The view goes at once where it is sent, instead of flying there, and the light of who points stands still.</source>
+        <source>The view jumps to its place instead of flying there, and the light that points in VR does not pulse.</source>
         <translation>视图立即到达目标，不再飞过去；指示用的光点静止不动。</translation>
     </message>
 </context>
@@ -6724,7 +6724,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         </translation>
     </message>
     <message>
-        <source>Parts of the surface that are not connected; hollows count, too.</source>
+        <source>Separate parts of the surface; closed hollows count as parts.</source>
         <translation>互不相连的表面部分；空腔也计算在内。</translation>
     </message>
     <message>
@@ -6789,7 +6789,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>最大 %1，%2</translation>
     </message>
     <message>
-        <source>How much of the surface lies flat on the bed.</source>
+        <source>Area of the surface that is flat on the bed.</source>
         <translation>平放在打印床上的表面面积。</translation>
     </message>
     <message>
@@ -6871,7 +6871,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>最小壁厚</translation>
     </message>
     <message>
-        <source>Thinner walls are found: two lines of the nozzle, as a rule.</source>
+        <source>Finds thinner walls. Two lines of the nozzle are usual.</source>
         <translation>找出更薄的壁：通常为喷嘴的两条线宽。</translation>
     </message>
     <message>
@@ -7200,7 +7200,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation> %</translation>
     </message>
     <message>
-        <source>How much the image hides of what lies behind it.</source>
+        <source>Opacity of the image.</source>
         <translation>图片遮住其后内容的程度。</translation>
     </message>
     <message>
@@ -7974,7 +7974,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>模型</translation>
     </message>
     <message>
-        <source>The model cannot be shown: the graphics driver does not do what it offers.</source>
+        <source>The model cannot be shown: the graphics driver lacks a feature that it claims to have.</source>
         <translation>无法显示模型：显卡驱动未能实现其声明的功能。</translation>
     </message>
 </context>
@@ -8083,7 +8083,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>请稍候…</translation>
     </message>
     <message>
-        <source>The model is not saved: save it first, or hold to open.</source>
+        <source>The model has unsaved changes: save it first, or hold to open.</source>
         <translation>模型尚未保存：请先保存，或按住以打开。</translation>
     </message>
     <message>
@@ -8226,7 +8226,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>%1 正在运行，但没有就绪的头显 (%2)。请接好并打开头显，然后再次查找。</translation>
     </message>
     <message>
-        <source>%1 shows %2, but takes no OpenGL pictures.</source>
+        <source>%1 supports %2, but it does not support OpenGL.</source>
         <translation>%1 检测到 %2，但不接受 OpenGL 图像。</translation>
     </message>
     <message>
@@ -8238,7 +8238,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>头显正在本程序中使用。</translation>
     </message>
     <message>
-        <source>%1 asks for OpenGL %2 and refuses OpenGL %3, which Fettle uses. Another OpenXR runtime may take it.</source>
+        <source>%1 asks for OpenGL %2 and refuses OpenGL %3, which Fettle uses. Another OpenXR runtime may accept it.</source>
         <extracomment>%1: the headset&apos;s program; %2, %3: versions, such as 4.5</extracomment>
         <translation>%1 要求 OpenGL %2，不接受 Fettle 使用的 OpenGL %3。其他 OpenXR 运行时也许可以接受。</translation>
     </message>
@@ -8685,7 +8685,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>%1：无法写入此图片。</translation>
     </message>
     <message>
-        <source>Says what a brush preset holds, or why it is none (status 2). Without a preset: lists those of the program.</source>
+        <source>Shows what a brush preset contains, or why it is invalid (status 2). Without a preset: lists the program&apos;s presets.</source>
         <translation>说明笔刷预设的内容，或为何不是预设（状态 2）。不给预设时列出程序自带的预设。</translation>
     </message>
     <message>
@@ -8693,7 +8693,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>预设文件，或程序自带预设的名称。</translation>
     </message>
     <message>
-        <source>Where a picture of one stroke of the brush goes, PNG.</source>
+        <source>File for a picture of one stroke of the brush, PNG.</source>
         <translation>该笔刷一笔的图片写到何处，PNG。</translation>
     </message>
     <message>
@@ -8763,7 +8763,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>删除</translation>
     </message>
     <message>
-        <source>Puts this preset into the trash.</source>
+        <source>Moves this preset to the trash.</source>
         <translation>把此预设移入回收站。</translation>
     </message>
     <message>
@@ -8822,7 +8822,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>鼓起</translation>
     </message>
     <message>
-        <source>Blows up what is under it, with a soft edge.</source>
+        <source>Inflates the surface under it, with a soft edge.</source>
         <translation>使笔下之处鼓起，边缘柔和。</translation>
     </message>
     <message>
@@ -8964,7 +8964,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>不是有效的 JSON</translation>
     </message>
     <message>
-        <source>this is no stroke file of version 1 (%1)</source>
+        <source>this is not a stroke file of version 1 (%1)</source>
         <translation>不是版本 1 的笔画文件 (%1)</translation>
     </message>
     <message>
@@ -9044,7 +9044,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>此文件过大：最多读取 %1</translation>
     </message>
     <message>
-        <source>this is no brush preset of version 1 (%1)</source>
+        <source>this is not a brush preset of version 1 (%1)</source>
         <translation>这不是版本 1 的笔刷预设（%1）</translation>
     </message>
     <message>
@@ -9108,7 +9108,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>要写入的文件，格式由扩展名决定；或 -。</translation>
     </message>
     <message>
-        <source>%1: the file to write is missing; -o names it.</source>
+        <source>%1: the output file is missing; name it with -o.</source>
         <translation>%1：缺少要写入的文件；用 -o 指定。</translation>
     </message>
 </context>
@@ -9146,7 +9146,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>从标准输入（-）读取的模型的格式。</translation>
     </message>
     <message>
-        <source>Format of what is written to the standard output, -.</source>
+        <source>Format of the standard output, -.</source>
         <translation>写到标准输出（-）的内容的格式。</translation>
     </message>
     <message>
@@ -9158,7 +9158,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>无法读取标准输入（%1）。</translation>
     </message>
     <message>
-        <source>%1: %2 is no text, and is not shown in a terminal: send the standard output to a file or a program.</source>
+        <source>%1: %2 is binary and is not printed to a terminal: redirect the standard output to a file or a program.</source>
         <translation>%1：%2 不是文本，不会显示在终端上：请将标准输出重定向到文件或程序。</translation>
     </message>
     <message>

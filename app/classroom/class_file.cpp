@@ -44,7 +44,7 @@ QString bytesToText(const QString& path)
     const QByteArray bytes = file.read(maxBytes + 1);
     const QString text = decoder(bytes);
     if (bytes.size() > maxBytes || decoder.hasError() || text.contains(QChar::Null))
-        fail(ClassFile::tr("%1 is no class file: it is no text in UTF-8, or too long.")
+        fail(ClassFile::tr("%1 is not a class file: it is not UTF-8 text, or it is too long.")
                  .arg(QDir::toNativeSeparators(path)));
     return text;
 }
@@ -81,7 +81,7 @@ template <class T, std::size_t count> QStringList wordsOf(const std::array<ui::N
 
 QString noPin()
 {
-    return ClassFile::tr("this is no PIN as Fettle writes it; Edit › Classroom sets one.");
+    return ClassFile::tr("this is not a PIN as Fettle writes it; set one with Edit › Classroom.");
 }
 
 /// Returns an absolute path; a relative one leads from the class's file.
@@ -145,7 +145,7 @@ private:
         if (equals <= 0)
             failIn(number, ClassFile::tr("a line says key = value, or begins with #."));
         if (m_entries.contains(key))
-            failIn(number, ClassFile::tr("%1 stands there for the second time.").arg(key));
+            failIn(number, ClassFile::tr("%1 appears twice.").arg(key));
         m_entries.insert(key, {number, line.mid(equals + 1).trimmed()});
     }
 
@@ -179,7 +179,7 @@ private:
                                     .arg(ui::maxPupilNames)
                                     .arg(ui::maxPupilNameLength));
             if (names.contains(name))
-                failAt("names", ClassFile::tr("%1 stands there for the second time.").arg(name));
+                failAt("names", ClassFile::tr("%1 appears twice.").arg(name));
             names << name;
         }
         return names;
@@ -227,7 +227,7 @@ private:
         for (const QString& word : text(key).split(u',')) {
             chosen << indexOf(key, word.trimmed(), words);
             if (chosen.count(chosen.last()) > 1)
-                failAt(key, ClassFile::tr("%1 stands there for the second time.").arg(word.trimmed()));
+                failAt(key, ClassFile::tr("%1 appears twice.").arg(word.trimmed()));
         }
         return chosen;
     }
@@ -236,7 +236,7 @@ private:
     {
         const auto first = std::min_element(m_entries.begin(), m_entries.end(),
                                             [](const Entry& a, const Entry& b) { return a.line < b.line; });
-        failIn(first->line, ClassFile::tr("%1 is no key of a class file.").arg(first.key()));
+        failIn(first->line, ClassFile::tr("%1 is not a key of a class file.").arg(first.key()));
     }
 
     [[noreturn]] void failIn(int line, const QString& reason) const
@@ -307,7 +307,7 @@ QString ClassFile::lessonProblem(const ui::Classroom& classroom)
     if (classroom.lesson.isEmpty())
         return {};
     if (!bundledLessons().contains(classroom.lesson) && !QFileInfo::exists(classroom.lesson))
-        return tr("%1 is no lesson: neither one of %2 nor a folder or zip.")
+        return tr("%1 is not a lesson: it is neither one of %2 nor a folder or ZIP file.")
             .arg(QDir::toNativeSeparators(classroom.lesson), wordList(bundledLessons()));
     const ReadLesson read = tryToReadLesson(classroom.lesson, readLessonOfClass);
     if (!read.lesson)

@@ -72,7 +72,7 @@ void ClassFileController::write(const ui::ClassroomDraft& draft)
     if (!problem.isEmpty())
         return m_dialog->showFault(problem);
     m_dialog->done(QDialog::Accepted);
-    m_window.showNotice(tr("%1 was written.").arg(QDir::toNativeSeparators(draft.path)));
+    m_window.showNotice(tr("Saved %1.").arg(QDir::toNativeSeparators(draft.path)));
     askToBegin(classroom, draft.path,
                ui::isClassFile(draft.path) ? tr("A double click on %1 begins it, on every computer that has Fettle.")
                                                  .arg(QDir::toNativeSeparators(draft.path))

@@ -130,9 +130,8 @@ void ClassWork::onDelivered(const Delivery& delivery)
     if (delivery.undelivered == 0)
         return;
     if (hasChanged)
-        Q_EMIT noticed(
-            tr("The class folder cannot be reached. The work is kept on this computer and goes there as soon "
-               "as that is possible."));
+        Q_EMIT noticed(tr("The class folder cannot be reached. The work is saved on this computer and will be moved "
+                          "there as soon as possible."));
     m_retryTimer.start(retryMs);
 }
 } // namespace app

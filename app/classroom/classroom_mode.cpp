@@ -293,7 +293,7 @@ void ClassroomMode::saveThen(ClassTurn turn, std::function<void()> then)
         return;
     }
     m_canLeave = false;
-    Q_EMIT noticed(tr("Not yet: other work on the model is not done."));
+    Q_EMIT noticed(tr("Not yet: other work on the model is still running."));
 }
 
 void ClassroomMode::onSaved(const EndedTurn& ended, const QString& problem, const std::function<void()>& then)

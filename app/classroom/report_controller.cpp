@@ -55,6 +55,6 @@ void ReportController::finish(const QString& path, const ReportOutcome& outcome)
     if (!outcome.problem.isEmpty())
         return Q_EMIT refused(outcome.problem);
     Q_EMIT noticed(
-        (outcome.isWritten ? tr("%1 was written.") : tr("%1 was not written.")).arg(QDir::toNativeSeparators(path)));
+        (outcome.isWritten ? tr("Saved %1.") : tr("%1 was not written.")).arg(QDir::toNativeSeparators(path)));
 }
 } // namespace app

@@ -58,7 +58,7 @@ TurnAnswers TurnAnswers::read(const QString& folder)
         return read;
     }
     if (!isRead || version != answersVersion || !whole.value(answersKey).isObject()) {
-        read.problem = tr("%1 holds no answers that can be read.").arg(fileName);
+        read.problem = tr("%1 contains no answers that can be read.").arg(fileName);
         return read;
     }
     read.turnId = whole.value(answersIdKey).toString();
@@ -68,7 +68,7 @@ TurnAnswers TurnAnswers::read(const QString& folder)
         read.questionnaire.answers[i] = answerOf(value);
         if (!value.isUndefined() && !read.questionnaire.answers[i] && read.problem.isEmpty())
             read.problem =
-                tr("%1: the answer \"%2\" is left out, because it is no whole number from %3 to %4.")
+                tr("%1: the answer \"%2\" is left out, because it is not a whole number from %3 to %4.")
                     .arg(fileName, answerKeys[i], QString::number(ui::minAnswer), QString::number(ui::maxAnswer));
     }
     return read;

@@ -70,13 +70,14 @@ void draw(const ui::PresetFile& file, const QString& path)
 ExitStatus brushCommand(const QStringList& arguments)
 {
     QCommandLineParser parser;
-    parser.setApplicationDescription(BrushCommandMessages::tr(
-        "Says what a brush preset holds, or why it is none (status 2). Without a preset: lists those of the program."));
+    parser.setApplicationDescription(
+        BrushCommandMessages::tr("Shows what a brush preset contains, or why it is invalid (status 2). Without a "
+                                 "preset: lists the program's presets."));
     parser.addPositionalArgument(QStringLiteral("PRESET"),
                                  BrushCommandMessages::tr("A preset file, or the name of a preset of the program."),
                                  QStringLiteral("[PRESET]"));
     parser.addOption({QStringLiteral("picture"),
-                      BrushCommandMessages::tr("Where a picture of one stroke of the brush goes, PNG."),
+                      BrushCommandMessages::tr("File for a picture of one stroke of the brush, PNG."),
                       QStringLiteral("OUT.png")});
     CommandOptions::addNoClobber(parser);
     const CommandOptions options(parser, QStringLiteral("brush"), arguments);

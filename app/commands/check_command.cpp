@@ -404,7 +404,7 @@ void addOptions(QCommandLineParser& parser)
                             "the vertical (default: 45)."),
           QStringLiteral("DEGREES")},
          {QStringLiteral("bed"),
-          CheckMessages::tr("Width, depth and height that the printer holds, in mm (default: not looked at)."),
+          CheckMessages::tr("Width, depth and height of the printer's build volume, in mm (default: not checked)."),
           QStringLiteral("X,Y,Z")}});
     StandardFiles::addFrom(parser);
 }

@@ -47,7 +47,7 @@ constexpr CommandRow commandTable[] = {
      QT_TRANSLATE_NOOP("app::CommandLine",
                        "check a lesson by playing it to its end, or a pupil's model by one of its steps")},
     {"brush", brushCommand, "brush [PRESET]",
-     QT_TRANSLATE_NOOP("app::CommandLine", "say what a brush preset holds, or why it is none")},
+     QT_TRANSLATE_NOOP("app::CommandLine", "show what a brush preset contains, or why it is invalid")},
 };
 
 /// Null if there is no such command.
@@ -258,7 +258,7 @@ WindowStart CommandLine::windowStart(QStringList arguments)
         else if (!onlyFiles && argument == QLatin1String(simulatorOption))
             start.entersVr = start.simulatesVr = true;
         else if (!onlyFiles && argument.size() > 1 && argument.startsWith(QLatin1Char('-')))
-            failAt(tr("\"%1\" is no option.").arg(argument), nearest(argument, windowOptions()));
+            failAt(tr("\"%1\" is not an option.").arg(argument), nearest(argument, windowOptions()));
         else if (QFileInfo::exists(argument))
             files << argument;
         else
@@ -279,8 +279,8 @@ WindowStart CommandLine::windowStart(QStringList arguments)
 /// `meant`: what may have been meant instead; may be empty.
 void CommandLine::failAt(const QString& sentence, const QString& meant)
 {
-    fail(meant.isEmpty() ? tr("%1 fettle --help lists what there is.").arg(sentence)
-                         : tr("%1 Did you mean %2? fettle --help lists what there is.").arg(sentence, meant));
+    fail(meant.isEmpty() ? tr("%1 See fettle --help.").arg(sentence)
+                         : tr("%1 Did you mean %2? See fettle --help.").arg(sentence, meant));
 }
 
 void CommandLine::fail(const QString& sentence)

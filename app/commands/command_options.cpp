@@ -111,7 +111,7 @@ QString CommandOptions::output() const
 {
     const QString path = text(QStringLiteral("output"));
     if (path.isEmpty())
-        CommandLine::fail(tr("%1: the file to write is missing; -o names it.").arg(m_command));
+        CommandLine::fail(tr("%1: the output file is missing; name it with -o.").arg(m_command));
     return path;
 }
 } // namespace app

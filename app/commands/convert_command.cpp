@@ -203,13 +203,13 @@ QString tooManyText(const QString& file, const core::TriangleMesh& few, std::siz
 {
     const std::size_t needed = core::fewestTriangles(few);
     const QString sentence =
-        needed > asked ? ConvertMessages::tr("%1 could be brought down to %2 triangles, not to %3: its holes and parts "
-                                             "need at least %4. Nothing was written.")
-                             .arg(file, ui::number(few.triangles.size()), ui::number(asked), ui::number(needed))
-                       : ConvertMessages::tr("%1 could be brought down to %2 triangles, not to %3: with fewer, no "
-                                             "surface was found whose faces do not meet and whose holes stay open. "
-                                             "Nothing was written.")
-                             .arg(file, ui::number(few.triangles.size()), ui::number(asked));
+        needed > asked
+            ? ConvertMessages::tr("%1 could be reduced to %2 triangles, not to %3: its holes and parts need at least "
+                                  "%4. Nothing was written.")
+                  .arg(file, ui::number(few.triangles.size()), ui::number(asked), ui::number(needed))
+            : ConvertMessages::tr("%1 could be reduced to %2 triangles, not to %3: with fewer, no surface was found "
+                                  "that keeps its holes open and does not intersect itself. Nothing was written.")
+                  .arg(file, ui::number(few.triangles.size()), ui::number(asked));
     return sentence;
 }
 

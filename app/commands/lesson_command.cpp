@@ -70,7 +70,7 @@ void addLessonOptions(QCommandLineParser& parser)
          {QStringLiteral("unpack"), LessonCommandMessages::tr("Folder for the lesson, where it can be changed."),
           QStringLiteral("FOLDER")},
          {QStringLiteral("pictures"),
-          LessonCommandMessages::tr("Folder for pictures of what each step leaves, step-1.png and so on."),
+          LessonCommandMessages::tr("Folder for a picture of the result of each step, step-1.png and so on."),
           QStringLiteral("FOLDER")},
          {{QStringLiteral("o"), QStringLiteral("out")},
           LessonCommandMessages::tr("File for the model that the last step leaves."),
@@ -367,9 +367,9 @@ ExitStatus checkFolder(Session& session)
 void requireLesson(const QString& word)
 {
     if (!QFileInfo::exists(word) && !bundledLessons().contains(word))
-        CommandLine::fail(
-            LessonCommandMessages::tr("lesson: \"%1\" is no lesson: neither one of %2 nor a folder or zip.")
-                .arg(word, bundledLessons().join(QStringLiteral(", "))));
+        CommandLine::fail(LessonCommandMessages::tr(
+                              "lesson: \"%1\" is not a lesson: it is neither one of %2 nor a folder or ZIP file.")
+                              .arg(word, bundledLessons().join(QStringLiteral(", "))));
 }
 
 ExitStatus run(const LessonOptions& options)

@@ -118,7 +118,7 @@ std::optional<ReplayOptions> parseReplayOptions(const QStringList& arguments)
                           static_cast<Verify>(given.choice(verify, verifications))};
     if (!given.files().isEmpty())
         CommandLine::fail(
-            ReplayMessages::tr("replay: %1 is no option; the model is given with --in.").arg(given.files().first()));
+            ReplayMessages::tr("replay: %1 is not an option; give the model with --in.").arg(given.files().first()));
     if (options.strokes.isEmpty())
         CommandLine::fail(ReplayMessages::tr("replay: --strokes is missing."));
     given.requireWith({every}, frames);

@@ -23,9 +23,9 @@ std::optional<ReportRequest> parseReportRequest(const QStringList& arguments)
 {
     QCommandLineParser parser;
     parser.setApplicationDescription(ReportCommandMessages::tr(
-        "Writes a class report: of each model in a folder its picture, size and volume, whether it is "
-        "print-ready or why not, and, of GLB files, the strokes and the time that it took. A class's works stand "
-        "under their pupils' names, with the time of the turn. Status 1: not all models can be read."));
+        "Writes a class report: for each model in a folder its picture, size and volume, whether it is print-ready or "
+        "why not, and, for GLB files, the number of strokes and the time spent. Pupils' models are listed by pupil, "
+        "with the time of the turn. Status 1: not all models can be read."));
     parser.addPositionalArgument(
         QStringLiteral("FOLDER"),
         ReportCommandMessages::tr(

@@ -40,8 +40,8 @@ std::optional<SheetOptions> parseSheetOptions(const QStringList& arguments)
     const QString shaded = QStringLiteral("shaded");
     QCommandLineParser parser;
     parser.setApplicationDescription(
-        SheetMessages::tr("Writes drawings of models to scale, a page of A4 each, in the order of their names. A "
-                          "class's works are called by their pupils. Status 1: not all of them have one."));
+        SheetMessages::tr("Writes scale drawings of models, one A4 page each, in the order of their names. Pupils' "
+                          "models are named by pupil. Status 1: not all models can be drawn."));
     parser.addPositionalArgument(QStringLiteral("FILE..."), SheetMessages::tr("Models, or folders of models; or -."));
     CommandOptions::addOutput(parser, QStringLiteral("OUT.pdf"));
     CommandUnit::addTo(parser);
@@ -113,7 +113,7 @@ ExitStatus sheetCommand(const QStringList& arguments)
         ui::SheetBook book(toPath(options->out), QFileInfo(options->out).completeBaseName());
         const ExitStatus status = addSheets(book, *options);
         if (book.isEmpty())
-            CommandLine::fail(SheetMessages::tr("%1 was not written: there is no model that has a sheet.")
+            CommandLine::fail(SheetMessages::tr("%1 was not written: none of the models can be drawn.")
                                   .arg(QDir::toNativeSeparators(options->out)));
         book.commit();
         StandardFiles::flush();

@@ -80,8 +80,7 @@ void StandardFiles::addFrom(QCommandLineParser& parser)
 
 void StandardFiles::addTo(QCommandLineParser& parser, const QStringList& formats)
 {
-    parser.addOption(
-        {QStringLiteral("to"), tr("Format of what is written to the standard output, -."), formats.join(u'|')});
+    parser.addOption({QStringLiteral("to"), tr("Format of the standard output, -."), formats.join(u'|')});
 }
 
 QString StandardFiles::input(const CommandOptions& options, const QString& name)
@@ -113,8 +112,8 @@ QString StandardFiles::output(const CommandOptions& options, const QString& name
                               .arg(options.command(), to, formats.join(QStringLiteral(", "))));
     const QString format = formats.size() == 1 ? formats.constFirst() : formats[options.choice(to, formats)];
     if (isTerminal(stdout) && !isText(format))
-        CommandLine::fail(tr("%1: %2 is no text, and is not shown in a terminal: send the standard output to a file or "
-                             "a program.")
+        CommandLine::fail(tr("%1: %2 is binary and is not printed to a terminal: redirect the standard output to a "
+                             "file or a program.")
                               .arg(options.command(), format.toUpper()));
     files().output = files().pathOf(QStringLiteral("output.") + format);
     return files().output;

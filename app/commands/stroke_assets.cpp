@@ -68,8 +68,7 @@ private:
             fail(index, found->second.problem);
         what = found->second.what;
         if (!need.fingerprint.empty() && what->fingerprint() != need.fingerprint)
-            fail(index,
-                 tr("%1 is not what it was when this stroke was recorded.").arg(QString::fromStdString(need.file)));
+            fail(index, tr("%1 has changed since this stroke was recorded.").arg(QString::fromStdString(need.file)));
     }
 
     QString m_strokes;

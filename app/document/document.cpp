@@ -123,8 +123,8 @@ void Document::loseHistory()
     m_history.clear(false);
     m_journaling.forget();
     notifyStateChanged();
-    Q_EMIT refused(
-        tr("The earlier steps cannot be undone any more: their file on disk cannot be read. The model is in order."));
+    Q_EMIT refused(tr(
+        "The earlier steps can no longer be undone: their file on disk cannot be read. The model itself is intact."));
 }
 
 void Document::notifyStateChanged()

@@ -69,7 +69,7 @@ QString TimeLapse::obstacle(const QString& folder, const QStringList& frames)
         return tr("%1 is not a folder.").arg(QDir::toNativeSeparators(folder));
     for (const QString& name : frames)
         if (QFileInfo::exists(QDir(folder).filePath(name)))
-            return tr("%1 has a %2 already, and nothing was written over it: choose an empty folder.")
+            return tr("%1 already contains %2, and nothing was overwritten: choose an empty folder.")
                 .arg(QDir::toNativeSeparators(folder), name);
     return {};
 }
@@ -109,7 +109,7 @@ TimeLapseOutcome TimeLapse::run(const TimeLapseRequest& request, const ModelHist
             auto change = history.change(state - 1);
             if (!change && !control.isCancelled())
                 return without(
-                    tr("The earlier steps of the model cannot be read any more, so there is no time-lapse of them."));
+                    tr("The earlier steps of the model can no longer be read, so they are not in the time-lapse."));
             if (change)
                 history.mesh->swap(*change);
         }

@@ -36,7 +36,7 @@ void HandoutSaving::write(const std::shared_ptr<const core::Lesson>& lesson, con
         if (!m_window)
             return;
         if (problem.isEmpty())
-            m_window->showNotice(tr("%1 was written.").arg(QDir::toNativeSeparators(path)));
+            m_window->showNotice(tr("Saved %1.").arg(QDir::toNativeSeparators(path)));
         else
             m_window->showProblem(problem);
     });

@@ -67,7 +67,7 @@ QString LessonMessages::json(const core::LessonError& error)
     const QString key = QString::fromStdString(error.key);
     switch (error.kind) {
     case Kind::NotALesson:
-        return tr("its lesson.json is no lesson of this program");
+        return tr("its lesson.json is not a lesson of Fettle");
     case Kind::Newer:
         return tr("this lesson was made for a newer version of the program (format %1; this one reads format 1)")
             .arg(error.version);
@@ -94,11 +94,11 @@ QString LessonMessages::json(const core::LessonError& error)
         return tr("\"%1\" is too long: at most %2 of text are read").arg(key, bytes(error.max));
     case Kind::TooMany:
         return key.isEmpty()
-                   ? tr("it holds too many files: at most %1 are read").arg(QLocale().toString(error.max, 'f', 0))
+                   ? tr("it contains too many files: at most %1 are allowed").arg(QLocale().toString(error.max, 'f', 0))
                    : tr("\"%1\" has too many entries: at most %2 are read")
                          .arg(key, QLocale().toString(error.max, 'f', 0));
     case Kind::BadName:
-        return tr("it names a file outside of its folder, or by no plain name: %1").arg(key);
+        return tr("it refers to a file that is outside of its folder, or whose name is not allowed: %1").arg(key);
     default:
         return {};
     }
@@ -140,13 +140,13 @@ QString LessonMessages::files(const core::LessonError& error)
 {
     switch (error.kind) {
     case Kind::NoLesson:
-        return tr("there is no lesson.json in it: a lesson is a folder or a zip with that file");
+        return tr("it has no lesson.json: a lesson is a folder or ZIP file that contains one");
     case Kind::MissingFile:
-        return tr("this file is named, but not there");
+        return tr("this file is missing");
     case Kind::TooLarge:
         return tr("this is too large for a lesson: at most %1 are read").arg(bytes(error.max));
     case Kind::NotAPicture:
-        return tr("this is no PNG or JPEG picture");
+        return tr("this is not a PNG or JPEG picture");
     case Kind::Unsound:
         return error.report.printReady()
                    ? ui::ErrorMessages::tooFine(QString::fromStdString(error.file), static_cast<quint64>(error.max))
@@ -156,7 +156,7 @@ QString LessonMessages::files(const core::LessonError& error)
     case Kind::NamesFiles:
         return tr("the strokes of a lesson cannot need other images or models");
     case Kind::Refused:
-        return tr("this command cannot be done soundly on the model that it comes to");
+        return tr("this command would break the model that it is applied to");
     default:
         return {};
     }
@@ -244,7 +244,7 @@ QString LessonMessages::asked(const core::CheckpointTarget& target)
 
 QString LessonMessages::sculpted()
 {
-    return tr("something sculpted in this step");
+    return tr("Sculpt something in this step");
 }
 
 QString LessonMessages::tool(core::Tool tool)

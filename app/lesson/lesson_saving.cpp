@@ -96,7 +96,7 @@ QStringList LessonSaving::remarksOn(const core::LessonStep& step, std::size_t in
 {
     QStringList remarks;
     for (const std::size_t stroke : check.idle)
-        remarks << tr("Step %1, stroke %2 (%3) changes nothing any more.")
+        remarks << tr("Step %1, stroke %2 (%3) no longer changes anything.")
                        .arg(index + 1)
                        .arg(stroke + 1)
                        .arg(nameOf(step.strokes[stroke]));
@@ -165,7 +165,7 @@ QString LessonSaving::write(const core::Lesson& lesson, const std::filesystem::p
         core::writeLesson(path, lesson);
     } catch (const core::FileError& error) {
         if (error.systemError == EEXIST)
-            return tr("%1 is there already; a lesson's folder gets a name of its own.")
+            return tr("%1 already exists. Choose another name for the lesson's folder.")
                 .arg(QDir::toNativeSeparators(QString::fromStdU16String(path.u16string())));
         return ui::ErrorMessages::sentence(error);
     }

@@ -58,7 +58,7 @@ void LessonWriter::check(const QString& path, const core::LessonDraft& draft, co
 {
     BackgroundJob& job = m_document->job();
     if (job.isBusy())
-        return m_window ? m_window->showNotice(tr("Not yet: other work on the model is not done.")) : void();
+        return m_window ? m_window->showNotice(tr("Not yet: other work on the model is still running.")) : void();
     const core::JobControl control = job.beginCancellable(tr("Playing the lesson to its end"));
     job.run([draft, path, hash, control] { return LessonSaving::check(draft, toPath(path), hash, control); },
             [this, path, revision = draft.revision()](const CheckedLesson& checked) {
@@ -101,7 +101,7 @@ void LessonWriter::write(const QString& path, const std::shared_ptr<const core::
 {
     BackgroundJob& job = m_document->job();
     if (job.isBusy())
-        return m_window->showNotice(tr("Not yet: other work on the model is not done."));
+        return m_window->showNotice(tr("Not yet: other work on the model is still running."));
     job.begin(tr("Saving %1").arg(QFileInfo(path).fileName()));
     job.run([path, lesson] { return LessonSaving::write(*lesson, toPath(path)); },
             [this, path, revision](const QString& problem) {
@@ -111,7 +111,7 @@ void LessonWriter::write(const QString& path, const std::shared_ptr<const core::
                 if (!problem.isEmpty())
                     return m_window->showProblem(problem);
                 Q_EMIT written(path, revision);
-                m_window->showNotice(tr("%1 was written.").arg(QDir::toNativeSeparators(path)));
+                m_window->showNotice(tr("Saved %1.").arg(QDir::toNativeSeparators(path)));
             });
 }
 } // namespace app

@@ -44,7 +44,7 @@ ExportOutcome ModelExport::run(ExportRequest request, const OnStage& onStage, co
     } catch (const core::FileError& error) {
         return {ui::ErrorMessages::sentence(error), {}};
     } catch (const core::ReadingCancelled&) {
-        return {{}, tr("%1 was written; it was not read back.").arg(QDir::toNativeSeparators(request.path))};
+        return {{}, tr("Saved %1. It was not verified.").arg(QDir::toNativeSeparators(request.path))};
     } catch (const std::bad_alloc&) {
         return {tr("%1: there is not enough memory to write this model.").arg(request.path), {}};
     }
@@ -76,8 +76,8 @@ ExportOutcome ModelExport::readBack(const ExportRequest& request, const core::Tr
         if (control.isCancelled())
             throw core::ReadingCancelled();
         if (!verdict.sameCorners || !verdict.sameColors)
-            return {tr("%1 was written, but it does not hold what was written. The disk may be failing, or another "
-                       "program changes the file.")
+            return {tr("Saved %1, but reading it back gave something else. The disk may be failing, or another program "
+                       "may be changing the file.")
                         .arg(QDir::toNativeSeparators(request.path)),
                     {}};
         if (!verdict.report.printReady())
@@ -97,7 +97,7 @@ QString ModelExport::verdictText(const ExportRequest& request, const core::MeshR
                        .arg(QFileInfo(request.path).fileName(), side(0), side(1), side(2),
                             locale.toString(static_cast<qulonglong>(report.faces)));
     if (losesColors)
-        line += u' ' + tr("Its format does not hold the colours; GLB and 3MF do.");
+        line += u' ' + tr("Its format has no colours; GLB and 3MF keep them.");
     if (request.maxTriangles > 0 && report.faces > request.maxTriangles)
         line +=
             u' ' + tr("%1 triangles were asked for; so few could not be reached without losing handles or parts, or "

@@ -24,8 +24,8 @@ SavedFile ModelSaving::save(const QString& path, const core::TriangleMesh& mesh,
 {
     SavedFile saved{path, ModelLoader::save(path, mesh, metadata, backupCount), {}};
     if (saved.problem.isEmpty() && !mesh.colors.empty() && !ModelLoader::holdsColors(path))
-        saved.notice = tr("%1 was written without the colours, which its format does not hold; GLB does.")
-                           .arg(QFileInfo(path).fileName());
+        saved.notice =
+            tr("Saved %1 without colours: its format has none. GLB keeps them.").arg(QFileInfo(path).fileName());
     return saved;
 }
 

@@ -120,7 +120,7 @@ public:
     QCheckBox* makeAirbrush() const
     {
         auto* check = named(new QCheckBox(BrushPanels::tr("Airbrush")), "airbrush",
-                            BrushPanels::tr("The tool goes on as long as you hold it in one place."));
+                            BrushPanels::tr("The tool continues for as long as you hold it in one place."));
         const auto show = [check, brush = m_brush] {
             check->setEnabled(core::canAirbrush(brush->tool()));
             check->setChecked(brush->tools()->isAirbrush(brush->tool()));
@@ -136,8 +136,8 @@ public:
     void addSharing() const
     {
         auto* check = named(new QCheckBox(BrushPanels::tr("Same radius for all tools")), "sharesRadius",
-                            BrushPanels::tr("Another tool leaves the radius as it is. Without it each tool has a "
-                                            "radius of its own, as it has a strength of its own."));
+                            BrushPanels::tr("Keeps the radius when you change the tool. When off, each tool has its "
+                                            "own radius, as it has its own strength."));
         check->setChecked(m_brush->tools()->sharesRadius());
         QObject::connect(check, &QCheckBox::clicked, m_brush->tools(), &ToolMemory::setSharesRadius);
         QObject::connect(m_brush->tools(), &ToolMemory::sharesRadiusChanged, check, &QCheckBox::setChecked);

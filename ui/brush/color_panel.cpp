@@ -183,7 +183,7 @@ void ColorPanel::setFromText()
     if (color.isValid())
         set(toRgb(color));
     else if (!text.isEmpty())
-        Q_EMIT refused(tr("%1 is no colour: # and six digits, 0 to f, are one.").arg(text));
+        Q_EMIT refused(tr("%1 is not a colour: write # and six digits from 0 to f.").arg(text));
     showColor();
 }
 

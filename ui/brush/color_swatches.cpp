@@ -116,7 +116,7 @@ QWidget* ColorSwatches::button(const core::Rgb& color)
         QStringLiteral("QPushButton{border:0;padding:0} QPushButton:focus{border:2px solid palette(highlight)}"));
     made->setFocusPolicy(Qt::StrongFocus);
     made->setAccessibleName(name);
-    made->setToolTip(tr("%1: a click takes it, Delete removes it.").arg(name));
+    made->setToolTip(tr("%1: click to use it, press Delete to remove it.").arg(name));
     auto* removing = new QAction(tr("Remove"), made);
     removing->setShortcut(Qt::Key_Delete);
     removing->setShortcutContext(Qt::WidgetShortcut);

@@ -30,7 +30,7 @@ std::vector<PresetTexts::Row> PresetTexts::rows()
         {QStringLiteral("clay-buildup"), tr("Clay Buildup"), tr("Lays clay on in thick rolls, more where you rest.")},
         {QStringLiteral("raked-clay"), tr("Raked Clay"), tr("Lays clay on in strips, as a rake leaves them.")},
         {QStringLiteral("carve"), tr("Carve"), tr("Cuts a groove with soft edges.")},
-        {QStringLiteral("swell"), tr("Swell"), tr("Blows up what is under it, with a soft edge.")},
+        {QStringLiteral("swell"), tr("Swell"), tr("Inflates the surface under it, with a soft edge.")},
         {QStringLiteral("panel"), tr("Panel"), tr("Raises a plate of one height, with steep sides.")},
         {QStringLiteral("fine-line"), tr("Fine Line"), tr("Scores a sharp line: wrinkles, eyelids, seams.")},
         {QStringLiteral("ridge"), tr("Ridge"), tr("Raises a sharp edge.")},

@@ -65,7 +65,7 @@ void PresetShelf::build()
     m_rename = button(QStringLiteral("presets.rename"), QStringLiteral("rename"), tr("Rename"),
                       tr("Gives this preset another name (F2)."), [this] { m_list->editItem(m_list->currentItem()); });
     m_delete = button(QStringLiteral("presets.delete"), QStringLiteral("trash"), tr("Delete"),
-                      tr("Puts this preset into the trash."), [this] {
+                      tr("Moves this preset to the trash."), [this] {
                           if (const auto* entry = entryOf(m_list->currentItem()))
                               m_library.remove(*entry);
                       });

@@ -256,7 +256,7 @@ void ClassroomDialog::addNames(QFormLayout* form)
 void ClassroomDialog::addPupils(QFormLayout* form)
 {
     m_names = new NamesField;
-    m_others = named(new QCheckBox(tr("Other &names may be typed")), "classOthers",
+    m_others = named(new QCheckBox(tr("Allow other &names")), "classOthers",
                      tr("For guests, and for names that are not in the list."));
     m_others->setChecked(true);
     form->addRow(tr("&Pupils' names:"), m_names);

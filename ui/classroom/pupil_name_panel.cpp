@@ -113,7 +113,7 @@ QWidget* PupilNamePanel::content(const Classroom& classroom, const Actions& acti
     m_name->setMaxLength(maxPupilNameLength);
     m_name->setVisible(classroom.allowsOthers);
     addPupils(classroom.names);
-    named(m_begin, "beginTurn", tr("Begins the turn. (Return)"));
+    named(m_begin, "beginTurn", tr("Starts the turn. (Return)"));
     m_begin->setDefault(true);
     connect(m_name, &QLineEdit::textChanged, m_begin,
             [this](const QString& text) { m_begin->setEnabled(!text.trimmed().isEmpty()); });

@@ -115,7 +115,8 @@ QLayout* FileBrowser::buildFolderLine()
 
 QLayout* FileBrowser::buildChoices()
 {
-    m_filter = named(new QLineEdit, "files.filter", tr("Shows only what has these letters in its name."), tr("Filter"));
+    m_filter =
+        named(new QLineEdit, "files.filter", tr("Shows only files whose names contain these letters."), tr("Filter"));
     m_filter->setPlaceholderText(tr("Filter"));
     m_filter->setClearButtonEnabled(true);
     connect(m_filter, &QLineEdit::textChanged, this, [this](const QString& part) {

@@ -54,7 +54,7 @@ FolderContent FileJobs::list(const QString& folder, const std::stop_token& stop)
     else if (!info.isDir())
         content.problem = tr("%1 is not a folder.").arg(QDir::toNativeSeparators(folder));
     else if (!info.isReadable() || !info.isExecutable())
-        content.problem = tr("%1 cannot be looked into: it is not permitted.").arg(QDir::toNativeSeparators(folder));
+        content.problem = tr("%1 cannot be opened: permission denied.").arg(QDir::toNativeSeparators(folder));
     if (!content.problem.isEmpty())
         return content;
     QDirIterator each(folder, QDir::AllDirs | QDir::Files | QDir::NoDotAndDotDot);
@@ -101,9 +101,9 @@ QString FileJobs::nameProblem(const QString& name)
     if (name.isEmpty())
         return tr("A file needs a name.");
     if (const auto match = forbidden.match(name); match.hasMatch())
-        return tr("A file's name may not hold the sign %1.").arg(match.captured());
+        return tr("A file name may not contain %1.").arg(match.captured());
     if (name.contains(control))
-        return tr("A file's name may not hold control characters.");
+        return tr("A file name may not contain control characters.");
     if (name.startsWith(QLatin1Char('.')) || device.match(name).hasMatch())
         return tr("%1 cannot be a file's name.").arg(name);
     return {};
@@ -184,7 +184,7 @@ QString FileJobs::changeProblem(const QString& path)
     if (!file.exists() && !file.isSymLink())
         return notThere(path);
     return folder.isWritable() ? QString()
-                               : tr("Nothing in %1 can be changed: it is not permitted.")
+                               : tr("Nothing in %1 can be changed: permission denied.")
                                      .arg(QDir::toNativeSeparators(folder.filePath()));
 }
 

@@ -278,9 +278,8 @@ void ModelFiles::setSaved(const ModelInfo& model)
     if (wasDeleted)
         Q_EMIT noticed(tr("%1 had been deleted or moved and was written again.").arg(QDir::toNativeSeparators(m_path)));
     else if (!wasFormatNoticeShown && !isDocumentFormat(m_path))
-        Q_EMIT noticed(
-            tr("%1 was written. View, brush, symmetry and reference images are kept by GLB files only: Save As.")
-                .arg(QFileInfo(m_path).fileName()));
+        Q_EMIT noticed(tr("Saved %1. Only GLB files keep view, brush, symmetry and reference images: use Save As.")
+                           .arg(QFileInfo(m_path).fileName()));
     if (proceed)
         proceed();
 }

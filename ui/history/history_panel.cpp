@@ -108,7 +108,7 @@ HistoryPanel::HistoryPanel(Settings* settings, QWidget* parent)
     , m_memory(new QLabel)
     , m_cap(new QSpinBox)
 {
-    named(m_list, "historyList", tr("Every step since the model was opened. A click or Return goes there."),
+    named(m_list, "historyList", tr("Every step since the model was opened. Click one, or press Return, to go there."),
           tr("History"));
     m_list->setModel(m_model.get());
     m_list->setHeaderHidden(true);

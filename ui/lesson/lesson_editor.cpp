@@ -105,7 +105,7 @@ void LessonEditor::addStarts(const Actions& actions)
             Actions::plain(actions.get(QStringLiteral("new.") + QString::fromUtf8(core::name(starter)))->text()),
             static_cast<int>(starter));
     auto* record = named(new QPushButton(tr("Record")), "lessonBegin",
-                         tr("Begins a lesson of one step. The strokes before it cannot be undone any more."));
+                         tr("Begins a lesson of one step. Earlier strokes can no longer be undone."));
     rows->addWidget(m_start);
     rows->addWidget(record);
     rows->addSpacing(2 * gap);

@@ -76,7 +76,7 @@ void LessonPanel::addChooser()
     auto* page = new QWidget;
     QVBoxLayout* rows = panelLayout(page);
     m_chooserHead = label("lessonsHead");
-    m_chooserHead->setText(tr("Choose a lesson. It begins with a model of its own."));
+    m_chooserHead->setText(tr("Choose a lesson. It starts with its own model."));
     rows->addWidget(m_chooserHead);
     auto* cards = new QWidget;
     m_cards = new QVBoxLayout(cards);

@@ -64,7 +64,7 @@ QWidget* PreferencesDialog::buttonRow()
 {
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     QPushButton* reset = buttons->addButton(tr("&Reset to Defaults"), QDialogButtonBox::ResetRole);
-    named(reset, "reset", tr("Sets everything in the program to what it was at first, after a question."));
+    named(reset, "reset", tr("Resets all settings of the program to their defaults, after a question."));
     reset->setAutoDefault(false);
     connect(reset, &QPushButton::clicked, this, &PreferencesDialog::askToReset);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -89,18 +89,18 @@ QWidget* PreferencesDialog::appearancePage()
 {
     auto* page = new QWidget;
     QFormLayout* form = formIn(page);
-    addChoice(form, {"theme", tr("&Colours"), tr("Chooses a light or a dark window, or what the desktop has.")},
+    addChoice(form, {"theme", tr("&Colours"), tr("Chooses a light or a dark window, or follows the desktop.")},
               themeChoices, &Preferences::theme);
     addChoice(form, {"language", tr("&Language"), tr("Chooses the language of the window's texts.")}, languages,
               &Preferences::language);
     addChoice(form, {"textSize", tr("&Text size"), tr("Makes the window's texts larger than the desktop has them.")},
               textSizes, &Preferences::textSize);
     form->addRow(remark(tr("Restart Fettle to apply language and text size.")));
-    addCheck(form,
-             {"calm", tr("&Reduced motion"),
-              tr("The view goes at once where it is sent, instead of flying there, and the light of who points stands "
-                 "still.")},
-             [](Preferences& all) { return &all.reducesMotion; });
+    addCheck(
+        form,
+        {"calm", tr("&Reduced motion"),
+         tr("The view jumps to its place instead of flying there, and the light that points in VR does not pulse.")},
+        [](Preferences& all) { return &all.reducesMotion; });
     return page;
 }
 
@@ -200,7 +200,7 @@ void PreferencesDialog::addChoice(QFormLayout* form, const ControlText& words,
 
 QString PreferencesDialog::words(ThemeChoice theme)
 {
-    const QString names[] = {tr("As the system"), tr("Light"), tr("Dark")};
+    const QString names[] = {tr("Same as the system"), tr("Light"), tr("Dark")};
     static_assert(std::size(names) == static_cast<std::size_t>(ThemeChoice::Dark) + 1);
     return names[static_cast<std::size_t>(theme)];
 }
@@ -213,7 +213,7 @@ QString PreferencesDialog::words(TextSize size)
 /// Each language under its own name, so that it is found by whoever reads no other.
 QString PreferencesDialog::words(Language language)
 {
-    const QString names[] = {tr("As the system"), QStringLiteral("English"), QStringLiteral("Deutsch"),
+    const QString names[] = {tr("Same as the system"), QStringLiteral("English"), QStringLiteral("Deutsch"),
                              QStringLiteral("简体中文")};
     static_assert(std::size(names) == static_cast<std::size_t>(Language::Chinese) + 1);
     return names[static_cast<std::size_t>(language)];

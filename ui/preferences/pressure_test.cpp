@@ -20,7 +20,7 @@ PressureTest::PressureTest(QWidget* parent) : QWidget(parent)
 {
     setObjectName(QStringLiteral("penTest"));
     setAccessibleName(tr("Pen test"));
-    setToolTip(tr("Draw here: the line shows what your pen's pressure becomes."));
+    setToolTip(tr("Draw here: the line shows the effect of your pen's pressure."));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setMinimumHeight(sizeHint().height());
     setCursor(Qt::CrossCursor);

@@ -22,7 +22,7 @@ constexpr int keyWidth = 120;
 
 QString presetName(ShortcutPreset preset)
 {
-    const QString names[] = {ShortcutsPage::tr("Fettle"), ShortcutsPage::tr("As in Blender"),
+    const QString names[] = {ShortcutsPage::tr("Fettle"), ShortcutsPage::tr("Blender"),
                              ShortcutsPage::tr("As in ZBrush")};
     static_assert(std::size(names) == static_cast<std::size_t>(ShortcutPreset::ZBrush) + 1);
     return names[static_cast<std::size_t>(preset)];
@@ -75,7 +75,7 @@ ShortcutsPage::ShortcutsPage(const Actions& actions, QWidget* parent)
 
 QLayout* ShortcutsPage::presetRow()
 {
-    named(m_preset, "keyPreset", tr("Chooses the keys to begin with; what you changed yourself stays."), tr("Preset"));
+    named(m_preset, "keyPreset", tr("Chooses a set of keys. Keys that you changed yourself stay."), tr("Preset"));
     for (const Named<ShortcutPreset>& row : shortcutPresets)
         m_preset->addItem(presetName(row.value), static_cast<int>(row.value));
     connect(m_preset, &QComboBox::activated, this, [this] {
@@ -102,7 +102,7 @@ QLayout* ShortcutsPage::editRow()
     for (std::size_t place = 0; place < m_edits.size(); ++place) {
         auto* edit = m_edits[place] = new ShortcutEdit;
         named(edit, QStringLiteral("key%1").arg(place + 1),
-              tr("Press the key that the command is to have; Backspace takes it away."), names[place]);
+              tr("Press the new key for the command, or Backspace to remove it."), names[place]);
         edit->setFixedWidth(keyWidth);
         connect(edit, &ShortcutEdit::entered, this, [this, place](const QKeySequence& key) { enter(place, key); });
         row->addWidget(edit);
@@ -153,7 +153,7 @@ void ShortcutsPage::showCurrent()
     }
     m_name->setText(nameOf(id));
     m_reset->setEnabled(m_shortcuts.custom.contains(id));
-    showMessage(isFixed(id) ? tr("This key cannot be another.") : QString());
+    showMessage(isFixed(id) ? tr("This key cannot be changed.") : QString());
 }
 
 void ShortcutsPage::enter(std::size_t place, const QKeySequence& key)
@@ -163,7 +163,7 @@ void ShortcutsPage::enter(std::size_t place, const QKeySequence& key)
     if (const QString why = refusal(key); !key.isEmpty() && !why.isEmpty())
         return showMessage(why);
     if (!key.isEmpty() && !owner.isEmpty() && owner != id)
-        return showMessage(tr("%1 is taken: %2 has it.").arg(key.toString(QKeySequence::NativeText), nameOf(owner)),
+        return showMessage(tr("%1 is already used by %2.").arg(key.toString(QKeySequence::NativeText), nameOf(owner)),
                            owner);
     Keys keys = m_keys.keys(id);
     keys.resize(maxKeys);

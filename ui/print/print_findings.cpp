@@ -41,7 +41,7 @@ PrintFinding parts(const core::MeshReport& mesh)
 {
     const QString text = PrintText::tr("%Ln parts", nullptr, static_cast<int>(mesh.components));
     return {mesh.components == 1 ? PrintVerdict::Good : PrintVerdict::Warning, text,
-            PrintText::tr("Parts of the surface that are not connected; hollows count, too.")};
+            PrintText::tr("Separate parts of the surface; closed hollows count as parts.")};
 }
 
 PrintFinding bed(const core::MeshReport& mesh, const core::PrintReport& print, const QString& printer)
@@ -123,7 +123,7 @@ PrintFinding overhangs(const core::PrintReport& print, double limit)
 
 PrintFinding base(const core::PrintReport& print)
 {
-    const QString tip = PrintText::tr("How much of the surface lies flat on the bed.");
+    const QString tip = PrintText::tr("Area of the surface that is flat on the bed.");
     if (print.baseArea > 0)
         return {PrintVerdict::Good, PrintText::tr("Stands on %1").arg(areaText(print.baseArea)), tip};
     return {PrintVerdict::Warning, PrintText::tr("Rests on a point or an edge"), tip};

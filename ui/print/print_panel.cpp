@@ -120,7 +120,7 @@ void PrintPanel::addOptions()
         control->setToolTip(QStringLiteral("%1\n%2").arg(name, tip));
     };
     add(tr("Printer"), row, m_printer, tr("The printer to check against."));
-    add(tr("Minimum wall"), m_wall, m_wall, tr("Thinner walls are found: two lines of the nozzle, as a rule."));
+    add(tr("Minimum wall"), m_wall, m_wall, tr("Finds thinner walls. Two lines of the nozzle are usual."));
     add(tr("Overhang"), m_overhang, m_overhang, tr("How far faces may lean out from the vertical."));
     add(tr("Colours"), m_picture, m_picture, tr("Shows on the model how thick it is, or how far it leans out."));
     auto* column = static_cast<QVBoxLayout*>(layout());

@@ -131,7 +131,7 @@ QLayout* ReferencePanel::buildOpacity()
     m_percent->setRange(percentOf(minReferenceOpacity), 100);
     for (QWidget* control : {static_cast<QWidget*>(m_opacity), static_cast<QWidget*>(m_percent)}) {
         control->setAccessibleName(tr("Opacity"));
-        control->setToolTip(tr("How much the image hides of what lies behind it."));
+        control->setToolTip(tr("Opacity of the image."));
     }
     connect(m_opacity, &QSlider::valueChanged, m_percent, &QSpinBox::setValue);
     connect(m_percent, &QSpinBox::valueChanged, this, &ReferencePanel::place);

@@ -120,9 +120,9 @@ QString ErrorMessages::unitDoubt(double volume)
     const QString size = QLocale().toString(std::abs(volume), 'g', 2);
     switch (core::unitDoubtOf(volume)) {
     case core::UnitDoubt::Inches:
-        return tr("The model has only %1 mm³: slicers may take it for one in inches.").arg(size);
+        return tr("The model has only %1 mm³: slicers may read it as inches.").arg(size);
     case core::UnitDoubt::Metres:
-        return tr("The model has only %1 mm³: slicers may take it for one in metres.").arg(size);
+        return tr("The model has only %1 mm³: slicers may read it as metres.").arg(size);
     case core::UnitDoubt::None:
         break;
     }
@@ -138,7 +138,7 @@ QString ErrorMessages::tooFine(const QString& file, quint64 faces)
 
 QString ErrorMessages::tooLarge(const QString& file)
 {
-    return tr("%1: at that size the coordinates are no numbers any more.").arg(file);
+    return tr("%1: at that size the coordinates overflow.").arg(file);
 }
 
 QString ErrorMessages::remarks(const QString& file, const core::ReadRemarks& remarks)
@@ -157,7 +157,7 @@ QString ErrorMessages::remarks(const QString& file, const core::ReadRemarks& rem
     if (remarks.unannounced)
         left << tr("values that its header does not announce");
     if (remarks.bytesBehind > 0)
-        left << tr("what stands behind the model (%1)").arg(bytes(remarks.bytesBehind));
+        left << tr("data after the end of the model (%1)").arg(bytes(remarks.bytesBehind));
     if (remarks.negativeParts > 0)
         left << tr("parts that a slicer would cut out of the model (%1)").arg(number(remarks.negativeParts));
     if (remarks.otherParts > 0)
@@ -177,17 +177,16 @@ QString ErrorMessages::remarks(const QString& file, const core::ReadRemarks& rem
 
 QString ErrorMessages::shortfall(core::Shortfall shortfall)
 {
-    const QString sentences[] = {
-        QString(),
-        tr("Nothing happened here: the surface would have intersected itself."),
-        tr("The brush stopped: surfaces touch, and they may not join here."),
-        tr("The brush stopped at the edge of the workspace."),
-        tr("The brush is too large for this much detail. Continue with another stroke."),
-        tr("Nothing was added, because it would be inside the model."),
-        tr("Nothing was added, because it would be too close to the surface."),
-        tr("Nothing was added, because it would reach beyond the working volume."),
-        tr("Nothing was added, because the brush's shape is not sound at that size on the program's working grid."),
-        tr("Nothing was added, because masked surface would have to change.")};
+    const QString sentences[] = {QString(),
+                                 tr("Nothing happened here: the surface would have intersected itself."),
+                                 tr("The brush stopped: surfaces touch, and they may not join here."),
+                                 tr("The brush stopped at the edge of the workspace."),
+                                 tr("The brush is too large for this much detail. Continue with another stroke."),
+                                 tr("Nothing was added, because it would be inside the model."),
+                                 tr("Nothing was added, because it would touch the model."),
+                                 tr("Nothing was added, because it would reach beyond the workspace."),
+                                 tr("Nothing was added, because the brush's shape is not watertight at that size."),
+                                 tr("Nothing was added, because masked surface would have to change.")};
     static_assert(std::size(sentences) == static_cast<std::size_t>(core::Shortfall::Masked) + 1);
     return sentences[static_cast<std::size_t>(shortfall)];
 }
@@ -222,12 +221,12 @@ QString ErrorMessages::notABook(const QString& path)
 
 QString ErrorMessages::notAPicture(const QString& path)
 {
-    return tr("%1 holds no image that can be read.").arg(QDir::toNativeSeparators(path));
+    return tr("%1 contains no image that can be read.").arg(QDir::toNativeSeparators(path));
 }
 
 QString ErrorMessages::missingReference(const QString& path)
 {
-    return tr("The reference image %1 is not there any more.").arg(QDir::toNativeSeparators(path));
+    return tr("The reference image %1 no longer exists.").arg(QDir::toNativeSeparators(path));
 }
 
 QString ErrorMessages::name(core::Parameter parameter)
@@ -259,7 +258,7 @@ QString ErrorMessages::reading(const core::FileError& error)
     case FileErrorKind::FolderNotReadable:
         return tr("%1: this folder cannot be read%2.").arg(path, systemReason(error));
     case FileErrorKind::NoModel:
-        return tr("%1: there is no model in this folder (%2).").arg(path, modelFormats());
+        return tr("%1: this folder contains no models (%2).").arg(path, modelFormats());
     case FileErrorKind::Empty:
         return tr("%1 is empty.").arg(path);
     case FileErrorKind::TooLarge:
@@ -276,8 +275,8 @@ QString ErrorMessages::reading(const core::FileError& error)
                    ? tr("%1 has no ending that says its format: %2 can be used.").arg(path, modelFormats())
                    : tr("%1: the format \"%2\" is not known; %3 can be used.").arg(path, token(error), modelFormats());
     case FileErrorKind::NotWhatItsEndingSays:
-        return error.token.empty() ? tr("%1 is no %2 file.").arg(path, formatOf(error.path))
-                                   : tr("%1 is no %2 file; it looks like %3.")
+        return error.token.empty() ? tr("%1 is not a valid %2 file.").arg(path, formatOf(error.path))
+                                   : tr("%1 is not a valid %2 file; it looks like %3.")
                                          .arg(path, formatOf(error.path),
                                               error.token == "text" ? tr("plain text") : token(error).toUpper());
     case FileErrorKind::Utf16:
@@ -292,7 +291,7 @@ QString ErrorMessages::content(const core::FileError& error)
     const QString where = nativePath(error.path) + at(error);
     switch (error.kind) {
     case FileErrorKind::CutOff:
-        return error.expected == 0 ? tr("%1: the file is cut off here.").arg(where)
+        return error.expected == 0 ? tr("%1: the file is incomplete; it ends here.").arg(where)
                                    : tr("%1: the file is cut off; %2 are expected, and %3 are there.")
                                          .arg(where, bytes(error.expected), bytes(error.found));
     case FileErrorKind::CountMismatch:
@@ -306,18 +305,18 @@ QString ErrorMessages::content(const core::FileError& error)
         return tr("%1: a face refers to vertex %2, but there are only %3 vertices.")
             .arg(where, token(error), number(error.expected));
     case FileErrorKind::OutsideFolder:
-        return tr("%1 names \"%2\", which is not in its folder; nothing from elsewhere is read.")
+        return tr("%1 refers to \"%2\", which is not in its folder; files elsewhere are not read.")
             .arg(where, token(error));
     case FileErrorKind::UnpacksTooLarge:
-        return tr("%1 is not read: what is packed in it takes more than %2, which is too much for a file of its size.")
+        return tr("%1 was not read: unpacked it is larger than %2, which is too much for a file of its size.")
             .arg(where, bytes(error.expected));
     case FileErrorKind::TooManyElements:
-        return tr("%1: too many %2; at most %3 are taken.").arg(where, token(error), number(error.expected));
+        return tr("%1: too many %2; at most %3 are allowed.").arg(where, token(error), number(error.expected));
     case FileErrorKind::ReaderRefused:
         return error.token.empty() ? tr("%1: its reader cannot make anything of it.").arg(where)
                                    : tr("%1: its reader cannot make anything of it (%2).").arg(where, token(error));
     case FileErrorKind::ReaderDied:
-        return tr("%1 was not read: its reader, a process of its own, broke off over it.").arg(where);
+        return tr("%1 was not read: the process that reads it ended unexpectedly.").arg(where);
     case FileErrorKind::ReaderTooSlow:
         return tr("%1 was not read: its reader took more than the %2 seconds that a file of its size is given.")
             .arg(where, number(error.expected));
@@ -326,8 +325,8 @@ QString ErrorMessages::content(const core::FileError& error)
             .arg(where, bytes(error.expected));
     case FileErrorKind::NoFaces:
         return error.expected == 0 ? tr("%1 contains no faces.").arg(where)
-                                   : tr("%1 holds no faces, except those of a slicer's parts that are no matter (%2): "
-                                        "negative ones, modifiers and supports, which are left out.")
+                                   : tr("%1 contains no faces, except those of slicer parts that are not printed (%2): "
+                                        "negative volumes, modifiers and supports, which are left out.")
                                          .arg(where, number(error.expected));
     default:
         return {};
@@ -346,9 +345,10 @@ QString ErrorMessages::writing(const core::FileError& error)
                   "Recentre the model.")
             .arg(path);
     case FileErrorKind::NoFolder:
-        return tr("%1 cannot be written: there is no folder %2.").arg(path, nativePath(error.path.parent_path()));
+        return tr("%1 cannot be written: the folder %2 does not exist.")
+            .arg(path, nativePath(error.path.parent_path()));
     case FileErrorKind::NotWritable:
-        return tr("%1 cannot be written: it is not permitted%2.").arg(path, reason);
+        return tr("%1 cannot be written: it is not allowed%2.").arg(path, reason);
     case FileErrorKind::DiskFull:
         return tr("%1 was not written: the disk is full.").arg(path);
     case FileErrorKind::WriteFailed:

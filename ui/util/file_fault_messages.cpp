@@ -59,7 +59,7 @@ QString FileFaultMessages::ofModel(const core::FileError& error, const QString& 
     case FileFault::Missing:
         return tr("%1: \"%2\" is needed here, but is missing.").arg(where, token);
     case FileFault::Repeated:
-        return tr("%1: \"%2\" comes a second time.").arg(where, token);
+        return tr("%1: \"%2\" appears twice.").arg(where, token);
     default:
         return {};
     }
@@ -82,16 +82,16 @@ QString FileFaultMessages::ofGltf(const core::FileError& error, const QString& w
     case FileFault::NotAnIndex:
         return tr("%1: \"%2\" should be a whole number that is not negative, but is something else.").arg(where, token);
     case FileFault::NotNumbers:
-        return tr("%1: \"%2\" should be a list of so many numbers as the format says, but is something else.")
+        return tr("%1: \"%2\" should be a list of as many numbers as the format requires, but is something else.")
             .arg(where, token);
     case FileFault::BeyondItsData:
-        return tr("%1: more is to be read from \"%2\" than it holds.").arg(where, token);
+        return tr("%1: \"%2\" contains less data than should be read from it.").arg(where, token);
     case FileFault::WrongAccessor:
-        return tr("%1: \"%2\" has a type or a count that does not fit what names it.").arg(where, token);
+        return tr("%1: \"%2\" has a type or a count that does not fit its use.").arg(where, token);
     case FileFault::TooDeep:
-        return tr("%1: \"%2\" hold themselves, or are nested too deeply.").arg(where, token);
+        return tr("%1: \"%2\" contain themselves, or are nested too deeply.").arg(where, token);
     case FileFault::NeedsExtension:
-        return tr("%1 needs the extension %2, which is not read: save it without, in the program that it comes from.")
+        return tr("%1 needs the extension %2, which Fettle cannot read: save it without, in the program that made it.")
             .arg(where, token);
     case FileFault::OldGltf:
         return tr("%1 is glTF of version %2; version 2 is read: save it as that.").arg(where, token);
@@ -115,7 +115,7 @@ QString FileFaultMessages::ofPackage(const core::FileError& error, const QString
     case FileFault::NotInPackage:
         return tr("%1: the part \"%2\" is not in the package.").arg(where, token);
     case FileFault::NoModelPart:
-        return tr("%1: \"%2\", which should say where in the package the model is, names none.").arg(where, token);
+        return tr("%1: \"%2\" should say where in the package the model is, but does not.").arg(where, token);
     case FileFault::PackedOtherwise:
         return tr("%1: the part \"%2\" is encrypted, or packed in a way that is not read.").arg(where, token);
     case FileFault::XmlSyntax:

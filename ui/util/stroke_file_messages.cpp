@@ -68,9 +68,9 @@ QString StrokeFileMessages::reason(const core::StrokeFileError& error)
     case Kind::NotStrokes:
         if (error.version)
             return tr("it has version %1; this program reads version 1").arg(number(*error.version));
-        return tr("this is no stroke file of version 1 (%1)").arg(key.isEmpty() ? tr("no object") : key);
+        return tr("this is not a stroke file of version 1 (%1)").arg(key.isEmpty() ? tr("no object") : key);
     case Kind::NotBrush:
-        return tr("this is no brush preset of version 1 (%1)").arg(key.isEmpty() ? tr("no object") : key);
+        return tr("this is not a brush preset of version 1 (%1)").arg(key.isEmpty() ? tr("no object") : key);
     case Kind::NewerVersion:
         return tr("this brush preset was made by a newer version of Fettle");
     case Kind::UnknownKey:

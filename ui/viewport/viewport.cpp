@@ -450,7 +450,8 @@ void Viewport::updateCursor()
 /// The driver promised OpenGL 3.3 (graphicsProblem() was empty) and did not keep it.
 void Viewport::showDriverProblem()
 {
-    auto* sentence = new QLabel(tr("The model cannot be shown: the graphics driver does not do what it offers."), this);
+    auto* sentence =
+        new QLabel(tr("The model cannot be shown: the graphics driver lacks a feature that it claims to have."), this);
     sentence->setObjectName(QStringLiteral("driverProblem"));
     sentence->setMargin(16);
     sentence->adjustSize();

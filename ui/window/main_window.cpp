@@ -416,7 +416,7 @@ void MainWindow::showSaved(const ModelInfo& modelInfo)
 
 void MainWindow::showExported(const QString& path, const QString& verdict)
 {
-    showNotice(verdict.isEmpty() ? tr("%1 was written.").arg(QFileInfo(path).fileName()) : verdict);
+    showNotice(verdict.isEmpty() ? tr("Saved %1.").arg(QFileInfo(path).fileName()) : verdict);
     m_state->files.setExported(path);
 }
 

@@ -14,7 +14,7 @@ HeadsetStatus OpenXrRuntime::probe()
 QString OpenXrRuntime::openGlRefusal(const QString& runtime, const QVersionNumber& asked, const QVersionNumber& present)
 {
     //: %1: the headset's program; %2, %3: versions, such as 4.5
-    return tr("%1 asks for OpenGL %2 and refuses OpenGL %3, which Fettle uses. Another OpenXR runtime may take it.")
+    return tr("%1 asks for OpenGL %2 and refuses OpenGL %3, which Fettle uses. Another OpenXR runtime may accept it.")
         .arg(runtime, asked.toString(), present.toString());
 }
 
@@ -29,7 +29,7 @@ QString OpenXrRuntime::textOf(const HeadsetStatus& status)
         return tr("%1 is running, but no headset is ready (%2). Plug it in and switch it on, then ask again.")
             .arg(status.runtime, status.reason);
     case HeadsetStatus::State::NoOpenGl:
-        return tr("%1 shows %2, but takes no OpenGL pictures.").arg(status.runtime, status.headset);
+        return tr("%1 supports %2, but it does not support OpenGL.").arg(status.runtime, status.headset);
     case HeadsetStatus::State::InUse:
         return tr("The headset is in use here.");
     case HeadsetStatus::State::Ready:

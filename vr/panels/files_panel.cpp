@@ -52,7 +52,7 @@ QString FilesPanel::status() const
     if (isBusy)
         return tr("One moment…");
     if (hasUnsavedChanges && canOpen())
-        return tr("The model is not saved: save it first, or hold to open.");
+        return tr("The model has unsaved changes: save it first, or hold to open.");
     //: %1: names of files
     return saved.isEmpty() ? QString() : tr("Saved: %1").arg(saved);
 }

@@ -163,9 +163,9 @@ private Q_SLOTS:
         const auto row = [](const char* name, const char* before, const char* after, const char* reason) {
             QTest::newRow(name) << QByteArray(before) << QByteArray(after) << QString::fromUtf8(reason);
         };
-        row("unknown key", "full_screen", "fullscreen", "line 9: fullscreen is no key of a class file.");
+        row("unknown key", "full_screen", "fullscreen", "line 9: fullscreen is not a key of a class file.");
         row("no pair", "tools = smooth, pull", "tools", "line 6: a line says key = value, or begins with #.");
-        row("twice", "language = de", "title = x", "line 10: title stands there for the second time.");
+        row("twice", "language = de", "title = x", "line 10: title appears twice.");
         row("no title", "title = Klasse 5b, Ton & Töne", "title =", "line 3: title: it is empty.");
         row("no number", "= 30", "= thirty",
             "line 7: turn_minutes: must be a whole number from 0 to 240, not \"thirty\".");
@@ -174,7 +174,7 @@ private Q_SLOTS:
         row("warning before the turn", "=5", "=31",
             "line 8: warning_minutes: must be a whole number from 0 to 30, not \"31\".");
         row("unknown tool", "smooth, pull", "smooth, melt", "line 6: tools: \"melt\" is none of pull, push, inflate");
-        row("tool twice", "smooth, pull", "pull,pull", "line 6: tools: pull stands there for the second time.");
+        row("tool twice", "smooth, pull", "pull,pull", "line 6: tools: pull appears twice.");
         row("empty in a list", "vase, ball", "vase,,ball",
             "line 5: starters: \"\" is none of ball, cube, torus, slab, vase, head, tablet.");
         row("neither yes nor no", "= no", "= maybe", "line 9: full_screen: \"maybe\" is none of yes, no.");
@@ -183,7 +183,7 @@ private Q_SLOTS:
         row("a PIN that can be read", pinLine.constData(), "pin = 1234\n",
             "line 12: pin: this is no PIN as Fettle writes it");
         row("unknown lesson", "questions = yes", "lesson = mugs",
-            "mugs is no lesson: neither one of first-clay, mug, creature nor a folder or zip.");
+            "mugs is not a lesson: it is neither one of first-clay, mug, creature nor a folder or ZIP file.");
         row("unknown lesson's line", "questions = yes", "lesson = mugs", "line 11: lesson: ");
         row("empty lesson", "questions = yes", "lesson =", "line 11: lesson: it is empty.");
         row("lesson with other tools", "questions = yes", "lesson = mug",
@@ -191,7 +191,7 @@ private Q_SLOTS:
         row("neither starters nor lesson", "starters = vase, ball\n", "", "5b.ini: starters is missing.");
         row("no PIN", pinLine.constData(), "", "5b.ini: pin is missing.");
         row("no folder", "folder = works\n", "", "5b.ini: folder is missing.");
-        row("not UTF-8", "Klasse", "\xff\xfe", "5b.ini is no class file: it is no text in UTF-8, or too long.");
+        row("not UTF-8", "Klasse", "\xff\xfe", "5b.ini is not a class file: it is not UTF-8 text, or it is too long.");
     }
 
     void faultsAreNamed()
@@ -207,7 +207,7 @@ private Q_SLOTS:
     void strangersFilesAreRefused()
     {
         QVERIFY(File(QByteArray(70'000, '#')).problem().contains(QStringLiteral("too long")));
-        QVERIFY(File(QByteArray(100, '\0')).problem().contains(QStringLiteral("no class file")));
+        QVERIFY(File(QByteArray(100, '\0')).problem().contains(QStringLiteral("not a class file")));
         QVERIFY(File({}).problem().contains(QStringLiteral("title is missing")));
         const QTemporaryDir folder;
         try {
@@ -234,7 +234,7 @@ private Q_SLOTS:
     {
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("none/class.ini"));
-        QVERIFY(ClassFile::write(path, {}).contains(QStringLiteral("there is no folder")));
+        QVERIFY(ClassFile::write(path, {}).contains(QStringLiteral("does not exist")));
         QVERIFY(!QFile::exists(path));
     }
 };

@@ -276,20 +276,19 @@ void TestClassReport::refusals_writeNothing_data()
     QTest::addColumn<QString>("reason");
     QTest::newRow("no folder") << QStringLiteral("report -o a.html") << QStringLiteral("one folder");
     QTest::newRow("two folders") << QStringLiteral("report class class -o a.html") << QStringLiteral("one folder");
-    QTest::newRow("no file") << QStringLiteral("report class") << QStringLiteral("-o names it");
+    QTest::newRow("no file") << QStringLiteral("report class") << QStringLiteral("name it with -o");
     QTest::newRow("another ending") << QStringLiteral("report class -o a.txt") << QStringLiteral("HTML or PDF");
     QTest::newRow("missing folder") << QStringLiteral("report missing -o a.html")
                                     << QStringLiteral("missing: there is no such");
     QTest::newRow("empty folder") << QStringLiteral("report class/folder.stl -o a.html")
-                                  << QStringLiteral("no model in this folder");
+                                  << QStringLiteral("this folder contains no models");
     QTest::newRow("a file as folder") << QStringLiteral("report class/tiny.obj -o a.html")
                                       << QStringLiteral("cannot be read");
-    QTest::newRow("nowhere") << QStringLiteral("report class -o gone/a.html") << QStringLiteral("there is no folder");
+    QTest::newRow("nowhere") << QStringLiteral("report class -o gone/a.html") << QStringLiteral("does not exist");
     QTest::newRow("sheet of nothing") << QStringLiteral("sheet -o a.pdf") << QStringLiteral("no file was given");
-    QTest::newRow("sheet to nothing") << QStringLiteral("sheet class") << QStringLiteral("-o names it");
+    QTest::newRow("sheet to nothing") << QStringLiteral("sheet class") << QStringLiteral("name it with -o");
     QTest::newRow("sheet as a picture") << QStringLiteral("sheet class -o a.png") << QStringLiteral(".pdf");
-    QTest::newRow("sheet nowhere") << QStringLiteral("sheet class -o gone/a.pdf")
-                                   << QStringLiteral("there is no folder");
+    QTest::newRow("sheet nowhere") << QStringLiteral("sheet class -o gone/a.pdf") << QStringLiteral("does not exist");
 }
 
 void TestClassReport::refusals_writeNothing()
@@ -357,18 +356,18 @@ void TestClassReport::window_writesAReport()
     ask(path);
     QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path), longestWait);
     QTRY_VERIFY(!program.document.job().isBusy());
-    QTRY_VERIFY(notice(program).contains(QStringLiteral("by hand.html was written.")));
+    QTRY_VERIFY(notice(program).contains(QStringLiteral("by hand.html.")));
     QCOMPARE(captured(read(at("by hand.html")), "<bdi>([^<]*)</bdi>").size(), models);
     QVERIFY(program.document.savedState().isModified()); // the model that is open has nothing to do with it
 
     ask(QString::fromStdString(at("on paper.pdf").string()));
-    QTRY_VERIFY(notice(program).contains(QStringLiteral("on paper.pdf was written.")));
+    QTRY_VERIFY(notice(program).contains(QStringLiteral("on paper.pdf.")));
     QVERIFY(read(at("on paper.pdf")).count("/URI (class/") >= models);
 
     Q_EMIT program.window.files()->reportRequested(QString::fromStdString(at("class/folder.stl").string()), path);
     const QMessageBox* problem = nullptr;
     QTRY_VERIFY((problem = program.window.findChild<QMessageBox*>(QStringLiteral("problem"))) && problem->isVisible());
-    QVERIFY(problem->text().contains(QStringLiteral("there is no model in this folder")));
+    QVERIFY(problem->text().contains(QStringLiteral("this folder contains no models")));
     QTest::mouseClick(problem->button(QMessageBox::Ok), Qt::LeftButton);
     QVERIFY(QFile::exists(path));
 

@@ -855,7 +855,9 @@ void TestClassroom::aMissingFolder_isSaidAtOnce()
     QTRY_VERIFY2(notice(c.program).startsWith(QStringLiteral("The class folder cannot be reached.")),
                  qPrintable(notice(c.program)));
     QVERIFY(!notice(c.program).contains(root.path())); // pupils read it
-    QVERIFY(c.part<QLabel>("classWaiting")->toolTip().contains(QStringLiteral("there is no folder ") + home.works));
+    QVERIFY(c.part<QLabel>("classWaiting")
+                ->toolTip()
+                .contains(QStringLiteral("the folder %1 does not exist").arg(home.works)));
     QCOMPARE(c.text("classWaiting"), QStringLiteral("1 models not yet in the class folder"));
     QVERIFY(c.part<QLabel>("classWaiting")->toolTip().contains(home.places.outbox));
     QCOMPARE(foldersIn(home.places.outbox).size(), 1);
@@ -1340,7 +1342,7 @@ void TestClassroom::theTeachersDialog_movesWhatWaits()
     QVERIFY(move->isVisible());
     auto* note = dialog->findChild<ui::WaitingWorksNote*>();
     Q_EMIT note->moveRequested(root.filePath(QStringLiteral("none")));
-    QTRY_VERIFY_WITH_TIMEOUT(text("movedModels").contains(QStringLiteral("there is no folder")), longestWait);
+    QTRY_VERIFY_WITH_TIMEOUT(text("movedModels").contains(QStringLiteral("does not exist")), longestWait);
     QVERIFY(move->isVisible() && text("waitingModels").contains(gone)); // nothing is lost
     Q_EMIT note->moveRequested(stick);
     QTRY_VERIFY_WITH_TIMEOUT(text("movedModels").contains(stick), longestWait);

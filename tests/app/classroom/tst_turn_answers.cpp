@@ -163,9 +163,9 @@ void TestTurnAnswers::wrongValues_areLeftOut()
                fileWith(R"({"mastering": 7, "other": 9, "errors": )" + value + R"(, "overall": 1})"));
     const TurnAnswers read = TurnAnswers::read(folder.path());
     QCOMPARE(read.questionnaire, answersOf({7, 0, 0, 0, 0, 1}));
-    QCOMPARE(
-        read.problem,
-        QStringLiteral("answers.json: the answer \"errors\" is left out, because it is no whole number from 1 to 7."));
+    QCOMPARE(read.problem,
+             QStringLiteral(
+                 "answers.json: the answer \"errors\" is left out, because it is not a whole number from 1 to 7."));
 }
 
 void TestTurnAnswers::strangeFiles_areNamed_data()
@@ -197,7 +197,7 @@ void TestTurnAnswers::strangeFiles_areNamed()
     writeBytes(answersFile(folder.path()), bytes);
     const TurnAnswers read = TurnAnswers::read(folder.path());
     QVERIFY(read.questionnaire.isEmpty());
-    QCOMPARE(read.problem, QStringLiteral("answers.json holds no answers that can be read."));
+    QCOMPARE(read.problem, QStringLiteral("answers.json contains no answers that can be read."));
 }
 
 void TestTurnAnswers::aNewerVersion_isNamed()
@@ -241,7 +241,7 @@ void TestTurnAnswers::noPlace_isSaid()
     const QTemporaryDir root;
     const QString problem =
         TurnAnswers{QStringLiteral("1"), answersOf({1})}.write(root.filePath(QStringLiteral("none")));
-    QVERIFY2(problem.contains(QStringLiteral("there is no folder")), qPrintable(problem));
+    QVERIFY2(problem.contains(QStringLiteral("does not exist")), qPrintable(problem));
     QDir(root.path()).mkpath(TurnAnswers::fileName); // a folder of that name
     QCOMPARE(TurnAnswers::read(root.path()).problem,
              QStringLiteral("answers.json is not a file but a folder or a device."));
@@ -348,7 +348,7 @@ void TestTurnAnswers::brokenAnswers_costNoRow()
     const QByteArray page = kept.report();
     QCOMPARE(page.count("<bdi>"), 3);
     QCOMPARE(page.count("class=\"ready\""), 3);
-    QVERIFY(page.contains("answers.json holds no answers that can be read.") &&
+    QVERIFY(page.contains("answers.json contains no answers that can be read.") &&
             page.contains("the answer &quot;mastering&quot; is left out"));
     QCOMPARE(figuresOf(page, ui::Question::Mastering).constFirst(), QStringLiteral("1"));
     QCOMPARE(figuresOf(page, ui::Question::Overall).constFirst(), QStringLiteral("1"));

@@ -214,7 +214,7 @@ void TestWorkArchive::aMissingFolder_isSaidAndWaitedFor()
     const ArchivedWork kept = places.archive().add(work);
     const Delivery delivery = places.archive().deliver();
     QCOMPARE(delivery.undelivered, 1);
-    QVERIFY2(delivery.problem.contains(QStringLiteral("there is no folder ") + places.works),
+    QVERIFY2(delivery.problem.contains(QStringLiteral("the folder %1 does not exist").arg(places.works)),
              qPrintable(delivery.problem));
     QVERIFY(!QDir(places.works).exists());
     verifyWork(kept.folder, work);
@@ -231,7 +231,7 @@ void TestWorkArchive::aClosedFolder_isSaidAndWaitedFor()
     places.archive().add(work);
     const Delivery delivery = places.archive().deliver();
     QFile::setPermissions(places.works, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
-    QVERIFY2(delivery.undelivered == 1 && delivery.problem.contains(QStringLiteral("not permitted")),
+    QVERIFY2(delivery.undelivered == 1 && delivery.problem.contains(QStringLiteral("not allowed")),
              qPrintable(delivery.problem));
     QCOMPARE(places.archive().deliver().moved.size(), 1);
     verifyWork(places.works + QStringLiteral("/2026-11-24-1015-Ben"), work);

@@ -62,7 +62,7 @@ private Q_SLOTS:
         QTest::newRow("newer") << QByteArray(R"({"format":"fettle-brush","version":2})") << "newer version";
         QTest::newRow("no JSON") << QByteArray("{\n\"format\": x") << "line 2";
         QTest::newRow("strokes") << QByteArray(R"({"format":"fettle-strokes","version":1,"strokes":[]})")
-                                 << "no brush preset";
+                                 << "not a brush preset";
         QTest::newRow("range") << begin + R"("airbrush":100}})"
                                << "\"airbrush\" is out of range, 0 or 0.1 to 60";
         QTest::newRow("key") << begin + R"("glow":1}})"

@@ -325,10 +325,10 @@ void TestCommandLine::words_thatAreNothingAreToldAsSuch_data()
     };
     row("chekc a.obj", "\"chekc\" is neither a command nor a file. Did you mean check?");
     row("version", "\"version\" is neither a command nor a file. Did you mean --version?");
-    row("nofile.stl", "\"nofile.stl\" is neither a command nor a file. fettle --help");
-    row("--bogus", "\"--bogus\" is no option. fettle --help");
-    row("--vr --clasroom a.ini", "\"--clasroom\" is no option. Did you mean --classroom?");
-    row("-platform offscreen --bogus", "\"--bogus\" is no option.");
+    row("nofile.stl", "\"nofile.stl\" is neither a command nor a file. See fettle --help");
+    row("--bogus", "\"--bogus\" is not an option. See fettle --help");
+    row("--vr --clasroom a.ini", "\"--clasroom\" is not an option. Did you mean --classroom?");
+    row("-platform offscreen --bogus", "\"--bogus\" is not an option.");
     row("a.obj nofile.stl", "\"nofile.stl\" is neither");
     row("a.obj a.obj", "One file at a time");
     row("help chekc", "no command \"chekc\": the commands are new, check, ");
@@ -369,7 +369,8 @@ void TestCommandLine::words_thatAreOneOfSomeAreListed_data()
     row("replay --strokes s.json --frames . --every 0",
         "replay: --every must be a whole number, 1 or more, not \"0\".");
     row("new bal b.stl", "new: the shape must be one of ball, cube, torus, slab, vase, head, tablet, not \"bal\".");
-    row("lesson nonsense", "\"nonsense\" is no lesson: neither one of first-clay, mug, creature nor a folder or zip.");
+    row("lesson nonsense",
+        "\"nonsense\" is not a lesson: it is neither one of first-clay, mug, creature nor a folder or ZIP file.");
 }
 
 void TestCommandLine::words_thatAreOneOfSomeAreListed()
@@ -543,7 +544,7 @@ void TestCommandLine::noClobber_keepsWhatIsThere()
     const QByteArray before = read(path);
     const QStringList files = left();
     const Answer answer = fettle(line.split(u' ') + QStringList{QStringLiteral("--no-clobber")}, {}, m_folder->path());
-    QVERIFY2(answer.isRefusal(file + QStringLiteral(" is there already")), answer.err.constData());
+    QVERIFY2(answer.isRefusal(file + QStringLiteral(" already exists")), answer.err.constData());
     QCOMPARE(read(path), before);
     QCOMPARE(left(), files);
 }
@@ -1279,7 +1280,7 @@ void TestCommandLine::convert_whereNothingMayBeWritten()
     QFile::setPermissions(at("closed"), QFile::ReadOwner | QFile::ExeOwner);
     for (const char* name : {"closed/old.obj", "closed/new.stl"}) {
         const Answer answer = fettle({QStringLiteral("convert"), at("a.obj"), at(name)});
-        VERIFY_REFUSED(answer, "cannot be written: it is not permitted (Permission denied).");
+        VERIFY_REFUSED(answer, "cannot be written: it is not allowed (Permission denied).");
         QVERIFY(QString::fromUtf8(answer.err).contains(at(name)));
     }
     QFile::setPermissions(at("closed"), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
@@ -1287,7 +1288,7 @@ void TestCommandLine::convert_whereNothingMayBeWritten()
     QCOMPARE(read(at("closed/old.obj")), "old");
     QFile::setPermissions(at("closed/old.obj"), QFile::ReadOwner); // it would be replaced, not written
     VERIFY_REFUSED(fettle({QStringLiteral("convert"), at("a.obj"), at("closed/old.obj")}),
-                   "cannot be written: it is not permitted");
+                   "cannot be written: it is not allowed");
     QCOMPARE(read(at("closed/old.obj")), "old");
 }
 
@@ -1516,7 +1517,7 @@ void TestCommandLine::replay_refusalWritesNothing()
     VERIFY_REFUSED(fettle(replay + QStringList{QStringLiteral("--out"), at("o.what")}), "o.what");
     VERIFY_REFUSED(fettle(replay + QStringList{QStringLiteral("--out"), at("none/o.stl")}), "o.stl");
     QVERIFY(fettle(replay + QStringList{QStringLiteral("--out"), at("none/o.stl")})
-                .isRefusal(QStringLiteral("there is no folder ") + at("none")));
+                .isRefusal(QStringLiteral("the folder %1 does not exist").arg(at("none"))));
     VERIFY_REFUSED(fettle(replay + QStringList{QStringLiteral("--stats"), at("none/t.json")}), "t.json");
     VERIFY_REFUSED(fettle(replay + QStringList{at("a.stl")}), "a.stl");
     write(at("open.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");

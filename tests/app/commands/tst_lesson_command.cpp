@@ -237,7 +237,7 @@ private Q_SLOTS:
         QTest::newRow("outside") << QByteArray("step-2.png") << QByteArray("../step-2.png")
                                  << QStringLiteral("step 2 (steps[1]): it names a file outside");
         QTest::newRow("gone") << QByteArray("push.json") << QByteArray("none.json")
-                              << QStringLiteral("none.json, step 2 (steps[1]): this file is named, but not there");
+                              << QStringLiteral("none.json, step 2 (steps[1]): this file is missing");
         QTest::newRow("no strokes") << QByteArray("push.json") << QByteArray("step-1.png")
                                     << QStringLiteral("step-1.png, step 2 (steps[1]), line 1");
         QTest::newRow("no words") << QByteArray("\"Den Hals ziehen\"") << QByteArray("\"\"")

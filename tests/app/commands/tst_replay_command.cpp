@@ -284,7 +284,7 @@ void TestReplayCommand::badShapes_areBadInput_data()
     QTest::newRow("no such alpha") << QByteArray("alpha") << QByteArray("spots")
                                    << QByteArray("none of pores, scales,");
     QTest::newRow("no image") << QByteArray("alpha") << QByteArray("text.png") << QByteArray("not an image");
-    QTest::newRow("changed") << QByteArray("alpha") << QByteArray("white.png") << QByteArray("not what it was");
+    QTest::newRow("changed") << QByteArray("alpha") << QByteArray("white.png") << QByteArray("has changed since");
     QTest::newRow("no such model") << QByteArray("model") << QByteArray("none.stl") << QByteArray("none.stl");
     QTest::newRow("open model") << QByteArray("model") << QByteArray("open.ply") << QByteArray("open edges: 3");
     QTest::newRow("no model") << QByteArray("model") << QByteArray("text.png") << QByteArray("text.png");

@@ -68,7 +68,7 @@ public:
     QString word() const
     {
         return m_fault == Fault::DiskFull ? QStringLiteral("the disk is full.")
-                                          : QStringLiteral("it is not permitted (Permission denied).");
+                                          : QStringLiteral("it is not allowed (Permission denied).");
     }
 
 private:
@@ -338,7 +338,7 @@ void TestUnwritablePlaces::duplicate_isWholeOrNotThere()
     s.sculpt();
     s.browse();
     s.press("files.duplicate");
-    const QString word = fault == Fault::DiskFull ? QStringLiteral("No space left") : QStringLiteral("not permitted");
+    const QString word = fault == Fault::DiskFull ? QStringLiteral("No space left") : QStringLiteral("not allowed");
     QTRY_VERIFY2(notice(s.program).contains(word), qPrintable(notice(s.program)));
     QCOMPARE(s.place.files(), s.files);
     QCOMPARE(read(s.place.at("lion.ply")), s.bytes);
@@ -361,7 +361,7 @@ void TestUnwritablePlaces::filesThatMayNoMoreBeRead_haveAWord()
     QFile::setPermissions(s.place.folder(), {});
     const auto* empty = s.program.window.findChild<QLabel*>(QStringLiteral("files.empty"));
     QTRY_VERIFY(empty->isVisible());
-    QCOMPARE(empty->text(), s.place.folder() + QStringLiteral(" cannot be looked into: it is not permitted."));
+    QCOMPARE(empty->text(), s.place.folder() + QStringLiteral(" cannot be opened: permission denied."));
 }
 
 static int unwritablePlacesMain(int argc, char* argv[])

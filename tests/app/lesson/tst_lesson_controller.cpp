@@ -160,11 +160,11 @@ private Q_SLOTS:
         QCOMPARE(meshHash(program.worker), start);
         QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(QStringLiteral("○ at least 125 mm tall (now 100 mm)")),
                                  longestWait);
-        QVERIFY(marks(program).contains(QStringLiteral("○ something sculpted in this step")));
+        QVERIFY(marks(program).contains(QStringLiteral("○ Sculpt something in this step")));
         drag(program.window.viewport(), {30, 0});
         QTRY_COMPARE_WITH_TIMEOUT(program.document.history().stack().count(), 1, longestWait);
         QVERIFY(meshHash(program.worker) != start);
-        QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(QStringLiteral("✓ something sculpted in this step")),
+        QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(QStringLiteral("✓ Sculpt something in this step")),
                                  longestWait);
         showStep(program);
         QCOMPARE(meshHash(program.worker), teachersHash("first-clay", 1));
@@ -251,7 +251,7 @@ private Q_SLOTS:
         Program program;
         begin(program, QStringLiteral("First clay: a pear"));
         const QString teachers = QStringLiteral("○ This is the teacher's model"),
-                      untouched = QStringLiteral("○ something sculpted"), own = QStringLiteral("✓ something sculpted");
+                      untouched = QStringLiteral("○ Sculpt something"), own = QStringLiteral("✓ Sculpt something");
         showStep(program);
         QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(teachers), longestWait);
         program.document.history().undo();
@@ -325,7 +325,7 @@ private Q_SLOTS:
         drag(program.window.viewport(), {30, 10});
         QTRY_COMPARE_WITH_TIMEOUT(program.document.history().stack().count(), 1, longestWait);
         const std::uint64_t pupils = meshHash(program.worker);
-        QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(QStringLiteral("✓ something sculpted")), longestWait);
+        QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(QStringLiteral("✓ Sculpt something")), longestWait);
         press(program, "lessonNext");
         QTRY_VERIFY_WITH_TIMEOUT(isAtStep(program, 2), longestWait);
         QVERIFY2(notice(program).contains(QStringLiteral("Step 1 is not done yet")), qPrintable(notice(program)));
@@ -334,7 +334,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(meshHash(program.worker) == teachersHash("first-clay", 1) &&
                                      program.document.queue().isSettled() && !program.document.job().isBusy(),
                                  longestWait);
-        QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(QStringLiteral("○ something sculpted in this step")),
+        QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(QStringLiteral("○ Sculpt something in this step")),
                                  longestWait);
         showStep(program);
         QCOMPARE(meshHash(program.worker), teachersHash("first-clay", 2));
@@ -659,7 +659,7 @@ private Q_SLOTS:
         };
         const QString path = folder.filePath(QStringLiteral("pear.pdf"));
         write(path);
-        QTRY_VERIFY_WITH_TIMEOUT(notice(program).contains(QStringLiteral("pear.pdf was written.")), longestWait);
+        QTRY_VERIFY_WITH_TIMEOUT(notice(program).contains(QStringLiteral("pear.pdf.")), longestWait);
         QFile file(path);
         QVERIFY(file.open(QIODevice::ReadOnly));
         QVERIFY(file.readAll().startsWith("%PDF-"));

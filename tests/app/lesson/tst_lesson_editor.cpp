@@ -459,7 +459,7 @@ private Q_SLOTS:
         const QString path = folder.filePath(QStringLiteral("there"));
         QVERIFY(QDir().mkpath(path));
         save(program, path);
-        QVERIFY(question(program, "")->text().contains(QStringLiteral("is there already")));
+        QVERIFY(question(program, "")->text().contains(QStringLiteral("already exists")));
         QVERIFY(QDir(path).isEmpty());
         QCOMPARE(QDir(folder.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot | QDir::Hidden).size(), 1);
     }

@@ -915,7 +915,7 @@ void TestRecovery::closedFolder_isSaidOnceAndAgainWhenItIsOpen()
     QTest::qWait(200);
     QVERIFY(!session.document.journaling().journal());
     QCOMPARE(notices.size(), 1);
-    QVERIFY2(notices[0][0].toString().contains(QStringLiteral("not permitted")), qPrintable(notices[0][0].toString()));
+    QVERIFY2(notices[0][0].toString().contains(QStringLiteral("not allowed")), qPrintable(notices[0][0].toString()));
     fs::permissions(root, fs::perms::owner_all);
     until([&] { return notices.size() == 2; });
     QVERIFY(notices[1][0].toString().contains(QStringLiteral("recorded again")));
