@@ -167,7 +167,7 @@
         <translation>Striche</translation>
     </message>
     <message>
-        <source>time of work, s</source>
+        <source>working time, s</source>
         <translation>Arbeitszeit, s</translation>
     </message>
     <message>
@@ -226,7 +226,7 @@
         <translation>Die Klasse beenden? Die Arbeit, die gerade offen ist, wird gespeichert.</translation>
     </message>
     <message>
-        <source>End the class? It is nobody&apos;s turn, and all works are saved.</source>
+        <source>End the class? It is nobody&apos;s turn, and all work is saved.</source>
         <translation>Die Klasse beenden? Gerade ist niemand an der Reihe, und alle Arbeiten sind gespeichert.</translation>
     </message>
     <message numerus="yes">
@@ -426,7 +426,7 @@
         <translation>jemand</translation>
     </message>
     <message>
-        <source>Keeping the work of %1</source>
+        <source>Saving the work of %1</source>
         <translation>Die Arbeit wird aufgehoben: %1</translation>
     </message>
     <message>
@@ -434,7 +434,7 @@
         <translation>Noch nicht: Eine andere Arbeit am Modell ist noch nicht fertig.</translation>
     </message>
     <message>
-        <source>%1 The work of %2 stays open, and nothing of it is lost.</source>
+        <source>%1 The work of %2 stays open; nothing is lost.</source>
         <translation>%1 Die Arbeit bleibt offen (%2), und nichts davon geht verloren.</translation>
     </message>
     <message>
@@ -722,7 +722,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Diese Klasse kommt ohne dieses Werkzeug aus.</translation>
     </message>
     <message>
-        <source>In a class the work is kept by Next Pupil, at the window.</source>
+        <source>In a class, Next Pupil saves the work, in the window.</source>
         <translation>In einer Klasse wird die Arbeit mit Nächstes Kind aufgehoben, am Fenster.</translation>
     </message>
     <message>
@@ -836,7 +836,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Zeigen, was Schüler lesen, statt abzuspielen.</translation>
     </message>
     <message>
-        <source>Judge this model, a pupil&apos;s, instead of playing; or -. Of a folder, or of a class&apos;s works: each.</source>
+        <source>Judge this model of a pupil instead of playing; or -. A folder, or a class&apos;s work folder: judge each model.</source>
         <translation>Dieses Modell beurteilen, das eines Schülers, statt abzuspielen; oder -. Bei einem Ordner oder den Arbeiten einer Klasse: jedes.</translation>
     </message>
     <message>
@@ -1811,7 +1811,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Schreibt einen Klassenbericht: von jedem Modell eines Ordners Bild, Größe und Volumen, ob es druckfertig ist oder warum nicht, und von GLB-Dateien die Striche und die Zeit. Die Arbeiten einer Klasse stehen unter den Namen der Kinder, mit der Zeit, die jedes hatte. Status 1: nicht alle Modelle sind lesbar.</translation>
     </message>
     <message>
-        <source>The models; of folders further down only the works of a class in turns are looked at.</source>
+        <source>The models. Subfolders are skipped, except the pupils&apos; models of a class.</source>
         <translation>Die Modelle; von Unterordnern werden nur die Arbeiten einer Klasse beachtet, in der eins nach dem anderen drankommt.</translation>
     </message>
     <message numerus="yes">
@@ -3527,7 +3527,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Klasse</translation>
     </message>
     <message>
-        <source>Undoes Next Pupil: reopens the work and continues the turn. Possible until somebody sculpts.</source>
+        <source>Undoes Next Pupil: reopens the pupil&apos;s work and continues the turn. Possible until somebody sculpts.</source>
         <translation>Macht Nächstes Kind rückgängig: öffnet die Arbeit wieder, und es geht damit weiter. Möglich, bis jemand formt.</translation>
     </message>
     <message>
@@ -3535,7 +3535,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Nächstes Kind</translation>
     </message>
     <message>
-        <source>Keeps the work in the class&apos;s folder, and begins the next turn with fresh clay.</source>
+        <source>Saves the work in the class folder, and begins the next turn with fresh clay.</source>
         <translation>Hebt die Arbeit im Ordner der Klasse auf, und das nächste Kind beginnt mit frischem Ton.</translation>
     </message>
     <message>
@@ -3543,7 +3543,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Verlassen …</translation>
     </message>
     <message>
-        <source>Asks for the teacher&apos;s PIN, keeps the work, and ends the class.</source>
+        <source>Asks for the teacher&apos;s PIN, saves the work, and ends the class.</source>
         <translation>Fragt nach der PIN der Lehrkraft, hebt die Arbeit auf und beendet die Klasse.</translation>
     </message>
     <message>
@@ -3661,7 +3661,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Klassenraum</translation>
     </message>
     <message>
-        <source>A class has turns: each pupil begins with fresh clay, and Next Pupil keeps the work in the class&apos;s folder. Pupils cannot reach other files; leaving asks for your PIN.</source>
+        <source>Pupils take turns: each begins with fresh clay, and Next Pupil saves the work in the class folder. Pupils cannot reach other files; leaving asks for your PIN.</source>
         <translation>Jedes Kind beginnt mit frischem Ton, und Nächstes Kind speichert die Arbeit im Ordner der Klasse. Niemand kommt an andere Dateien; das Verlassen braucht Ihre PIN.</translation>
     </message>
     <message>
@@ -3796,7 +3796,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Sechs &amp;Fragen, wenn ein Kind fertig ist</translation>
     </message>
     <message>
-        <source>Next Pupil shows a form about the program first. Its answers are kept with the work and summed in the class report; each may be left out.</source>
+        <source>Next Pupil shows a form about the program first. Its answers are saved with the work and summed up in the class report; each may be left out.</source>
         <translation>Nächstes Kind zeigt zuerst einen Fragebogen über das Programm. Die Antworten werden mit der Arbeit aufgehoben und im Klassenbericht zusammengezählt; jede darf ausbleiben.</translation>
     </message>
     <message>
@@ -4824,7 +4824,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>Ends the work on this lesson. The model stays as it is.</source>
+        <source>Closes this lesson. The model stays as it is.</source>
         <translation>Beendet die Arbeit an dieser Lektion. Das Modell bleibt, wie es ist.</translation>
     </message>
     <message>
@@ -4892,7 +4892,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Tempo</translation>
     </message>
     <message>
-        <source>How fast the teacher works.</source>
+        <source>Speed of the demonstration.</source>
         <translation>Wie schnell die Lehrkraft arbeitet.</translation>
     </message>
     <message>
@@ -7111,7 +7111,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Geht ohne Antworten weiter; nichts davon wird aufgehoben.</translation>
     </message>
     <message>
-        <source>Goes on, and keeps the answers with the work.</source>
+        <source>Saves the answers with the work, and continues.</source>
         <translation>Geht weiter und hebt die Antworten mit der Arbeit auf.</translation>
     </message>
     <message>
@@ -8040,7 +8040,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>In einen Ordner &amp;verschieben …</translation>
     </message>
     <message>
-        <source>The works go there whole, each in its folder, and wait no longer.</source>
+        <source>Moves each waiting model, in its own folder, to the folder that you choose.</source>
         <translation>Die Arbeiten kommen ganz dorthin, jede in ihrem Ordner, und warten nicht länger.</translation>
     </message>
 </context>

@@ -167,7 +167,7 @@
         <translation>笔画</translation>
     </message>
     <message>
-        <source>time of work, s</source>
+        <source>working time, s</source>
         <translation>用时，秒</translation>
     </message>
     <message>
@@ -226,7 +226,7 @@
         <translation>结束课堂？当前学生的作品会被保存。</translation>
     </message>
     <message>
-        <source>End the class? It is nobody&apos;s turn, and all works are saved.</source>
+        <source>End the class? It is nobody&apos;s turn, and all work is saved.</source>
         <translation>结束课堂？现在没有人在轮次中，所有作品都已保存。</translation>
     </message>
     <message numerus="yes">
@@ -421,7 +421,7 @@
         <translation>某人</translation>
     </message>
     <message>
-        <source>Keeping the work of %1</source>
+        <source>Saving the work of %1</source>
         <translation>正在保存作品：%1</translation>
     </message>
     <message>
@@ -429,7 +429,7 @@
         <translation>请稍候：模型上的其他操作尚未完成。</translation>
     </message>
     <message>
-        <source>%1 The work of %2 stays open, and nothing of it is lost.</source>
+        <source>%1 The work of %2 stays open; nothing is lost.</source>
         <translation>%1 作品（%2）保持打开，不会丢失。</translation>
     </message>
     <message>
@@ -714,7 +714,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>本课堂不使用该工具。</translation>
     </message>
     <message>
-        <source>In a class the work is kept by Next Pupil, at the window.</source>
+        <source>In a class, Next Pupil saves the work, in the window.</source>
         <translation>在课堂中，作品由窗口里的“下一位”保存。</translation>
     </message>
     <message>
@@ -828,7 +828,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>不播放，而是输出学生读到的文字。</translation>
     </message>
     <message>
-        <source>Judge this model, a pupil&apos;s, instead of playing; or -. Of a folder, or of a class&apos;s works: each.</source>
+        <source>Judge this model of a pupil instead of playing; or -. A folder, or a class&apos;s work folder: judge each model.</source>
         <translation>不播放，而是评判这个（学生的）模型；或 -。若为文件夹或课堂作品：逐个评判。</translation>
     </message>
     <message>
@@ -1801,7 +1801,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>写出班级报告：文件夹中每个模型的图片、大小和体积，能否打印或为何不能；GLB 文件还有笔画数和用时。课堂的作品列在学生姓名下，并附该轮的用时。状态 1：有模型无法读取。</translation>
     </message>
     <message>
-        <source>The models; of folders further down only the works of a class in turns are looked at.</source>
+        <source>The models. Subfolders are skipped, except the pupils&apos; models of a class.</source>
         <translation>存放模型的文件夹；下级文件夹中只查看轮流上课的作品。</translation>
     </message>
     <message numerus="yes">
@@ -3515,7 +3515,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>课堂</translation>
     </message>
     <message>
-        <source>Undoes Next Pupil: reopens the work and continues the turn. Possible until somebody sculpts.</source>
+        <source>Undoes Next Pupil: reopens the pupil&apos;s work and continues the turn. Possible until somebody sculpts.</source>
         <translation>撤回“下一位”：重新打开保存的作品，继续这一轮。有人开始雕刻后就不能撤回。</translation>
     </message>
     <message>
@@ -3523,7 +3523,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>下一位(&amp;N)</translation>
     </message>
     <message>
-        <source>Keeps the work in the class&apos;s folder, and begins the next turn with fresh clay.</source>
+        <source>Saves the work in the class folder, and begins the next turn with fresh clay.</source>
         <translation>将作品保存到课堂文件夹，并以新的黏土开始下一轮。</translation>
     </message>
     <message>
@@ -3531,7 +3531,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>离开(&amp;L)…</translation>
     </message>
     <message>
-        <source>Asks for the teacher&apos;s PIN, keeps the work, and ends the class.</source>
+        <source>Asks for the teacher&apos;s PIN, saves the work, and ends the class.</source>
         <translation>询问教师 PIN，保存作品并结束课堂。</translation>
     </message>
     <message>
@@ -3646,7 +3646,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>课堂</translation>
     </message>
     <message>
-        <source>A class has turns: each pupil begins with fresh clay, and Next Pupil keeps the work in the class&apos;s folder. Pupils cannot reach other files; leaving asks for your PIN.</source>
+        <source>Pupils take turns: each begins with fresh clay, and Next Pupil saves the work in the class folder. Pupils cannot reach other files; leaving asks for your PIN.</source>
         <translation>课堂按轮次进行：每个学生从新的黏土开始，“下一位”把作品保存到课堂文件夹。无人能接触其他文件，离开需要您的 PIN。</translation>
     </message>
     <message>
@@ -3780,7 +3780,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>每轮之后的六个问题(&amp;Q)</translation>
     </message>
     <message>
-        <source>Next Pupil shows a form about the program first. Its answers are kept with the work and summed in the class report; each may be left out.</source>
+        <source>Next Pupil shows a form about the program first. Its answers are saved with the work and summed up in the class report; each may be left out.</source>
         <translation>“下一位”会先显示一份关于程序的问卷。回答与作品一起保存，并在班级报告中汇总；每个问题都可以不答。</translation>
     </message>
     <message>
@@ -4802,7 +4802,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>关闭</translation>
     </message>
     <message>
-        <source>Ends the work on this lesson. The model stays as it is.</source>
+        <source>Closes this lesson. The model stays as it is.</source>
         <translation>结束对这个课程的编辑。模型保持不变。</translation>
     </message>
     <message>
@@ -4870,7 +4870,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>速度</translation>
     </message>
     <message>
-        <source>How fast the teacher works.</source>
+        <source>Speed of the demonstration.</source>
         <translation>老师的动作有多快。</translation>
     </message>
     <message>
@@ -7084,7 +7084,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>不作回答并继续；不保存任何回答。</translation>
     </message>
     <message>
-        <source>Goes on, and keeps the answers with the work.</source>
+        <source>Saves the answers with the work, and continues.</source>
         <translation>继续，并把回答与作品一起保存。</translation>
     </message>
     <message>
@@ -8010,7 +8010,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>移到文件夹(&amp;V)…</translation>
     </message>
     <message>
-        <source>The works go there whole, each in its folder, and wait no longer.</source>
+        <source>Moves each waiting model, in its own folder, to the folder that you choose.</source>
         <translation>作品会完整地移到那里，每件在自己的文件夹中，不再等待。</translation>
     </message>
 </context>

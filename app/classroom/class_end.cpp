@@ -16,7 +16,7 @@ namespace app
 QString ClassEnd::question(bool isTurn) const
 {
     const QString ends = isTurn ? tr("End the class? The current pupil's work will be saved.")
-                                : tr("End the class? It is nobody's turn, and all works are saved.");
+                                : tr("End the class? It is nobody's turn, and all work is saved.");
     const int waiting = m_work->undelivered();
     return waiting == 0 ? ends : ends + u' ' + tr("%n models are not yet in the class folder.", nullptr, waiting);
 }

@@ -288,7 +288,7 @@ void ClassroomMode::saveThen(ClassTurn turn, std::function<void()> then)
     const auto done = [this, then = std::move(then)](const EndedTurn& ended, const QString& problem) {
         onSaved(ended, problem, then);
     };
-    if (m_work.save(tr("Keeping the work of %1").arg(nameOf(turn)), turn, m_recordBefore, done)) {
+    if (m_work.save(tr("Saving the work of %1").arg(nameOf(turn)), turn, m_recordBefore, done)) {
         m_before = std::exchange(m_stage, Stage::Saving);
         return;
     }
@@ -302,7 +302,7 @@ void ClassroomMode::onSaved(const EndedTurn& ended, const QString& problem, cons
     if (!problem.isEmpty()) {
         m_canLeave = false;
         return m_program.window->showProblem(
-            tr("%1 The work of %2 stays open, and nothing of it is lost.").arg(problem, nameOf(ended.turn)));
+            tr("%1 The work of %2 stays open; nothing is lost.").arg(problem, nameOf(ended.turn)));
     }
     EndedTurn resumable = ended;
     resumable.turn.ended = {};

@@ -247,7 +247,7 @@ QString labelOf(const std::string& key)
         {"lattice_ok", QT_TRANSLATE_NOOP("app::CheckCommand", "stays sound when opened")},
         {"print_ready", QT_TRANSLATE_NOOP("app::CheckCommand", "print-ready")},
         {"strokes", QT_TRANSLATE_NOOP("app::CheckCommand", "strokes")},
-        {"time_spent_s", QT_TRANSLATE_NOOP("app::CheckCommand", "time of work, s")},
+        {"time_spent_s", QT_TRANSLATE_NOOP("app::CheckCommand", "working time, s")},
         {"wall_limit_mm", QT_TRANSLATE_NOOP("app::CheckCommand", "thinnest wall allowed, mm")},
         {"min_wall_rays_mm", QT_TRANSLATE_NOOP("app::CheckCommand", "thinnest wall by rays, mm")},
         {"min_wall_balls_mm", QT_TRANSLATE_NOOP("app::CheckCommand", "thinnest wall by balls, mm")},

@@ -59,8 +59,8 @@ void addLessonOptions(QCommandLineParser& parser)
           LessonCommandMessages::tr("Language of the lesson and of the answer (default: the system's)."),
           QStringLiteral("CODE")},
          {QStringLiteral("model"),
-          LessonCommandMessages::tr(
-              "Judge this model, a pupil's, instead of playing; or -. Of a folder, or of a class's works: each."),
+          LessonCommandMessages::tr("Judge this model of a pupil instead of playing; or -. A folder, or a class's work "
+                                    "folder: judge each model."),
           QStringLiteral("FILE|FOLDER")},
          {QStringLiteral("step"),
           LessonCommandMessages::tr("Step whose checkpoint judges the model, from 1 (default: the last)."),

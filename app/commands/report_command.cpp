@@ -28,8 +28,7 @@ std::optional<ReportRequest> parseReportRequest(const QStringList& arguments)
         "with the time of the turn. Status 1: not all models can be read."));
     parser.addPositionalArgument(
         QStringLiteral("FOLDER"),
-        ReportCommandMessages::tr(
-            "The models; of folders further down only the works of a class in turns are looked at."));
+        ReportCommandMessages::tr("The models. Subfolders are skipped, except the pupils' models of a class."));
     CommandOptions::addOutput(parser, QStringLiteral("OUT.html|OUT.pdf"));
     CommandUnit::addTo(parser);
     StandardFiles::addTo(parser, ui::reportEndings());

@@ -132,7 +132,7 @@ void HeadsetRequests::handle(const core::MaskOperation& change)
 void HeadsetRequests::handle(const vr::SaveModel&)
 {
     if (m_window->classroom())
-        return Q_EMIT refused(tr("In a class the work is kept by Next Pupil, at the window."));
+        return Q_EMIT refused(tr("In a class, Next Pupil saves the work, in the window."));
     const ui::ModelInfo& info = m_document->modelInfo();
     if (!isBusy(tr("The model was not saved: other work on it is still running.")))
         m_document->saver().saveNumbered(QDir(HeadsetFiles::folderOf(info.path)).filePath(info.name));

@@ -87,19 +87,18 @@ ClassBar::ClassBar(const QString& title, QMainWindow* window) : QToolBar(tr("Cla
     m_undelivered = addLabel("classWaiting", new CutLabel);
     m_clock = addLabel("classClock", new QLabel);
     m_time = addLabel("classTime", new QLabel);
-    m_resume = addButton(
-        this,
-        named(new QPushButton, "classResume",
-              tr("Undoes Next Pupil: reopens the work and continues the turn. Possible until somebody sculpts.")));
+    m_resume = addButton(this, named(new QPushButton, "classResume",
+                                     tr("Undoes Next Pupil: reopens the pupil's work and continues the turn. Possible "
+                                        "until somebody sculpts.")));
     m_resumeCell = actions().constLast();
     auto* clock = addButton(this, named(new QPushButton(tr("&Clock")), "classClockButton",
                                         tr("Shows a large clock in a window of its own, for the projector.")));
     connect(clock, &QPushButton::clicked, this, &ClassBar::clockRequested);
     m_next =
         addButton(this, named(new QPushButton(tr("&Next Pupil")), "classNext",
-                              tr("Keeps the work in the class's folder, and begins the next turn with fresh clay.")));
+                              tr("Saves the work in the class folder, and begins the next turn with fresh clay.")));
     m_leave = addButton(this, named(new QPushButton(tr("&Leave…")), "classLeave",
-                                    tr("Asks for the teacher's PIN, keeps the work, and ends the class.")));
+                                    tr("Asks for the teacher's PIN, saves the work, and ends the class.")));
     connect(m_resume, &QPushButton::clicked, this, &ClassBar::resumeRequested);
     connect(m_next, &QPushButton::clicked, this, &ClassBar::nextRequested);
     connect(m_leave, &QPushButton::clicked, this, &ClassBar::leaveRequested);

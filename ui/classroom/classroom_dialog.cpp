@@ -81,9 +81,8 @@ ClassroomDialog::ClassroomDialog(QWidget* parent, const Actions& actions, const 
                     [this](const QString& path) { Q_EMIT openRequested(path); });
     });
     QVBoxLayout* page = addScrolledPage(column);
-    page->addWidget(dialogText(tr("A class has turns: each pupil begins with fresh clay, and Next Pupil keeps "
-                                  "the work in the class's folder. "
-                                  "Pupils cannot reach other files; leaving asks for your PIN."),
+    page->addWidget(dialogText(tr("Pupils take turns: each begins with fresh clay, and Next Pupil saves the work in "
+                                  "the class folder. Pupils cannot reach other files; leaving asks for your PIN."),
                                textWidth));
     page->addWidget(m_waiting);
     page->addWidget(open, 0, Qt::AlignLeft);
@@ -282,8 +281,8 @@ void ClassroomDialog::addTimes(QFormLayout* form)
         named(new QCheckBox(tr("Full &screen")), "classFullScreen", tr("Hides everything else on the screen."));
     m_fullScreen->setChecked(defaults.fullScreen);
     m_questions = named(new QCheckBox(tr("Six &questions after each turn")), "classQuestions",
-                        tr("Next Pupil shows a form about the program first. Its answers are kept with the work and "
-                           "summed in the class report; each may be left out."));
+                        tr("Next Pupil shows a form about the program first. Its answers are saved with the work and "
+                           "summed up in the class report; each may be left out."));
     m_questions->setChecked(defaults.asksQuestions);
     m_language = named(new QComboBox, "classLanguage", tr("The language of the window in this class."));
     for (const Named<Language>& row : languages)

@@ -15,7 +15,7 @@ WaitingWorksNote::WaitingWorksNote(int width)
     : m_waiting(dialogText({}, width))
     , m_outcome(dialogText({}, width))
     , m_move(named(new QPushButton(tr("Mo&ve to a Folder…")), "moveWaiting",
-                   tr("The works go there whole, each in its folder, and wait no longer.")))
+                   tr("Moves each waiting model, in its own folder, to the folder that you choose.")))
 {
     m_waiting->setObjectName(QStringLiteral("waitingModels"));
     m_outcome->setObjectName(QStringLiteral("movedModels"));

@@ -196,8 +196,8 @@ void LessonEditor::addRecorder(QVBoxLayout* rows)
                      tr("Plays the lesson to its end and records from there, or stops that."));
     auto* save = named(new QPushButton(tr("Save…")), "lessonSave",
                        tr("Plays the lesson to its end, checks each step, and writes it as one file or a folder."));
-    auto* close = named(new QPushButton(tr("Close")), "lessonClose",
-                        tr("Ends the work on this lesson. The model stays as it is."));
+    auto* close =
+        named(new QPushButton(tr("Close")), "lessonClose", tr("Closes this lesson. The model stays as it is."));
     rows->addWidget(m_state);
     auto* row = new QHBoxLayout;
     row->addWidget(m_record, 1);

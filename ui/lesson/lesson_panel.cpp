@@ -130,7 +130,7 @@ void LessonPanel::addTeacher(QVBoxLayout* page)
     m_progress->setAccessibleName(tr("How far the teacher is"));
     m_play = named(new QPushButton(tr("Show Me")), "lessonPlay");
     m_one = named(new QPushButton(tr("One Stroke")), "lessonOne", tr("Shows the teacher's next stroke alone."));
-    m_speed = named(new QComboBox, "lessonSpeed", tr("How fast the teacher works."), tr("Speed"));
+    m_speed = named(new QComboBox, "lessonSpeed", tr("Speed of the demonstration."), tr("Speed"));
     for (const double speed : speeds)
         m_speed->addItem(tr("%1 ×", "speed").arg(QLocale().toString(speed)));
     m_speed->setCurrentIndex(defaultSpeed);

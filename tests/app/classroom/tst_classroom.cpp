@@ -1197,7 +1197,7 @@ void TestClassroom::leaving_saysWhetherAWorkIsOpen()
         c.part<QDialog>("pinDialog")->reject();
         return asked;
     };
-    QCOMPARE(question(), QStringLiteral("End the class? It is nobody's turn, and all works are saved."));
+    QCOMPARE(question(), QStringLiteral("End the class? It is nobody's turn, and all work is saved."));
     QTRY_VERIFY(!c.part<QDialog>("pinDialog"));
     c.sculptAs(QStringLiteral("Anna"));
     QCOMPARE(question(), QStringLiteral("End the class? The current pupil's work will be saved."));

@@ -441,7 +441,7 @@ void TestReferenceCommands::fields_ofCheck()
 {
     const ReferencePage page(QStringLiteral("command-output"));
     const QString field = QStringLiteral("field"), print = QStringLiteral("With --print"),
-                  works = QStringLiteral("With works of a class");
+                  works = QStringLiteral("Pupils' models of a class");
     const ReferenceTable all = page.table(field, QStringLiteral("check --json")), ofPrint = page.table(field, print),
                          ofWorks = page.table(field, works);
     compareFields(objectOf(run(QStringLiteral("fettle check --json model.stl")).out), {all});
