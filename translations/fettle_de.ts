@@ -622,7 +622,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Achse von IN, die nach oben zeigt (Vorgabe: z bei STL, 3MF und AMF, y bei anderen).</translation>
     </message>
     <message>
-        <source>Most triangles of OUT, 4 or more (default: as many as it has); they go where shape and colors lose least.</source>
+        <source>Most triangles of OUT, 4 or more (default: as many as it has). They are removed where shape and colours change least.</source>
         <translation>So viele Dreiecke hat OUT höchstens, 4 oder mehr (Vorgabe: so viele, wie es sind); sie gehen dort, wo Form und Farben am wenigsten verlieren.</translation>
     </message>
     <message>
@@ -1867,7 +1867,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Modelle oder Ordner mit Modellen; oder -.</translation>
     </message>
     <message>
-        <source>Colors under the lines.</source>
+        <source>Colours under the lines.</source>
         <translation>Farben unter den Linien.</translation>
     </message>
 </context>

@@ -615,7 +615,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>IN 中朝上的轴（默认 STL、3MF 和 AMF 为 z，其他为 y）。</translation>
     </message>
     <message>
-        <source>Most triangles of OUT, 4 or more (default: as many as it has); they go where shape and colors lose least.</source>
+        <source>Most triangles of OUT, 4 or more (default: as many as it has). They are removed where shape and colours change least.</source>
         <translation>OUT 最多有这么多三角形，至少 4 个（默认不减少）；在形状和颜色损失最小处减少。</translation>
     </message>
     <message>
@@ -1856,7 +1856,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>模型或存放模型的文件夹；或 -。</translation>
     </message>
     <message>
-        <source>Colors under the lines.</source>
+        <source>Colours under the lines.</source>
         <translation>在线条下着色。</translation>
     </message>
 </context>

@@ -73,8 +73,8 @@ void addConvertOptions(QCommandLineParser& parser)
           ConvertMessages::tr("Axis of IN that points up (default: z for STL, 3MF and AMF, y for others)."),
           upWords().join(u'|')},
          {QStringLiteral("triangles"),
-          ConvertMessages::tr("Most triangles of OUT, 4 or more (default: as many as it has); they go where shape and "
-                              "colors lose least."),
+          ConvertMessages::tr("Most triangles of OUT, 4 or more (default: as many as it has). They are removed where "
+                              "shape and colours change least."),
           QStringLiteral("N")},
          {{repairOption, QStringLiteral("legalise"), QStringLiteral("legalize")},
           ConvertMessages::tr("Repair a model that is not watertight, and say what changed.")},
