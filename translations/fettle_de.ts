@@ -483,7 +483,7 @@
         <translation>eine Ausgangsform schreiben: eine Kugel, einen Würfel, eine Vase und andere</translation>
     </message>
     <message>
-        <source>say whether models are in order, and will print; several files or a folder: a table</source>
+        <source>check whether models are watertight and will print; several files or a folder: a table</source>
         <translation>sagen, ob Modelle in Ordnung sind und sich drucken lassen; mehrere Dateien oder ein Ordner: eine Tabelle</translation>
     </message>
     <message>
@@ -688,7 +688,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
 <context>
     <name>app::HeadsetController</name>
     <message>
-        <source>%1 It can be repaired at the window.</source>
+        <source>%1 You can repair it in the window.</source>
         <translation>%1 Im Fenster lässt es sich reparieren.</translation>
     </message>
 </context>
@@ -718,7 +718,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>%1 wurde nicht geöffnet: Das jetzige Modell hat Änderungen, die keine Datei enthält.</translation>
     </message>
     <message>
-        <source>This class does without that tool.</source>
+        <source>This tool is not available in this class.</source>
         <translation>Diese Klasse kommt ohne dieses Werkzeug aus.</translation>
     </message>
     <message>
@@ -788,7 +788,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>lesson: %1 endet nicht auf .zip.</translation>
     </message>
     <message>
-        <source>lesson: %1 is to be a folder, but ends in .zip.</source>
+        <source>lesson: %1 must be a folder, but ends in .zip.</source>
         <translation>lesson: %1 soll ein Ordner werden, endet aber auf .zip.</translation>
     </message>
     <message>
@@ -934,7 +934,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Die Lektion hat Änderungen, die nicht gespeichert wurden.</translation>
     </message>
     <message>
-        <source>A lesson that was not saved is kept: Sculpt &gt; Record Lesson has it among the lessons.</source>
+        <source>An unsaved lesson was kept: Sculpt &gt; Record Lesson lists it.</source>
         <translation>Eine nicht gespeicherte Lektion ist aufgehoben: Formen &gt; Lektion aufzeichnen hat sie unter den Lektionen.</translation>
     </message>
     <message>
@@ -1085,7 +1085,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>„%1“ fehlt</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; must hold texts by language, as in {&quot;en&quot;: &quot;A mug&quot;}</source>
+        <source>&quot;%1&quot; must contain texts by language, as in {&quot;en&quot;: &quot;A mug&quot;}</source>
         <translation>„%1“ muss Texte nach Sprachen enthalten, wie in {&quot;de&quot;: &quot;Eine Tasse&quot;}</translation>
     </message>
     <message>
@@ -1097,7 +1097,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>„%1“ muss eine Liste von Werkzeugen sein, wie in [&quot;pull&quot;, &quot;smooth&quot;]</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; must hold goals, as in {&quot;height_mm&quot;: {&quot;least&quot;: 60}}</source>
+        <source>&quot;%1&quot; must contain goals, as in {&quot;height_mm&quot;: {&quot;least&quot;: 60}}</source>
         <translation>„%1“ muss Ziele enthalten, wie in {&quot;height_mm&quot;: {&quot;least&quot;: 60}}</translation>
     </message>
     <message>
@@ -1105,7 +1105,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>„%1“ müssen Winkel sein, wie in {&quot;yaw_deg&quot;: 75, &quot;pitch_deg&quot;: -25}</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; must hold a distance, as in {&quot;tolerance_mm&quot;: 2}</source>
+        <source>&quot;%1&quot; must contain a distance, as in {&quot;tolerance_mm&quot;: 2}</source>
         <translation>„%1“ muss einen Abstand enthalten, wie in {&quot;tolerance_mm&quot;: 2}</translation>
     </message>
     <message>
@@ -1141,7 +1141,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>„%1“ liegt außerhalb des Bereichs, %2 bis %3</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; has no words in some language</source>
+        <source>&quot;%1&quot; has no text in some language</source>
         <translation>„%1“ hat in einer Sprache keine Wörter</translation>
     </message>
     <message>
@@ -1318,7 +1318,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Lektion speichern</translation>
     </message>
     <message>
-        <source>Not everything is as the lesson asks for.</source>
+        <source>Not all goals of the lesson are met.</source>
         <translation>Nicht alles ist so, wie die Lektion es verlangt.</translation>
     </message>
     <message>
@@ -1377,7 +1377,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Sein Format behält die Farben nicht; GLB und 3MF behalten sie.</translation>
     </message>
     <message>
-        <source>%1 triangles were asked for; so few could not be reached without losing handles or parts, or turning faces over.</source>
+        <source>%1 triangles were asked for; this could not be reached without losing handles or parts, or flipping faces.</source>
         <translation>%1 Dreiecke waren verlangt; so wenige waren nicht zu erreichen, ohne Henkel oder Teile zu verlieren oder Flächen umzuwenden.</translation>
     </message>
     <message>
@@ -1451,7 +1451,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>%1 wird geöffnet</translation>
     </message>
     <message>
-        <source>The model that you chose opens as soon as this is done.</source>
+        <source>The model that you chose will open as soon as this is done.</source>
         <translation>Das gewählte Modell wird geöffnet, sobald dies fertig ist.</translation>
     </message>
     <message>
@@ -1496,7 +1496,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
 <context>
     <name>app::ModelChangeJob</name>
     <message>
-        <source>There is not enough memory for that; the model stays as it is.</source>
+        <source>There is not enough memory for this; the model stays as it is.</source>
         <translation>Dafür reicht der Speicher nicht; das Modell bleibt, wie es ist.</translation>
     </message>
 </context>
@@ -1592,7 +1592,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Das Modell ist schon so.</translation>
     </message>
     <message>
-        <source>The model stays as it is, because some of its faces would meet on the program&apos;s working grid (faces: %1).</source>
+        <source>The model stays as it is, because some of its faces would intersect after rounding to the program&apos;s grid (faces: %1).</source>
         <translation>Das Modell bleibt, wie es ist, weil sich einige seiner Flächen auf dem Arbeitsraster des Programms treffen würden (Flächen: %1).</translation>
     </message>
     <message>
@@ -1600,7 +1600,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Das Modell bleibt, wie es ist: Nichts darf weiter vom Ursprung entfernt liegen als das Vierfache seiner Größe.</translation>
     </message>
     <message>
-        <source>The model stays as it is: it can be between a millionth of a millimetre and ten kilometres large.</source>
+        <source>The model stays as it is: its size must be between a millionth of a millimetre and ten kilometres.</source>
         <translation>Das Modell bleibt, wie es ist: Es kann zwischen einem Millionstel Millimeter und zehn Kilometern groß sein.</translation>
     </message>
     <message>
@@ -1711,11 +1711,11 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
 <context>
     <name>app::PartnerView</name>
     <message>
-        <source>Your partner took back: %1.</source>
+        <source>Your partner undid: %1.</source>
         <translation>Am Fenster rückgängig gemacht: %1.</translation>
     </message>
     <message>
-        <source>Your partner did again: %1.</source>
+        <source>Your partner redid: %1.</source>
         <translation>Am Fenster wiederholt: %1.</translation>
     </message>
     <message>
@@ -1755,7 +1755,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>replay: %1 und %2 nennen dieselbe Datei, %3.</translation>
     </message>
     <message>
-        <source>replay: the mesh is not in order in dab %1.</source>
+        <source>replay: the mesh is not valid after dab %1.</source>
         <translation>replay: Das Netz ist in Tupfer %1 nicht in Ordnung.</translation>
     </message>
     <message>
@@ -1825,7 +1825,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
 <context>
     <name>app::ReportController</name>
     <message>
-        <source>The class report has to wait until this is done; ask for it again then.</source>
+        <source>The class report has to wait until this is done; try again then.</source>
         <translation>Der Klassenbericht muss warten, bis dies fertig ist; fordern Sie ihn dann noch einmal an.</translation>
     </message>
     <message>
@@ -2043,7 +2043,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Der Zeitraffer wird gezeichnet</translation>
     </message>
     <message>
-        <source>The time-lapse has to wait until this is done; ask for it again then.</source>
+        <source>The time-lapse has to wait until this is done; try again then.</source>
         <translation>Der Zeitraffer muss warten, bis dies fertig ist; wählen Sie ihn dann noch einmal.</translation>
     </message>
     <message>
@@ -2328,7 +2328,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>B&amp;emalen</translation>
     </message>
     <message>
-        <source>Colours the surface and leaves its shape. Shift smooths.</source>
+        <source>Colours the surface without changing its shape. Shift smooths.</source>
         <translation>Färbt die Oberfläche und lässt ihre Form. Mit Umschalt wird geglättet.</translation>
     </message>
     <message>
@@ -2368,7 +2368,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>B&amp;efehle und Tasten …</translation>
     </message>
     <message>
-        <source>Shows every command with its key, and finds one by its words.</source>
+        <source>Shows every command with its key, and searches them.</source>
         <translation>Zeigt jeden Befehl mit seiner Taste und findet einen nach seinen Wörtern.</translation>
     </message>
     <message>
@@ -2432,7 +2432,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Ansichts&amp;würfel</translation>
     </message>
     <message>
-        <source>Shows a cube in the corner of the view: a click on a face looks from there.</source>
+        <source>Shows a cube in the corner of the view: click a face to look from there.</source>
         <translation>Zeigt in der Ecke der Ansicht einen Würfel: Ein Klick auf eine Seite blickt von dort.</translation>
     </message>
     <message>
@@ -2456,7 +2456,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Palette &amp;beim Zeiger</translation>
     </message>
     <message>
-        <source>Opens tools, radius and strength at the pointer, as a click of the right button does.</source>
+        <source>Opens tools, radius and strength at the pointer, as a right click does.</source>
         <translation>Öffnet Werkzeuge, Radius und Stärke am Mauszeiger, wie ein Klick mit der rechten Taste.</translation>
     </message>
     <message>
@@ -2632,7 +2632,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Mit &amp;Farbe füllen</translation>
     </message>
     <message>
-        <source>Gives the whole model the paint colour.</source>
+        <source>Fills the whole model with the paint colour.</source>
         <translation>Gibt dem ganzen Modell die Malfarbe.</translation>
     </message>
     <message>
@@ -2660,7 +2660,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Neu &amp;laden</translation>
     </message>
     <message>
-        <source>Opens the model&apos;s file again, as it was last written.</source>
+        <source>Opens the model&apos;s file again, as it was last saved.</source>
         <translation>Öffnet die Datei des Modells wieder, wie sie zuletzt geschrieben wurde.</translation>
     </message>
     <message>
@@ -2772,11 +2772,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Zeigt das Bedienfeld mit einem Ordner voller Modelle als Bilder.</translation>
     </message>
     <message>
-        <source>Draws the surface outwards. %1 pushes instead, Shift smooths.</source>
+        <source>Pulls the surface outwards. %1 pushes instead, Shift smooths.</source>
         <translation>Zieht die Oberfläche nach außen. Mit %1 wird gedrückt, mit Umschalt geglättet.</translation>
     </message>
     <message>
-        <source>Presses the surface inwards. %1 pulls instead, Shift smooths.</source>
+        <source>Pushes the surface inwards. %1 pulls instead, Shift smooths.</source>
         <translation>Drückt die Oberfläche nach innen. Mit %1 wird gezogen, mit Umschalt geglättet.</translation>
     </message>
     <message>
@@ -3152,7 +3152,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Klassenbe&amp;richt …</translation>
     </message>
     <message>
-        <source>Writes a page on every model in a folder: picture, size, print-ready or why not, strokes and time. HTML or PDF.</source>
+        <source>Writes a report on the models in a folder: picture, size, print-ready or why not, strokes and time. HTML or PDF.</source>
         <translation>Schreibt eine Seite über alle Modelle eines Ordners: Bild, Größe, druckfertig oder warum nicht, Striche und Zeit. HTML oder PDF.</translation>
     </message>
     <message>
@@ -3184,7 +3184,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Über&amp;nehmen</translation>
     </message>
     <message>
-        <source>Only this window sculpts until you give back; the person in VR looks on.</source>
+        <source>Lets only this window sculpt until you give it back; the person in VR watches.</source>
         <translation>Nur dieses Fenster formt, bis Sie zurückgeben; die Person in VR sieht zu.</translation>
     </message>
     <message>
@@ -3220,7 +3220,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Kehrt die Werkzeuge um, für eine Hand, die nicht auch noch %1 halten kann: Ziehen drückt, Auftragen gräbt.</translation>
     </message>
     <message>
-        <source>Gives the view a cross that the arrow keys move: Space or Return presses the tool on the model, beside it the view turns.</source>
+        <source>Shows a cross that the arrow keys move: on the model Space or Return uses the tool, beside it the view turns.</source>
         <translation>Gibt der Ansicht ein Kreuz, das die Pfeiltasten bewegen: Leertaste oder Eingabe drückt das Werkzeug auf das Modell, daneben dreht sich die Ansicht.</translation>
     </message>
     <message>
@@ -3280,7 +3280,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Ab dem nächsten Betreten von VR genügt ein Controller, und die Tafeln stehen vor Ihnen.</translation>
     </message>
     <message>
-        <source>From the next visit to VR on, the left hand sculpts.</source>
+        <source>Sculpts with the left hand, from the next time you enter VR.</source>
         <translation>Ab dem nächsten Besuch in VR formt die linke Hand.</translation>
     </message>
     <message>
@@ -3451,7 +3451,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Größe und Richtung aufziehen</translation>
     </message>
     <message>
-        <source>Press where the alpha or the stamp belongs, and drag: the way is its radius, and up is where you drag. A click leaves it as large as the brush.</source>
+        <source>Press where the alpha or the stamp should go, and drag: the distance sets its radius, and it points up where you drag. A click makes it as large as the brush.</source>
         <translation>Drücken Sie, wo das Alpha oder der Stempel hin soll, und ziehen Sie: Der Weg ist sein Radius, und oben ist, wohin Sie ziehen. Ein Klick lässt ihn so groß wie den Pinsel.</translation>
     </message>
     <message>
@@ -3479,7 +3479,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Aus</translation>
     </message>
     <message>
-        <source>Alike to the eye with this count; exactly alike with 2 and 4.</source>
+        <source>With this count the sectors look alike; with 2 and 4 they are exactly alike.</source>
         <translation>Mit dieser Anzahl für das Auge gleich, mit 2 und 4 genau gleich.</translation>
     </message>
     <message>
@@ -3685,7 +3685,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Speichern &amp;unter …</translation>
     </message>
     <message>
-        <source>Keeps the class in another file.</source>
+        <source>Saves the class to another file.</source>
         <translation>Hebt die Klasse in einer anderen Datei auf.</translation>
     </message>
     <message>
@@ -3804,7 +3804,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Klasse &amp;öffnen…</translation>
     </message>
     <message>
-        <source>Shows a class here, to be changed.</source>
+        <source>Opens a class file to change it.</source>
         <translation>Zeigt hier eine Klasse, um sie zu ändern.</translation>
     </message>
     <message>
@@ -3816,7 +3816,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Diesen &amp;Ordner anlegen</translation>
     </message>
     <message>
-        <source>This folder cannot be made.</source>
+        <source>This folder cannot be created.</source>
         <translation>Dieser Ordner lässt sich nicht anlegen.</translation>
     </message>
     <message>
@@ -3875,7 +3875,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Farbe</translation>
     </message>
     <message>
-        <source>No colour was picked: the click was not on the model.</source>
+        <source>No colour was picked: you did not click on the model.</source>
         <translation>Keine Farbe wurde aufgenommen: Der Klick traf das Modell nicht.</translation>
     </message>
 </context>
@@ -4243,7 +4243,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation> Kopie</translation>
     </message>
     <message>
-        <source>%1 was not deleted: it could not be put into a trash, and nothing is deleted for good here.</source>
+        <source>%1 was not deleted: it could not be moved to the trash, and Fettle deletes nothing permanently.</source>
         <translation>%1 wurde nicht gelöscht: Die Datei ließ sich in keinen Papierkorb legen, und endgültig wird hier nichts gelöscht.</translation>
     </message>
     <message>
@@ -4316,7 +4316,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Sortiert nach</translation>
     </message>
     <message>
-        <source>What the files are sorted by; folders come first.</source>
+        <source>How the files are sorted; folders come first.</source>
         <translation>Wonach die Dateien sortiert sind; Ordner kommen zuerst.</translation>
     </message>
     <message>
@@ -4348,7 +4348,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Anhalten</translation>
     </message>
     <message>
-        <source>Makes no more pictures in this folder.</source>
+        <source>Stops making pictures of this folder.</source>
         <translation>Macht in diesem Ordner keine weiteren Bilder.</translation>
     </message>
     <message>
@@ -4356,7 +4356,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Größe der Bilder</translation>
     </message>
     <message>
-        <source>How large the pictures are.</source>
+        <source>Size of the pictures.</source>
         <translation>Wie groß die Bilder sind.</translation>
     </message>
     <message>
@@ -4371,7 +4371,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         </translation>
     </message>
     <message>
-        <source>No name here has %1 in it.</source>
+        <source>No file name contains %1.</source>
         <translation>Kein Name hier enthält %1.</translation>
     </message>
     <message>
@@ -4522,11 +4522,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
 <context>
     <name>ui::NamesField</name>
     <message>
-        <source>A name in each line, as it can be pasted from anywhere. Pupils choose theirs; who has had a turn today is marked.</source>
+        <source>One name per line; you can paste a list. Pupils choose their name; those who had a turn today are marked.</source>
         <translation>In jeder Zeile ein Name, auch von anderswo eingefügt. Die Kinder wählen ihren; wer heute schon dran war, ist gekennzeichnet.</translation>
     </message>
     <message>
-        <source>One name in a line; none: pupils type theirs.</source>
+        <source>One name per line. Without names, pupils type theirs.</source>
         <translation>Ein Name je Zeile; keiner: Die Kinder tippen ihren.</translation>
     </message>
     <message>
@@ -4614,7 +4614,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Wörter eines Befehls</translation>
     </message>
     <message>
-        <source>Shows only the commands that have these words or this key.</source>
+        <source>Shows only commands with these words or this key.</source>
         <translation>Zeigt nur die Befehle mit diesen Wörtern oder dieser Taste.</translation>
     </message>
     <message>
@@ -4622,7 +4622,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Befehle und Tasten</translation>
     </message>
     <message>
-        <source>Every command with its keys; the marked one&apos;s are changed below.</source>
+        <source>Every command with its keys. Change the keys of the selected one below.</source>
         <translation>Jeder Befehl mit seinen Tasten; die des markierten werden unten geändert.</translation>
     </message>
     <message>
@@ -4638,7 +4638,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Alle Tasten zurücksetzen</translation>
     </message>
     <message>
-        <source>Gives every command the keys of the preset.</source>
+        <source>Resets all commands to the keys of the preset.</source>
         <translation>Gibt jedem Befehl die Tasten der Vorgabe.</translation>
     </message>
     <message>
@@ -4662,7 +4662,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Zurück&amp;setzen</translation>
     </message>
     <message>
-        <source>Gives the command the keys of the preset.</source>
+        <source>Resets the command to the keys of the preset.</source>
         <translation>Gibt dem Befehl die Tasten der Vorgabe.</translation>
     </message>
     <message>
@@ -4670,7 +4670,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Dorthin</translation>
     </message>
     <message>
-        <source>Marks the command that has the key.</source>
+        <source>Selects the command that uses the key.</source>
         <translation>Markiert den Befehl, der die Taste hat.</translation>
     </message>
     <message>
@@ -4686,7 +4686,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1 bleibt bei „%2“.</translation>
     </message>
     <message>
-        <source>A key that is held together with others cannot be a command alone.</source>
+        <source>A modifier key cannot be a shortcut on its own.</source>
         <translation>Eine Taste, die mit anderen zusammen gehalten wird, kann allein kein Befehl sein.</translation>
     </message>
     <message>
@@ -4701,7 +4701,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
 <context>
     <name>ui::LessonChoice</name>
     <message>
-        <source>Pupils may begin with it: it is shown stroke by stroke, and the report says how far they came.</source>
+        <source>Pupils can begin with it: it is shown stroke by stroke, and the report says how far they got.</source>
         <translation>Die Kinder können damit anfangen: Sie wird Strich für Strich gezeigt, und der Bericht sagt, wie weit sie gekommen sind.</translation>
     </message>
     <message>
@@ -4736,7 +4736,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Beginnt eine Lektion mit einem Schritt. Die Striche davor lassen sich nicht mehr rückgängig machen.</translation>
     </message>
     <message>
-        <source>Or change a lesson that is there:</source>
+        <source>Or change an existing lesson:</source>
         <translation>Oder eine vorhandene Lektion ändern:</translation>
     </message>
     <message>
@@ -4748,7 +4748,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Bearbeiten</translation>
     </message>
     <message>
-        <source>Opens it here; it is saved under a name of your own.</source>
+        <source>Opens it here; you save it under a name of your own.</source>
         <translation>Öffnet sie hier; gespeichert wird sie unter einem eigenen Namen.</translation>
     </message>
     <message>
@@ -4764,7 +4764,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Sprache der Texte</translation>
     </message>
     <message>
-        <source>Texts are written in this language. Where one is missing, pupils read another one.</source>
+        <source>The language that you write in. Where a text is missing, pupils read it in another language.</source>
         <translation>In dieser Sprache werden die Texte geschrieben. Wo einer fehlt, lesen Kinder ihn in einer anderen.</translation>
     </message>
     <message>
@@ -4772,7 +4772,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Titel der Lektion</translation>
     </message>
     <message>
-        <source>What the lesson is called.</source>
+        <source>Title of the lesson.</source>
         <translation>Wie die Lektion heißt.</translation>
     </message>
     <message>
@@ -4780,7 +4780,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>In einem Satz</translation>
     </message>
     <message>
-        <source>What the lesson is about, in one sentence.</source>
+        <source>Subject of the lesson, in one sentence.</source>
         <translation>Worum es in der Lektion geht, in einem Satz.</translation>
     </message>
     <message>
@@ -4792,7 +4792,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Neuer Schritt</translation>
     </message>
     <message>
-        <source>From here on strokes belong to a new step, the last one.</source>
+        <source>Starts a new step at the end; strokes belong to it from here on.</source>
         <translation>Von hier an gehören Striche zu einem neuen Schritt, dem letzten.</translation>
     </message>
     <message>
@@ -4808,7 +4808,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Entfernt den Schritt mit seinen Strichen</translation>
     </message>
     <message>
-        <source>Plays the lesson to its end and records from there, or stops that.</source>
+        <source>Plays the lesson to its end and records from there. Press again to stop.</source>
         <translation>Spielt die Lektion bis zum Ende ab und zeichnet von da an auf, oder hört damit auf.</translation>
     </message>
     <message>
@@ -4989,7 +4989,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Text des Schritts</translation>
     </message>
     <message>
-        <source>What the pupil reads beside the model.</source>
+        <source>Text that the pupil reads beside the model.</source>
         <translation>Was das Kind neben dem Modell liest.</translation>
     </message>
     <message>
@@ -5013,7 +5013,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Striche</translation>
     </message>
     <message>
-        <source>The pupil has these tools; all of them, if none is chosen.</source>
+        <source>Tools that the pupil has; if none is chosen, all of them.</source>
         <translation>Das Kind hat diese Werkzeuge; alle, wenn keines gewählt ist.</translation>
     </message>
     <message>
@@ -5069,7 +5069,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Dreiecke</translation>
     </message>
     <message>
-        <source>How close the pupil&apos;s shape must come to the one that the teacher&apos;s strokes make.</source>
+        <source>How close the pupil&apos;s shape must be to the teacher&apos;s.</source>
         <translation>Wie nahe die Form des Kindes der kommen muss, die die Striche der Lehrkraft ergeben.</translation>
     </message>
     <message>
@@ -5302,7 +5302,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Getrennte Kanten und Punkte, die sich nur berührten: %1</translation>
     </message>
     <message>
-        <source>Tangles that could not be cut apart, covered by small solids: %1, the widest %2 mm</source>
+        <source>Tangles that could not be resolved, covered by small solids: %1, the widest %2 mm</source>
         <translation>Knäuel, die sich nicht auftrennen ließen, von kleinen Körpern bedeckt: %1, der breiteste %2 mm</translation>
     </message>
     <message>
@@ -5362,7 +5362,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1 wird repariert: Abweichung messen</translation>
     </message>
     <message>
-        <source>Masked points that went, and their mask with them: %1</source>
+        <source>Masked points removed, with their mask: %1</source>
         <translation>Maskierte Punkte, die wegfielen, und mit ihnen ihre Maske: %1</translation>
     </message>
     <message>
@@ -5443,7 +5443,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Punkte, an denen sich Teile nur berühren: %1</translation>
     </message>
     <message>
-        <source>edges between faces that look to different sides: %1</source>
+        <source>edges between faces that face different ways: %1</source>
         <translation>Kanten zwischen Flächen, die zu verschiedenen Seiten zeigen: %1</translation>
     </message>
     <message>
@@ -5468,7 +5468,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>, </translation>
     </message>
     <message>
-        <source>%1 cannot be sculpted yet, because some of its faces would meet on the program&apos;s working grid (faces: %2).</source>
+        <source>%1 cannot be sculpted yet, because some of its faces would intersect after rounding to the program&apos;s grid (faces: %2).</source>
         <translation>%1 lässt sich noch nicht formen, weil sich auf dem Arbeitsraster des Programms einige Flächen treffen würden (Flächen: %2).</translation>
     </message>
     <message>
@@ -5508,7 +5508,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1: Die Datei bricht hier ab.</translation>
     </message>
     <message>
-        <source>%1: the file is cut off; %2 are expected, and %3 are there.</source>
+        <source>%1: the file is incomplete; %2 are expected, but it has %3.</source>
         <translation>%1: Die Datei ist abgeschnitten; erwartet werden %2, vorhanden sind %3.</translation>
     </message>
     <message>
@@ -5524,7 +5524,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1: Hier fehlt eine Zahl, oder sie ist nicht endlich.</translation>
     </message>
     <message>
-        <source>%1: &quot;%2&quot; is not a whole number that can be here.</source>
+        <source>%1: &quot;%2&quot; is not a whole number that is valid here.</source>
         <translation>%1: „%2“ ist keine ganze Zahl, die hier stehen kann.</translation>
     </message>
     <message>
@@ -5620,7 +5620,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1: von %2 bis %3.</translation>
     </message>
     <message>
-        <source>The model is not symmetric here: both sides were worked on, but they are not exact mirror images.</source>
+        <source>The model is not symmetric here: both sides were changed, but they are not exact mirror images.</source>
         <translation>Das Modell ist hier nicht symmetrisch: beide Seiten wurden bearbeitet, sind aber keine genauen Spiegelbilder.</translation>
     </message>
     <message>
@@ -5636,7 +5636,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Das Vorlagenbild %1 ist nicht mehr da.</translation>
     </message>
     <message>
-        <source>%1 has no ending that says its format: %2 can be used.</source>
+        <source>%1 has no known file extension: use one of %2.</source>
         <translation>%1 hat keine Endung, die das Format nennt: Verwendbar sind %2.</translation>
     </message>
     <message>
@@ -5701,11 +5701,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1 wurde nicht geschrieben: %2 wird nur gelesen; geschrieben werden können %3.</translation>
     </message>
     <message>
-        <source>%1: its reader cannot make anything of it.</source>
+        <source>%1 cannot be read: the importer does not understand it.</source>
         <translation>%1: Der Leser kann damit nichts anfangen.</translation>
     </message>
     <message>
-        <source>%1: its reader cannot make anything of it (%2).</source>
+        <source>%1 cannot be read: the importer does not understand it (%2).</source>
         <translation>%1: Der Leser kann damit nichts anfangen (%2).</translation>
     </message>
     <message>
@@ -5713,11 +5713,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1 wurde nicht gelesen: Der Leser, ein eigener Prozess, ist darüber abgebrochen.</translation>
     </message>
     <message>
-        <source>%1 was not read: its reader took more than the %2 seconds that a file of its size is given.</source>
+        <source>%1 was not read: it took longer than the limit of %2 seconds for a file of its size.</source>
         <translation>%1 wurde nicht gelesen: Der Leser brauchte mehr als die %2 Sekunden, die eine Datei dieser Größe bekommt.</translation>
     </message>
     <message>
-        <source>%1 was not read: its reader asked for more memory than the %2 that a file of its size is given.</source>
+        <source>%1 was not read: it needs more memory than the limit of %2 for a file of its size.</source>
         <translation>%1 wurde nicht gelesen: Der Leser verlangte mehr als die %2 Speicher, die eine Datei dieser Größe bekommt.</translation>
     </message>
     <message>
@@ -5745,11 +5745,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Es wurde nichts hinzugefügt, weil die Pinselform in dieser Größe auf dem Arbeitsgitter des Programms nicht in Ordnung ist.</translation>
     </message>
     <message>
-        <source>Nothing was added, because masked surface would have to change.</source>
+        <source>Nothing was added, because the mask protects the surface there.</source>
         <translation>Es wurde nichts hinzugefügt, weil sich maskierte Oberfläche ändern müsste.</translation>
     </message>
     <message>
-        <source>The sectors meet here, or the model is not alike in all of them: they were worked on one after the other and are not exact copies.</source>
+        <source>The sectors meet here, or the model differs between them: they were changed one after the other and are not exact copies.</source>
         <translation>Die Sektoren treffen hier aufeinander, oder das Modell ist nicht in allen gleich: sie wurden nacheinander bearbeitet und sind nicht genau gleich.</translation>
     </message>
     <message>
@@ -6313,7 +6313,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Volumen</translation>
     </message>
     <message>
-        <source>Of the matter within the surface.</source>
+        <source>Volume inside the surface.</source>
         <translation>Der Masse innerhalb der Oberfläche.</translation>
     </message>
     <message>
@@ -6378,7 +6378,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Modell</translation>
     </message>
     <message>
-        <source>How many handles it has, which is how many holes go through it: 0 for a ball, 1 for a ring or a cup.</source>
+        <source>The number of handles or through holes: 0 for a ball, 1 for a ring or a cup.</source>
         <translation>Wie viele Henkel es hat, also wie viele Löcher hindurchgehen: 0 bei einer Kugel, 1 bei einem Ring oder einer Tasse.</translation>
     </message>
 </context>
@@ -6450,7 +6450,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Druckkurve</translation>
     </message>
     <message>
-        <source>How a pen&apos;s pressure counts: above the diagonal a light touch does much, below it little. Drag to bend it.</source>
+        <source>Effect of pen pressure: above the diagonal a light touch does much, below it little. Drag to bend the curve.</source>
         <translation>Wie der Druck eines Stifts zählt: über der Diagonalen bewirkt eine leichte Berührung viel, darunter wenig. Ziehen biegt sie.</translation>
     </message>
 </context>
@@ -6554,7 +6554,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Stiftdruck bestimmt die &amp;Stärke</translation>
     </message>
     <message>
-        <source>A light touch changes little, a firm one much.</source>
+        <source>A light touch changes little, a firm touch much.</source>
         <translation>Ein leichter Druck ändert wenig, ein fester viel.</translation>
     </message>
     <message>
@@ -6562,7 +6562,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Stiftdruck bestimmt den &amp;Radius</translation>
     </message>
     <message>
-        <source>A light touch makes a narrow stroke, a firm one a wide one.</source>
+        <source>A light touch makes a narrow stroke, a firm touch a wide one.</source>
         <translation>Ein leichter Druck macht einen schmalen Strich, ein fester einen breiten.</translation>
     </message>
     <message>
@@ -6582,7 +6582,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Alle Einstellungen zurücksetzen?</translation>
     </message>
     <message>
-        <source>This is about colours, language, keys, pen and mouse, brush, view and the panels&apos; places. Models, recent files and swatches stay. The language is spoken from the next start on.</source>
+        <source>This resets colours, language, keys, pen and mouse, brush, view and the layout of panels. Models, recent files and swatches stay. The language changes at the next start.</source>
         <translation>Das betrifft Farben, Sprache, Tasten, Stift und Maus, Pinsel, Ansicht und die Plätze der Bedienfelder. Modelle, zuletzt geöffnete Dateien und Farbfelder bleiben. Die Sprache gilt ab dem nächsten Start.</translation>
     </message>
     <message>
@@ -6606,7 +6606,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Dateien</translation>
     </message>
     <message>
-        <source>Keep the last three &amp;versions of a file that is saved again</source>
+        <source>Keep the last three &amp;versions of each saved file</source>
         <translation>Beim Speichern die letzten drei &amp;Fassungen der Datei behalten</translation>
     </message>
     <message>
@@ -6622,7 +6622,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Schriftgröße</translation>
     </message>
     <message>
-        <source>Makes the window&apos;s texts larger than the desktop has them.</source>
+        <source>Makes the window&apos;s text larger than the desktop&apos;s.</source>
         <translation>Macht die Texte des Fensters größer, als der Schreibtisch sie hat.</translation>
     </message>
     <message>
@@ -6732,7 +6732,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Wasserdichte Oberfläche</translation>
     </message>
     <message>
-        <source>Closed, every face looks outward, nothing meets itself: checked exactly.</source>
+        <source>Closed, all faces outwards, no self-intersections. Checked exactly.</source>
         <translation>Geschlossen, jede Fläche schaut nach außen, nichts berührt sich selbst: exakt geprüft.</translation>
     </message>
     <message>
@@ -6862,7 +6862,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Drucker …</translation>
     </message>
     <message>
-        <source>Changes the list of printers.</source>
+        <source>Edits the list of printers.</source>
         <translation>Ändert die Liste der Drucker.</translation>
     </message>
     <message>
@@ -6902,7 +6902,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Dünnere Wände werden gefunden: in der Regel zwei Linien der Düse.</translation>
     </message>
     <message>
-        <source>How far faces may lean out from the vertical.</source>
+        <source>Steepest overhang that prints without support, from the vertical.</source>
         <translation>Wie weit Flächen sich aus der Senkrechten neigen dürfen.</translation>
     </message>
     <message>
@@ -6910,7 +6910,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Farben</translation>
     </message>
     <message>
-        <source>Shows on the model how thick it is, or how far it leans out.</source>
+        <source>Colours the model by wall thickness or by overhang.</source>
         <translation>Zeigt am Modell, wie dick es ist oder wie weit es überhängt.</translation>
     </message>
     <message>
@@ -6918,7 +6918,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Befunde</translation>
     </message>
     <message>
-        <source>What was found. A click or Return on a place shows it on the model.</source>
+        <source>The findings. Click a place, or press Return, to see it on the model.</source>
         <translation>Was gefunden wurde. Ein Klick oder die Eingabetaste auf einer Stelle zeigt sie am Modell.</translation>
     </message>
     <message>
@@ -7107,7 +7107,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Übers&amp;pringen</translation>
     </message>
     <message>
-        <source>Goes on without answers; nothing is kept.</source>
+        <source>Continues without answers; nothing is saved.</source>
         <translation>Geht ohne Antworten weiter; nichts davon wird aufgehoben.</translation>
     </message>
     <message>
@@ -7188,7 +7188,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Seite</translation>
     </message>
     <message>
-        <source>The side to which the image is pinned; choosing another one turns the view to it.</source>
+        <source>The side that shows the image. Choosing another side turns the view to it.</source>
         <translation>Die Seite, an der das Bild hängt; eine andere zu wählen dreht die Ansicht dorthin.</translation>
     </message>
     <message>
@@ -7344,7 +7344,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Alpha</translation>
     </message>
     <message>
-        <source>An image that the brush is weighted with: bright is much, black nothing. A spacing of 2 sets prints side by side.</source>
+        <source>An image that weights the brush: white is full strength, black is none. A spacing of 2 places prints side by side.</source>
         <translation>Ein Bild, das den Pinsel gewichtet: hell ist viel, schwarz nichts. Ein Abstand von 2 setzt Abdrücke nebeneinander.</translation>
     </message>
     <message>
@@ -7360,7 +7360,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Stempel</translation>
     </message>
     <message>
-        <source>The model that Stamp presses in or raises, its top outwards, and that Add Ball adds.</source>
+        <source>The model that Stamp presses in or raises, with its top outwards, and that Add Ball adds.</source>
         <translation>Das Modell, das der Stempel eindrückt oder hebt, mit dem Oberen nach außen, und das Kugel hinzufügen hinzufügt.</translation>
     </message>
     <message>
@@ -7585,7 +7585,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>Goes to the ball of clay. (Esc)</source>
+        <source>Starts with the ball of clay. (Esc)</source>
         <translation>Geht zur Kugel aus Ton. (Esc)</translation>
     </message>
     <message>
@@ -7875,7 +7875,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Zeitleiste</translation>
     </message>
     <message>
-        <source>Drag to see the model as it was after each step; Left and Right go by one. Sculpting there drops the later steps.</source>
+        <source>Drag to see the model after each step; Left and Right move by one. Sculpting there removes the later steps.</source>
         <translation>Zum Ziehen: zeigt das Modell, wie es nach jedem Schritt war; Links und Rechts gehen um einen weiter. Wer dort formt, verliert die späteren Schritte.</translation>
     </message>
     <message>
@@ -7883,7 +7883,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Schritte abspielen</translation>
     </message>
     <message>
-        <source>Plays the steps one after the other, from here or from the first.</source>
+        <source>Plays the steps in order, from here or from the first.</source>
         <translation>Spielt die Schritte nacheinander ab, von hier oder vom ersten an.</translation>
     </message>
     <message>
@@ -7921,7 +7921,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Richtung</translation>
     </message>
     <message>
-        <source>Which way the model turns, seen from above.</source>
+        <source>Direction of the turn, seen from above.</source>
         <translation>Wie herum das Modell sich dreht, von oben gesehen.</translation>
     </message>
     <message>
@@ -7937,7 +7937,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Tempo</translation>
     </message>
     <message>
-        <source>How many degrees the model turns in a second; 360 are one turn.</source>
+        <source>Speed in degrees per second; 360 are one turn.</source>
         <translation>Um wie viele Grad das Modell sich in einer Sekunde dreht; 360 sind eine Umdrehung.</translation>
     </message>
     <message>
@@ -8122,7 +8122,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Gespeichert: %1</translation>
     </message>
     <message>
-        <source>No models are here yet. Save puts the first one here.</source>
+        <source>There are no models here yet. Save adds the first one.</source>
         <translation>Hier liegen noch keine Modelle. Speichern legt das erste hier ab.</translation>
     </message>
     <message>
@@ -8166,7 +8166,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>In VR mit %1.</translation>
     </message>
     <message>
-        <source>The headset is off. Put it on to go on.</source>
+        <source>The headset is not worn. Put it on to continue.</source>
         <translation>Die VR-Brille ist abgesetzt. Zum Weitermachen wieder aufsetzen.</translation>
     </message>
     <message>
@@ -8763,7 +8763,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         </translation>
     </message>
     <message>
-        <source>%1 was not deleted: it cannot be put into the trash.</source>
+        <source>%1 was not deleted: it cannot be moved to the trash.</source>
         <translation>%1 wurde nicht gelöscht: in den Papierkorb kann es nicht gelegt werden.</translation>
     </message>
 </context>
@@ -8778,7 +8778,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Neue Vorlage</translation>
     </message>
     <message>
-        <source>Keeps the brush as it is now as a preset, and asks for its name.</source>
+        <source>Saves the current brush as a preset, and asks for its name.</source>
         <translation>Behält den Pinsel, wie er gerade ist, als Vorlage und fragt nach ihrem Namen.</translation>
     </message>
     <message>
@@ -8786,7 +8786,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Umbenennen</translation>
     </message>
     <message>
-        <source>Gives this preset another name (F2).</source>
+        <source>Renames this preset (F2).</source>
         <translation>Gibt dieser Vorlage einen anderen Namen (F2).</translation>
     </message>
     <message>
@@ -8829,7 +8829,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Ton auftragen</translation>
     </message>
     <message>
-        <source>Lays clay on in thick rolls, more where you rest.</source>
+        <source>Adds clay in thick rolls, more where you pause.</source>
         <translation>Trägt Ton in dicken Wülsten auf, mehr davon, wo Sie verweilen.</translation>
     </message>
     <message>
@@ -8837,7 +8837,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Gekämmter Ton</translation>
     </message>
     <message>
-        <source>Lays clay on in strips, as a rake leaves them.</source>
+        <source>Adds clay in strips, as a rake does.</source>
         <translation>Trägt Ton in Streifen auf, wie sie ein Kamm lässt.</translation>
     </message>
     <message>
@@ -8893,7 +8893,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Abhobeln</translation>
     </message>
     <message>
-        <source>Cuts flat faces, as a knife does.</source>
+        <source>Cuts flat faces, like a knife.</source>
         <translation>Schneidet ebene Flächen wie ein Messer.</translation>
     </message>
     <message>
@@ -8909,7 +8909,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Horn</translation>
     </message>
     <message>
-        <source>Draws out horns, tails and roots.</source>
+        <source>Pulls out horns, tails and roots.</source>
         <translation>Zieht Hörner, Schwänze und Wurzeln heraus.</translation>
     </message>
     <message>
@@ -8949,7 +8949,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Rauer Stein</translation>
     </message>
     <message>
-        <source>Roughens, as broken stone is rough.</source>
+        <source>Makes the surface rough, like broken stone.</source>
         <translation>Raut auf wie gebrochener Stein.</translation>
     </message>
 </context>
@@ -9127,11 +9127,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1: %2 lässt sich nur mit --%3 verwenden.</translation>
     </message>
     <message>
-        <source>Write over no file that is there: status 2 instead.</source>
+        <source>Overwrite no existing file; end with status 2 instead.</source>
         <translation>Keine vorhandene Datei überschreiben: stattdessen Status 2.</translation>
     </message>
     <message>
-        <source>%1: %2 is there already, and stays as it is because of --no-clobber.</source>
+        <source>%1: %2 already exists and is not overwritten, because of --no-clobber.</source>
         <translation>%1: %2 ist schon da und bleibt wegen --no-clobber, wie es ist.</translation>
     </message>
     <message>

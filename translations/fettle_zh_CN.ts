@@ -476,7 +476,7 @@
         <translation>写出一个起始形状：球、立方体、花瓶等</translation>
     </message>
     <message>
-        <source>say whether models are in order, and will print; several files or a folder: a table</source>
+        <source>check whether models are watertight and will print; several files or a folder: a table</source>
         <translation>检查模型是否完好、能否打印；多个文件或文件夹则输出表格</translation>
     </message>
     <message>
@@ -680,7 +680,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
 <context>
     <name>app::HeadsetController</name>
     <message>
-        <source>%1 It can be repaired at the window.</source>
+        <source>%1 You can repair it in the window.</source>
         <translation>%1 可以在窗口中修复。</translation>
     </message>
 </context>
@@ -710,7 +710,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>没有打开 %1：当前模型有尚未存入任何文件的更改。</translation>
     </message>
     <message>
-        <source>This class does without that tool.</source>
+        <source>This tool is not available in this class.</source>
         <translation>本课堂不使用该工具。</translation>
     </message>
     <message>
@@ -780,7 +780,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>lesson：%1 不以 .zip 结尾。</translation>
     </message>
     <message>
-        <source>lesson: %1 is to be a folder, but ends in .zip.</source>
+        <source>lesson: %1 must be a folder, but ends in .zip.</source>
         <translation>lesson：%1 应是文件夹，但以 .zip 结尾。</translation>
     </message>
     <message>
@@ -926,7 +926,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>课程有未保存的更改。</translation>
     </message>
     <message>
-        <source>A lesson that was not saved is kept: Sculpt &gt; Record Lesson has it among the lessons.</source>
+        <source>An unsaved lesson was kept: Sculpt &gt; Record Lesson lists it.</source>
         <translation>有一个未保存的课程被保留：可在“雕刻 &gt; 录制课程”的课程列表中找到。</translation>
     </message>
     <message>
@@ -1076,7 +1076,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>缺少“%1”</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; must hold texts by language, as in {&quot;en&quot;: &quot;A mug&quot;}</source>
+        <source>&quot;%1&quot; must contain texts by language, as in {&quot;en&quot;: &quot;A mug&quot;}</source>
         <translation>“%1”必须按语言给出文字，例如 {&quot;zh&quot;: &quot;杯子&quot;}</translation>
     </message>
     <message>
@@ -1088,7 +1088,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>“%1”必须是工具的列表，例如 [&quot;pull&quot;, &quot;smooth&quot;]</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; must hold goals, as in {&quot;height_mm&quot;: {&quot;least&quot;: 60}}</source>
+        <source>&quot;%1&quot; must contain goals, as in {&quot;height_mm&quot;: {&quot;least&quot;: 60}}</source>
         <translation>“%1”必须含有目标，例如 {&quot;height_mm&quot;: {&quot;least&quot;: 60}}</translation>
     </message>
     <message>
@@ -1096,7 +1096,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>“%1”必须是角度，例如 {&quot;yaw_deg&quot;: 75, &quot;pitch_deg&quot;: -25}</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; must hold a distance, as in {&quot;tolerance_mm&quot;: 2}</source>
+        <source>&quot;%1&quot; must contain a distance, as in {&quot;tolerance_mm&quot;: 2}</source>
         <translation>“%1”必须含有距离，例如 {&quot;tolerance_mm&quot;: 2}</translation>
     </message>
     <message>
@@ -1132,7 +1132,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>“%1”超出范围（%2 至 %3）</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; has no words in some language</source>
+        <source>&quot;%1&quot; has no text in some language</source>
         <translation>“%1”在某种语言里没有文字</translation>
     </message>
     <message>
@@ -1308,7 +1308,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>保存课程</translation>
     </message>
     <message>
-        <source>Not everything is as the lesson asks for.</source>
+        <source>Not all goals of the lesson are met.</source>
         <translation>并非一切都符合课程的要求。</translation>
     </message>
     <message>
@@ -1367,7 +1367,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>该格式不保存颜色；GLB 和 3MF 保存颜色。</translation>
     </message>
     <message>
-        <source>%1 triangles were asked for; so few could not be reached without losing handles or parts, or turning faces over.</source>
+        <source>%1 triangles were asked for; this could not be reached without losing handles or parts, or flipping faces.</source>
         <translation>要求 %1 个三角形；若降到这么少，就会失去环柄或部件，或使面翻转。</translation>
     </message>
     <message>
@@ -1441,7 +1441,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>正在打开 %1</translation>
     </message>
     <message>
-        <source>The model that you chose opens as soon as this is done.</source>
+        <source>The model that you chose will open as soon as this is done.</source>
         <translation>此操作完成后将打开您选择的模型。</translation>
     </message>
     <message>
@@ -1486,7 +1486,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
 <context>
     <name>app::ModelChangeJob</name>
     <message>
-        <source>There is not enough memory for that; the model stays as it is.</source>
+        <source>There is not enough memory for this; the model stays as it is.</source>
         <translation>内存不足，无法完成；模型保持不变。</translation>
     </message>
 </context>
@@ -1582,7 +1582,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>模型已经是这样了。</translation>
     </message>
     <message>
-        <source>The model stays as it is, because some of its faces would meet on the program&apos;s working grid (faces: %1).</source>
+        <source>The model stays as it is, because some of its faces would intersect after rounding to the program&apos;s grid (faces: %1).</source>
         <translation>模型保持不变，因为其部分面会在程序的工作网格上相碰（面数：%1）。</translation>
     </message>
     <message>
@@ -1590,7 +1590,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>模型保持不变：离原点的距离不得超过其尺寸的四倍。</translation>
     </message>
     <message>
-        <source>The model stays as it is: it can be between a millionth of a millimetre and ten kilometres large.</source>
+        <source>The model stays as it is: its size must be between a millionth of a millimetre and ten kilometres.</source>
         <translation>模型保持不变：其尺寸须在百万分之一毫米到十公里之间。</translation>
     </message>
     <message>
@@ -1701,11 +1701,11 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
 <context>
     <name>app::PartnerView</name>
     <message>
-        <source>Your partner took back: %1.</source>
+        <source>Your partner undid: %1.</source>
         <translation>窗口旁的搭档撤销了：%1。</translation>
     </message>
     <message>
-        <source>Your partner did again: %1.</source>
+        <source>Your partner redid: %1.</source>
         <translation>窗口旁的搭档重做了：%1。</translation>
     </message>
     <message>
@@ -1745,7 +1745,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>replay：%1 与 %2 指的是同一个文件 %3。</translation>
     </message>
     <message>
-        <source>replay: the mesh is not in order in dab %1.</source>
+        <source>replay: the mesh is not valid after dab %1.</source>
         <translation>replay：网格在笔点 %1 处出错。</translation>
     </message>
     <message>
@@ -1814,7 +1814,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
 <context>
     <name>app::ReportController</name>
     <message>
-        <source>The class report has to wait until this is done; ask for it again then.</source>
+        <source>The class report has to wait until this is done; try again then.</source>
         <translation>班级报告要等当前工作完成；请届时再次选择。</translation>
     </message>
     <message>
@@ -2032,7 +2032,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>正在画延时图片</translation>
     </message>
     <message>
-        <source>The time-lapse has to wait until this is done; ask for it again then.</source>
+        <source>The time-lapse has to wait until this is done; try again then.</source>
         <translation>延时图片要等这项工作完成；请到时再导出。</translation>
     </message>
     <message>
@@ -2316,7 +2316,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>上色(&amp;A)</translation>
     </message>
     <message>
-        <source>Colours the surface and leaves its shape. Shift smooths.</source>
+        <source>Colours the surface without changing its shape. Shift smooths.</source>
         <translation>给表面上色，不改变形状。按住 Shift 为平滑。</translation>
     </message>
     <message>
@@ -2356,7 +2356,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>命令与快捷键(&amp;C)…</translation>
     </message>
     <message>
-        <source>Shows every command with its key, and finds one by its words.</source>
+        <source>Shows every command with its key, and searches them.</source>
         <translation>列出所有命令及其快捷键，并可按词查找。</translation>
     </message>
     <message>
@@ -2420,7 +2420,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>视图立方体(&amp;C)</translation>
     </message>
     <message>
-        <source>Shows a cube in the corner of the view: a click on a face looks from there.</source>
+        <source>Shows a cube in the corner of the view: click a face to look from there.</source>
         <translation>在视图角落显示一个立方体：单击一面即从该方向观看。</translation>
     </message>
     <message>
@@ -2444,7 +2444,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>笔刷选板(&amp;H)</translation>
     </message>
     <message>
-        <source>Opens tools, radius and strength at the pointer, as a click of the right button does.</source>
+        <source>Opens tools, radius and strength at the pointer, as a right click does.</source>
         <translation>在指针处打开工具、半径和强度，与右键单击相同。</translation>
     </message>
     <message>
@@ -2620,7 +2620,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>填充颜色(&amp;F)</translation>
     </message>
     <message>
-        <source>Gives the whole model the paint colour.</source>
+        <source>Fills the whole model with the paint colour.</source>
         <translation>把整个模型涂成上色颜色。</translation>
     </message>
     <message>
@@ -2648,7 +2648,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>还原(&amp;V)</translation>
     </message>
     <message>
-        <source>Opens the model&apos;s file again, as it was last written.</source>
+        <source>Opens the model&apos;s file again, as it was last saved.</source>
         <translation>重新打开模型文件，恢复到上次写入的内容。</translation>
     </message>
     <message>
@@ -2760,11 +2760,11 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>显示面板：以图片形式列出一个文件夹中的模型。</translation>
     </message>
     <message>
-        <source>Draws the surface outwards. %1 pushes instead, Shift smooths.</source>
+        <source>Pulls the surface outwards. %1 pushes instead, Shift smooths.</source>
         <translation>将表面向外拉。按住 %1 推入，按住 Shift 平滑。</translation>
     </message>
     <message>
-        <source>Presses the surface inwards. %1 pulls instead, Shift smooths.</source>
+        <source>Pushes the surface inwards. %1 pulls instead, Shift smooths.</source>
         <translation>将表面向内推。按住 %1 拉出，按住 Shift 平滑。</translation>
     </message>
     <message>
@@ -3140,7 +3140,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>班级报告(&amp;C)…</translation>
     </message>
     <message>
-        <source>Writes a page on every model in a folder: picture, size, print-ready or why not, strokes and time. HTML or PDF.</source>
+        <source>Writes a report on the models in a folder: picture, size, print-ready or why not, strokes and time. HTML or PDF.</source>
         <translation>为一个文件夹中的所有模型写出报告：图片、大小、能否打印或为何不能、笔画数和用时。HTML 或 PDF。</translation>
     </message>
     <message>
@@ -3172,7 +3172,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>接手(&amp;T)</translation>
     </message>
     <message>
-        <source>Only this window sculpts until you give back; the person in VR looks on.</source>
+        <source>Lets only this window sculpt until you give it back; the person in VR watches.</source>
         <translation>交还之前只有此窗口可以雕刻；VR 中的人只能观看。</translation>
     </message>
     <message>
@@ -3208,7 +3208,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>反转各工具，供无法同时按住 %1 的手使用：拉起变为按下，黏土变为挖去。</translation>
     </message>
     <message>
-        <source>Gives the view a cross that the arrow keys move: Space or Return presses the tool on the model, beside it the view turns.</source>
+        <source>Shows a cross that the arrow keys move: on the model Space or Return uses the tool, beside it the view turns.</source>
         <translation>在视图中显示一个由方向键移动的十字：空格或回车把工具按在模型上，在模型之外则转动视图。</translation>
     </message>
     <message>
@@ -3268,7 +3268,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>从下次进入 VR 起只用一支手柄，面板立在您面前。</translation>
     </message>
     <message>
-        <source>From the next visit to VR on, the left hand sculpts.</source>
+        <source>Sculpts with the left hand, from the next time you enter VR.</source>
         <translation>从下次进入 VR 起，由左手雕刻。</translation>
     </message>
     <message>
@@ -3439,7 +3439,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>拖出大小和方向</translation>
     </message>
     <message>
-        <source>Press where the alpha or the stamp belongs, and drag: the way is its radius, and up is where you drag. A click leaves it as large as the brush.</source>
+        <source>Press where the alpha or the stamp should go, and drag: the distance sets its radius, and it points up where you drag. A click makes it as large as the brush.</source>
         <translation>在放置 Alpha 或图章的地方按下并拖动：拖动的距离是半径，拖动的方向朝上。只点一下则与笔刷一样大。</translation>
     </message>
     <message>
@@ -3467,7 +3467,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>关</translation>
     </message>
     <message>
-        <source>Alike to the eye with this count; exactly alike with 2 and 4.</source>
+        <source>With this count the sectors look alike; with 2 and 4 they are exactly alike.</source>
         <translation>扇区数为此值时看起来相同；为 2 和 4 时完全相同。</translation>
     </message>
     <message>
@@ -3670,7 +3670,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>另存为(&amp;A)…</translation>
     </message>
     <message>
-        <source>Keeps the class in another file.</source>
+        <source>Saves the class to another file.</source>
         <translation>把课堂保存到另一个文件。</translation>
     </message>
     <message>
@@ -3788,7 +3788,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>打开课堂(&amp;O)…</translation>
     </message>
     <message>
-        <source>Shows a class here, to be changed.</source>
+        <source>Opens a class file to change it.</source>
         <translation>在此显示一个课堂，以便修改。</translation>
     </message>
     <message>
@@ -3800,7 +3800,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>新建此文件夹(&amp;M)</translation>
     </message>
     <message>
-        <source>This folder cannot be made.</source>
+        <source>This folder cannot be created.</source>
         <translation>无法新建此文件夹。</translation>
     </message>
     <message>
@@ -3859,7 +3859,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>颜色</translation>
     </message>
     <message>
-        <source>No colour was picked: the click was not on the model.</source>
+        <source>No colour was picked: you did not click on the model.</source>
         <translation>没有取到颜色：没有点在模型上。</translation>
     </message>
 </context>
@@ -4226,7 +4226,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation> 副本</translation>
     </message>
     <message>
-        <source>%1 was not deleted: it could not be put into a trash, and nothing is deleted for good here.</source>
+        <source>%1 was not deleted: it could not be moved to the trash, and Fettle deletes nothing permanently.</source>
         <translation>%1 未被删除：无法放入回收站，而这里不会永久删除任何文件。</translation>
     </message>
     <message>
@@ -4297,7 +4297,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>排序方式</translation>
     </message>
     <message>
-        <source>What the files are sorted by; folders come first.</source>
+        <source>How the files are sorted; folders come first.</source>
         <translation>文件的排序方式；文件夹排在最前。</translation>
     </message>
     <message>
@@ -4329,7 +4329,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>停止</translation>
     </message>
     <message>
-        <source>Makes no more pictures in this folder.</source>
+        <source>Stops making pictures of this folder.</source>
         <translation>不再为此文件夹生成图片。</translation>
     </message>
     <message>
@@ -4337,7 +4337,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>图片大小</translation>
     </message>
     <message>
-        <source>How large the pictures are.</source>
+        <source>Size of the pictures.</source>
         <translation>图片的大小。</translation>
     </message>
     <message>
@@ -4351,7 +4351,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         </translation>
     </message>
     <message>
-        <source>No name here has %1 in it.</source>
+        <source>No file name contains %1.</source>
         <translation>这里没有名称包含“%1”的项目。</translation>
     </message>
     <message>
@@ -4500,11 +4500,11 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
 <context>
     <name>ui::NamesField</name>
     <message>
-        <source>A name in each line, as it can be pasted from anywhere. Pupils choose theirs; who has had a turn today is marked.</source>
+        <source>One name per line; you can paste a list. Pupils choose their name; those who had a turn today are marked.</source>
         <translation>每行一个名字，可从别处粘贴。学生选择自己的名字；今天已轮到的会有标记。</translation>
     </message>
     <message>
-        <source>One name in a line; none: pupils type theirs.</source>
+        <source>One name per line. Without names, pupils type theirs.</source>
         <translation>每行一个名字；不填则由学生输入。</translation>
     </message>
     <message>
@@ -4592,7 +4592,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>命令中的词</translation>
     </message>
     <message>
-        <source>Shows only the commands that have these words or this key.</source>
+        <source>Shows only commands with these words or this key.</source>
         <translation>只显示含有这些词或此快捷键的命令。</translation>
     </message>
     <message>
@@ -4600,7 +4600,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>命令与快捷键</translation>
     </message>
     <message>
-        <source>Every command with its keys; the marked one&apos;s are changed below.</source>
+        <source>Every command with its keys. Change the keys of the selected one below.</source>
         <translation>所有命令及其快捷键；在下方更改所选命令的快捷键。</translation>
     </message>
     <message>
@@ -4616,7 +4616,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>重置所有快捷键(&amp;L)</translation>
     </message>
     <message>
-        <source>Gives every command the keys of the preset.</source>
+        <source>Resets all commands to the keys of the preset.</source>
         <translation>将所有命令恢复为方案中的快捷键。</translation>
     </message>
     <message>
@@ -4640,7 +4640,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>重置(&amp;E)</translation>
     </message>
     <message>
-        <source>Gives the command the keys of the preset.</source>
+        <source>Resets the command to the keys of the preset.</source>
         <translation>将该命令恢复为方案中的快捷键。</translation>
     </message>
     <message>
@@ -4648,7 +4648,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>转到(&amp;G)</translation>
     </message>
     <message>
-        <source>Marks the command that has the key.</source>
+        <source>Selects the command that uses the key.</source>
         <translation>选中占用该快捷键的命令。</translation>
     </message>
     <message>
@@ -4664,7 +4664,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>%1 仍属于“%2”。</translation>
     </message>
     <message>
-        <source>A key that is held together with others cannot be a command alone.</source>
+        <source>A modifier key cannot be a shortcut on its own.</source>
         <translation>与其他键一起按住的修饰键不能单独作为命令。</translation>
     </message>
     <message>
@@ -4679,7 +4679,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
 <context>
     <name>ui::LessonChoice</name>
     <message>
-        <source>Pupils may begin with it: it is shown stroke by stroke, and the report says how far they came.</source>
+        <source>Pupils can begin with it: it is shown stroke by stroke, and the report says how far they got.</source>
         <translation>学生可以从它开始：逐笔演示，报告会说明做到了哪一步。</translation>
     </message>
     <message>
@@ -4714,7 +4714,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>开始一个只有一步的课程。之前的笔画不能再撤销。</translation>
     </message>
     <message>
-        <source>Or change a lesson that is there:</source>
+        <source>Or change an existing lesson:</source>
         <translation>或者修改已有的课程：</translation>
     </message>
     <message>
@@ -4726,7 +4726,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>编辑</translation>
     </message>
     <message>
-        <source>Opens it here; it is saved under a name of your own.</source>
+        <source>Opens it here; you save it under a name of your own.</source>
         <translation>在这里打开；保存时使用您自己的名称。</translation>
     </message>
     <message>
@@ -4742,7 +4742,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>文字的语言</translation>
     </message>
     <message>
-        <source>Texts are written in this language. Where one is missing, pupils read another one.</source>
+        <source>The language that you write in. Where a text is missing, pupils read it in another language.</source>
         <translation>文字用这种语言书写。缺少时，学生会看到另一种语言。</translation>
     </message>
     <message>
@@ -4750,7 +4750,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>课程标题</translation>
     </message>
     <message>
-        <source>What the lesson is called.</source>
+        <source>Title of the lesson.</source>
         <translation>课程的名称。</translation>
     </message>
     <message>
@@ -4758,7 +4758,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>一句话介绍</translation>
     </message>
     <message>
-        <source>What the lesson is about, in one sentence.</source>
+        <source>Subject of the lesson, in one sentence.</source>
         <translation>用一句话说明课程的内容。</translation>
     </message>
     <message>
@@ -4770,7 +4770,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>新步骤</translation>
     </message>
     <message>
-        <source>From here on strokes belong to a new step, the last one.</source>
+        <source>Starts a new step at the end; strokes belong to it from here on.</source>
         <translation>从这里起，笔画属于一个新的步骤，也就是最后一步。</translation>
     </message>
     <message>
@@ -4786,7 +4786,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>删除这一步及其笔画</translation>
     </message>
     <message>
-        <source>Plays the lesson to its end and records from there, or stops that.</source>
+        <source>Plays the lesson to its end and records from there. Press again to stop.</source>
         <translation>把课程播放到底并从那里开始录制，或停止录制。</translation>
     </message>
     <message>
@@ -4967,7 +4967,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>步骤文字</translation>
     </message>
     <message>
-        <source>What the pupil reads beside the model.</source>
+        <source>Text that the pupil reads beside the model.</source>
         <translation>学生在模型旁边看到的文字。</translation>
     </message>
     <message>
@@ -4991,7 +4991,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>笔画</translation>
     </message>
     <message>
-        <source>The pupil has these tools; all of them, if none is chosen.</source>
+        <source>Tools that the pupil has; if none is chosen, all of them.</source>
         <translation>学生可以使用这些工具；一个都不选就是全部。</translation>
     </message>
     <message>
@@ -5047,7 +5047,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>三角形</translation>
     </message>
     <message>
-        <source>How close the pupil&apos;s shape must come to the one that the teacher&apos;s strokes make.</source>
+        <source>How close the pupil&apos;s shape must be to the teacher&apos;s.</source>
         <translation>学生的形状要与老师的笔画留下的形状相差不超过这么多。</translation>
     </message>
     <message>
@@ -5280,7 +5280,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>已分开的接触边和点：%1</translation>
     </message>
     <message>
-        <source>Tangles that could not be cut apart, covered by small solids: %1, the widest %2 mm</source>
+        <source>Tangles that could not be resolved, covered by small solids: %1, the widest %2 mm</source>
         <translation>无法切开的缠结处，已用小实体覆盖：%1，最宽 %2 mm</translation>
     </message>
     <message>
@@ -5340,7 +5340,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>正在修复 %1：测量偏移</translation>
     </message>
     <message>
-        <source>Masked points that went, and their mask with them: %1</source>
+        <source>Masked points removed, with their mask: %1</source>
         <translation>消失的被遮罩的点，其遮罩也随之消失：%1</translation>
     </message>
     <message>
@@ -5419,7 +5419,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>各部分仅有点接触的顶点：%1</translation>
     </message>
     <message>
-        <source>edges between faces that look to different sides: %1</source>
+        <source>edges between faces that face different ways: %1</source>
         <translation>两侧面朝向不一致的边：%1</translation>
     </message>
     <message>
@@ -5444,7 +5444,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>；</translation>
     </message>
     <message>
-        <source>%1 cannot be sculpted yet, because some of its faces would meet on the program&apos;s working grid (faces: %2).</source>
+        <source>%1 cannot be sculpted yet, because some of its faces would intersect after rounding to the program&apos;s grid (faces: %2).</source>
         <translation>尚无法雕刻 %1，因为部分面在程序的工作格点上会相互接触（面数：%2）。</translation>
     </message>
     <message>
@@ -5484,7 +5484,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>%1：文件在此处中断。</translation>
     </message>
     <message>
-        <source>%1: the file is cut off; %2 are expected, and %3 are there.</source>
+        <source>%1: the file is incomplete; %2 are expected, but it has %3.</source>
         <translation>%1：文件不完整；应有 %2，实有 %3。</translation>
     </message>
     <message>
@@ -5500,7 +5500,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>%1：此处缺少数字，或数字不是有限数。</translation>
     </message>
     <message>
-        <source>%1: &quot;%2&quot; is not a whole number that can be here.</source>
+        <source>%1: &quot;%2&quot; is not a whole number that is valid here.</source>
         <translation>%1：“%2”不是此处可用的整数。</translation>
     </message>
     <message>
@@ -5596,7 +5596,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>%1：%2 至 %3。</translation>
     </message>
     <message>
-        <source>The model is not symmetric here: both sides were worked on, but they are not exact mirror images.</source>
+        <source>The model is not symmetric here: both sides were changed, but they are not exact mirror images.</source>
         <translation>模型在此处并不对称：两侧都已处理，但并非精确的镜像。</translation>
     </message>
     <message>
@@ -5612,7 +5612,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>参考图 %1 已不存在。</translation>
     </message>
     <message>
-        <source>%1 has no ending that says its format: %2 can be used.</source>
+        <source>%1 has no known file extension: use one of %2.</source>
         <translation>%1 没有说明格式的扩展名：可使用 %2。</translation>
     </message>
     <message>
@@ -5676,11 +5676,11 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>未写入 %1：%2 只能读取；可写入 %3。</translation>
     </message>
     <message>
-        <source>%1: its reader cannot make anything of it.</source>
+        <source>%1 cannot be read: the importer does not understand it.</source>
         <translation>%1：读取程序无法识别其内容。</translation>
     </message>
     <message>
-        <source>%1: its reader cannot make anything of it (%2).</source>
+        <source>%1 cannot be read: the importer does not understand it (%2).</source>
         <translation>%1：读取程序无法识别其内容（%2）。</translation>
     </message>
     <message>
@@ -5688,11 +5688,11 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>未读取 %1：读取它的独立进程中途崩溃了。</translation>
     </message>
     <message>
-        <source>%1 was not read: its reader took more than the %2 seconds that a file of its size is given.</source>
+        <source>%1 was not read: it took longer than the limit of %2 seconds for a file of its size.</source>
         <translation>未读取 %1：读取所用时间超过了这样大小的文件所允许的 %2 秒。</translation>
     </message>
     <message>
-        <source>%1 was not read: its reader asked for more memory than the %2 that a file of its size is given.</source>
+        <source>%1 was not read: it needs more memory than the limit of %2 for a file of its size.</source>
         <translation>未读取 %1：读取所需内存超过了这样大小的文件所允许的 %2。</translation>
     </message>
     <message>
@@ -5720,11 +5720,11 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>没有添加任何东西，因为笔刷形状在该尺寸下落到程序的工作网格上不再完好。</translation>
     </message>
     <message>
-        <source>Nothing was added, because masked surface would have to change.</source>
+        <source>Nothing was added, because the mask protects the surface there.</source>
         <translation>没有添加任何东西，因为那会改变遮罩的表面。</translation>
     </message>
     <message>
-        <source>The sectors meet here, or the model is not alike in all of them: they were worked on one after the other and are not exact copies.</source>
+        <source>The sectors meet here, or the model differs between them: they were changed one after the other and are not exact copies.</source>
         <translation>各扇区在这里相接，或模型各扇区不同：它们是依次进行的，并不完全相同。</translation>
     </message>
     <message>
@@ -6288,7 +6288,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>体积</translation>
     </message>
     <message>
-        <source>Of the matter within the surface.</source>
+        <source>Volume inside the surface.</source>
         <translation>表面之内实体的体积。</translation>
     </message>
     <message>
@@ -6353,7 +6353,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>模型</translation>
     </message>
     <message>
-        <source>How many handles it has, which is how many holes go through it: 0 for a ball, 1 for a ring or a cup.</source>
+        <source>The number of handles or through holes: 0 for a ball, 1 for a ring or a cup.</source>
         <translation>有几个把手，也就是有几个贯穿的孔：球为 0，圆环或带把的杯子为 1。</translation>
     </message>
 </context>
@@ -6425,7 +6425,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>压感曲线</translation>
     </message>
     <message>
-        <source>How a pen&apos;s pressure counts: above the diagonal a light touch does much, below it little. Drag to bend it.</source>
+        <source>Effect of pen pressure: above the diagonal a light touch does much, below it little. Drag to bend the curve.</source>
         <translation>压感笔的压力如何计算：曲线在对角线之上时，轻触的作用大，在其下则小。拖动可弯曲它。</translation>
     </message>
 </context>
@@ -6528,7 +6528,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>笔的压力决定强度(&amp;S)</translation>
     </message>
     <message>
-        <source>A light touch changes little, a firm one much.</source>
+        <source>A light touch changes little, a firm touch much.</source>
         <translation>轻触改变少，重压改变多。</translation>
     </message>
     <message>
@@ -6536,7 +6536,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>笔的压力决定半径(&amp;R)</translation>
     </message>
     <message>
-        <source>A light touch makes a narrow stroke, a firm one a wide one.</source>
+        <source>A light touch makes a narrow stroke, a firm touch a wide one.</source>
         <translation>轻触笔画窄，重压笔画宽。</translation>
     </message>
     <message>
@@ -6556,7 +6556,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>将所有设置恢复为默认值？</translation>
     </message>
     <message>
-        <source>This is about colours, language, keys, pen and mouse, brush, view and the panels&apos; places. Models, recent files and swatches stay. The language is spoken from the next start on.</source>
+        <source>This resets colours, language, keys, pen and mouse, brush, view and the layout of panels. Models, recent files and swatches stay. The language changes at the next start.</source>
         <translation>包括颜色、语言、快捷键、手写笔与鼠标、笔刷、视图和面板位置。模型、最近的文件和色板保持不变。语言从下次启动起生效。</translation>
     </message>
     <message>
@@ -6580,7 +6580,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>文件(&amp;F)</translation>
     </message>
     <message>
-        <source>Keep the last three &amp;versions of a file that is saved again</source>
+        <source>Keep the last three &amp;versions of each saved file</source>
         <translation>再次保存时保留文件的最近三个版本(&amp;V)</translation>
     </message>
     <message>
@@ -6596,7 +6596,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>文字大小(&amp;T)</translation>
     </message>
     <message>
-        <source>Makes the window&apos;s texts larger than the desktop has them.</source>
+        <source>Makes the window&apos;s text larger than the desktop&apos;s.</source>
         <translation>使窗口文字大于桌面的文字。</translation>
     </message>
     <message>
@@ -6706,7 +6706,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>表面水密</translation>
     </message>
     <message>
-        <source>Closed, every face looks outward, nothing meets itself: checked exactly.</source>
+        <source>Closed, all faces outwards, no self-intersections. Checked exactly.</source>
         <translation>封闭，每个面朝外，没有自相交：已精确检查。</translation>
     </message>
     <message>
@@ -6835,7 +6835,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>打印机…</translation>
     </message>
     <message>
-        <source>Changes the list of printers.</source>
+        <source>Edits the list of printers.</source>
         <translation>修改打印机列表。</translation>
     </message>
     <message>
@@ -6875,7 +6875,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>找出更薄的壁：通常为喷嘴的两条线宽。</translation>
     </message>
     <message>
-        <source>How far faces may lean out from the vertical.</source>
+        <source>Steepest overhang that prints without support, from the vertical.</source>
         <translation>面允许偏离垂直方向多少。</translation>
     </message>
     <message>
@@ -6883,7 +6883,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>颜色</translation>
     </message>
     <message>
-        <source>Shows on the model how thick it is, or how far it leans out.</source>
+        <source>Colours the model by wall thickness or by overhang.</source>
         <translation>在模型上显示厚度或悬垂程度。</translation>
     </message>
     <message>
@@ -6891,7 +6891,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>检查结果</translation>
     </message>
     <message>
-        <source>What was found. A click or Return on a place shows it on the model.</source>
+        <source>The findings. Click a place, or press Return, to see it on the model.</source>
         <translation>检查结果。点击某处或按回车可在模型上查看。</translation>
     </message>
     <message>
@@ -7080,7 +7080,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>跳过(&amp;K)</translation>
     </message>
     <message>
-        <source>Goes on without answers; nothing is kept.</source>
+        <source>Continues without answers; nothing is saved.</source>
         <translation>不作回答并继续；不保存任何回答。</translation>
     </message>
     <message>
@@ -7160,7 +7160,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>方向</translation>
     </message>
     <message>
-        <source>The side to which the image is pinned; choosing another one turns the view to it.</source>
+        <source>The side that shows the image. Choosing another side turns the view to it.</source>
         <translation>图片所固定的一侧；选择另一侧会把视图转到那里。</translation>
     </message>
     <message>
@@ -7316,7 +7316,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>Alpha</translation>
     </message>
     <message>
-        <source>An image that the brush is weighted with: bright is much, black nothing. A spacing of 2 sets prints side by side.</source>
+        <source>An image that weights the brush: white is full strength, black is none. A spacing of 2 places prints side by side.</source>
         <translation>给笔刷加权的图像：亮处作用大，黑处没有作用。间距设为 2 时印记并排。</translation>
     </message>
     <message>
@@ -7332,7 +7332,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>图章</translation>
     </message>
     <message>
-        <source>The model that Stamp presses in or raises, its top outwards, and that Add Ball adds.</source>
+        <source>The model that Stamp presses in or raises, with its top outwards, and that Add Ball adds.</source>
         <translation>图章压入或隆起的模型，其顶部朝外；“添加球”也添加它。</translation>
     </message>
     <message>
@@ -7557,7 +7557,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>关闭</translation>
     </message>
     <message>
-        <source>Goes to the ball of clay. (Esc)</source>
+        <source>Starts with the ball of clay. (Esc)</source>
         <translation>转到泥球。（Esc）</translation>
     </message>
     <message>
@@ -7846,7 +7846,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>时间线</translation>
     </message>
     <message>
-        <source>Drag to see the model as it was after each step; Left and Right go by one. Sculpting there drops the later steps.</source>
+        <source>Drag to see the model after each step; Left and Right move by one. Sculpting there removes the later steps.</source>
         <translation>拖动可查看每一步之后的模型；左右方向键逐步移动。在那里雕刻会丢弃之后的步骤。</translation>
     </message>
     <message>
@@ -7854,7 +7854,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>播放步骤</translation>
     </message>
     <message>
-        <source>Plays the steps one after the other, from here or from the first.</source>
+        <source>Plays the steps in order, from here or from the first.</source>
         <translation>从这里或从第一步开始，依次播放各步骤。</translation>
     </message>
     <message>
@@ -7892,7 +7892,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>方向</translation>
     </message>
     <message>
-        <source>Which way the model turns, seen from above.</source>
+        <source>Direction of the turn, seen from above.</source>
         <translation>从上方看，模型转动的方向。</translation>
     </message>
     <message>
@@ -7908,7 +7908,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>速度</translation>
     </message>
     <message>
-        <source>How many degrees the model turns in a second; 360 are one turn.</source>
+        <source>Speed in degrees per second; 360 are one turn.</source>
         <translation>模型每秒转动的度数；360 为一整圈。</translation>
     </message>
     <message>
@@ -8092,7 +8092,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>已保存：%1</translation>
     </message>
     <message>
-        <source>No models are here yet. Save puts the first one here.</source>
+        <source>There are no models here yet. Save adds the first one.</source>
         <translation>这里还没有模型。保存后，第一个模型会出现在这里。</translation>
     </message>
     <message>
@@ -8136,7 +8136,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>正在使用 %1 进行 VR。</translation>
     </message>
     <message>
-        <source>The headset is off. Put it on to go on.</source>
+        <source>The headset is not worn. Put it on to continue.</source>
         <translation>头显已摘下。戴上即可继续。</translation>
     </message>
     <message>
@@ -8732,7 +8732,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         </translation>
     </message>
     <message>
-        <source>%1 was not deleted: it cannot be put into the trash.</source>
+        <source>%1 was not deleted: it cannot be moved to the trash.</source>
         <translation>%1 未删除：无法移入回收站。</translation>
     </message>
 </context>
@@ -8747,7 +8747,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>新建预设</translation>
     </message>
     <message>
-        <source>Keeps the brush as it is now as a preset, and asks for its name.</source>
+        <source>Saves the current brush as a preset, and asks for its name.</source>
         <translation>把当前的笔刷保存为预设，并询问其名称。</translation>
     </message>
     <message>
@@ -8755,7 +8755,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>重命名</translation>
     </message>
     <message>
-        <source>Gives this preset another name (F2).</source>
+        <source>Renames this preset (F2).</source>
         <translation>给此预设换一个名称（F2）。</translation>
     </message>
     <message>
@@ -8798,7 +8798,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>堆泥</translation>
     </message>
     <message>
-        <source>Lays clay on in thick rolls, more where you rest.</source>
+        <source>Adds clay in thick rolls, more where you pause.</source>
         <translation>铺上厚厚的泥条，停留处更多。</translation>
     </message>
     <message>
@@ -8806,7 +8806,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>耙纹泥</translation>
     </message>
     <message>
-        <source>Lays clay on in strips, as a rake leaves them.</source>
+        <source>Adds clay in strips, as a rake does.</source>
         <translation>铺上一条条的泥，如耙过一般。</translation>
     </message>
     <message>
@@ -8862,7 +8862,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>刨平</translation>
     </message>
     <message>
-        <source>Cuts flat faces, as a knife does.</source>
+        <source>Cuts flat faces, like a knife.</source>
         <translation>像刀一样切出平面。</translation>
     </message>
     <message>
@@ -8878,7 +8878,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>犄角</translation>
     </message>
     <message>
-        <source>Draws out horns, tails and roots.</source>
+        <source>Pulls out horns, tails and roots.</source>
         <translation>拉出角、尾巴和根须。</translation>
     </message>
     <message>
@@ -8918,7 +8918,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>粗石</translation>
     </message>
     <message>
-        <source>Roughens, as broken stone is rough.</source>
+        <source>Makes the surface rough, like broken stone.</source>
         <translation>使表面如碎石般粗糙。</translation>
     </message>
 </context>
@@ -9096,11 +9096,11 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>%1：%2 只能与 --%3 一起使用。</translation>
     </message>
     <message>
-        <source>Write over no file that is there: status 2 instead.</source>
+        <source>Overwrite no existing file; end with status 2 instead.</source>
         <translation>不覆盖已有的文件：改为返回状态 2。</translation>
     </message>
     <message>
-        <source>%1: %2 is there already, and stays as it is because of --no-clobber.</source>
+        <source>%1: %2 already exists and is not overwritten, because of --no-clobber.</source>
         <translation>%1：%2 已存在，因 --no-clobber 而保持原样。</translation>
     </message>
     <message>

@@ -32,7 +32,7 @@ constexpr CommandRow commandTable[] = {
      QT_TRANSLATE_NOOP("app::CommandLine", "write a starting shape: a ball, a cube, a vase and others")},
     {"check", checkCommand, "check FILE...",
      QT_TRANSLATE_NOOP("app::CommandLine",
-                       "say whether models are in order, and will print; several files or a folder: a table")},
+                       "check whether models are watertight and will print; several files or a folder: a table")},
     {"convert", convertCommand, "convert IN OUT",
      QT_TRANSLATE_NOOP("app::CommandLine",
                        "write a model in another format or size, repaired, or with fewer triangles")},

@@ -88,7 +88,7 @@ void CommandOptions::requireWith(const QStringList& options, const QString& need
 
 void CommandOptions::addNoClobber(QCommandLineParser& parser)
 {
-    parser.addOption({QStringLiteral("no-clobber"), tr("Write over no file that is there: status 2 instead.")});
+    parser.addOption({QStringLiteral("no-clobber"), tr("Overwrite no existing file; end with status 2 instead.")});
 }
 
 void CommandOptions::requireFree(const QString& path) const
@@ -97,7 +97,7 @@ void CommandOptions::requireFree(const QString& path) const
     if (has(QStringLiteral("no-clobber")) && !path.isEmpty() && path != QLatin1String("-") &&
         (file.exists() || file.isSymLink()))
         CommandLine::fail(
-            tr("%1: %2 is there already, and stays as it is because of --no-clobber.").arg(m_command, path));
+            tr("%1: %2 already exists and is not overwritten, because of --no-clobber.").arg(m_command, path));
 }
 
 void CommandOptions::addOutput(QCommandLineParser& parser, const QString& word)

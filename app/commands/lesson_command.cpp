@@ -109,7 +109,7 @@ void requireFit(const LessonOptions& options, const CommandOptions& given)
         CommandLine::fail(LessonCommandMessages::tr("lesson: %1 does not end in .zip.").arg(options.pack));
     if (options.unpack.endsWith(QLatin1String(".zip"), Qt::CaseInsensitive))
         CommandLine::fail(
-            LessonCommandMessages::tr("lesson: %1 is to be a folder, but ends in .zip.").arg(options.unpack));
+            LessonCommandMessages::tr("lesson: %1 must be a folder, but ends in .zip.").arg(options.unpack));
     if (!options.pdf.isEmpty() && !options.pdf.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive))
         CommandLine::fail(LessonCommandMessages::tr("lesson: %1 does not end in .pdf.").arg(options.pdf));
     for (const QString& path : {options.pack, options.unpack, options.out, options.pdf})

@@ -189,7 +189,7 @@ void takeStrokes(const core::Mesh& mesh, const core::StrokeCoordinates& coordina
 void requireWhole(const core::Sculptor& sculptor, std::size_t dab)
 {
     if (!core::checkMesh(core::extractMesh(sculptor.mesh())).printReady())
-        throw CommandFailure{ReplayMessages::tr("replay: the mesh is not in order in dab %1.").arg(dab), AnswerIsNo};
+        throw CommandFailure{ReplayMessages::tr("replay: the mesh is not valid after dab %1.").arg(dab), AnswerIsNo};
 }
 
 core::MeshDelta play(core::Sculptor& sculptor, const core::Stroke& stroke, double& dabStart)

@@ -98,7 +98,7 @@ void ModelOpener::recover(quint64 offer, const QString& name)
 void ModelOpener::openMade(const Choice& choice)
 {
     if (m_document->job().isBusy() && !m_isLoading)
-        Q_EMIT m_document->noticed(tr("The model that you chose opens as soon as this is done."));
+        Q_EMIT m_document->noticed(tr("The model that you chose will open as soon as this is done."));
     m_document->queue().enqueue([this, choice] {
         const bool isAgreed = choice.discardsChanges || m_isDiscardAgreed ||
                               (!choice.path.isEmpty() && choice.path == m_discardAgreedFor);

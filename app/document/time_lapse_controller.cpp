@@ -62,7 +62,7 @@ void TimeLapseController::write(const ui::TimeLapseSettings& settings, const QSt
     };
     if (!visitHistory(*m_document, tr("Drawing the time-lapse"), visit,
                       [this, folder, outcome] { finish(folder, *outcome); }))
-        m_window->showNotice(tr("The time-lapse has to wait until this is done; ask for it again then."));
+        m_window->showNotice(tr("The time-lapse has to wait until this is done; try again then."));
 }
 
 void TimeLapseController::finish(const QString& folder, const TimeLapseOutcome& outcome)

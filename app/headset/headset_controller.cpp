@@ -62,7 +62,7 @@ void HeadsetController::connectDocument()
     connect(m_document, &Document::noticed, this, &HeadsetController::showNotice);
     connect(m_document, &Document::refused, this, &HeadsetController::showNotice);
     connect(&m_document->opener(), &ModelOpener::repairable, this, [this](const QString&, const QString& problem) {
-        showNotice(tr("%1 It can be repaired at the window.").arg(problem));
+        showNotice(tr("%1 You can repair it in the window.").arg(problem));
     });
     connect(&m_document->saver(), &ModelSaver::saved, this, [this](const QString& path) {
         m_update.saved = QFileInfo(path).fileName();

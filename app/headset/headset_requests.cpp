@@ -86,7 +86,7 @@ void HeadsetRequests::handle(const vr::ChooseBrush& request)
     ui::BrushSettings& brush = *m_window->brush();
     brush.setTool(request.brush.tool);
     if (!brush.isOffered(request.brush.tool)) { // the headset is told which tool there is instead
-        Q_EMIT refused(tr("This class does without that tool."));
+        Q_EMIT refused(tr("This tool is not available in this class."));
         Q_EMIT brushRefused();
     }
     brush.set(&StrokeSettings::brush, request.brush.brush);

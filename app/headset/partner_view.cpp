@@ -41,9 +41,9 @@ PartnerView::PartnerView(Document* document, ui::MainWindow* window)
     m_choiceTimer.setInterval(choiceDelay);
     connect(&m_choiceTimer, &QTimer::timeout, this, &PartnerView::announceChoice);
     connect(window->action(QStringLiteral("edit.undo")), &QAction::triggered, this,
-            [this] { announceHistory(tr("Your partner took back: %1.").arg(m_undoText)); });
+            [this] { announceHistory(tr("Your partner undid: %1.").arg(m_undoText)); });
     connect(window->action(QStringLiteral("edit.redo")), &QAction::triggered, this,
-            [this] { announceHistory(tr("Your partner did again: %1.").arg(m_redoText)); });
+            [this] { announceHistory(tr("Your partner redid: %1.").arg(m_redoText)); });
     connect(m_lessons, &ui::LessonPanel::changed, this, &PartnerView::onLessonChanged);
     connect(window->viewport(), &ui::Viewport::teacherShown, this, [this](const std::optional<core::Sphere>& brush) {
         m_teacher = brush;

@@ -117,8 +117,7 @@ void LessonEditorController::enableAutosave(const std::filesystem::path& root)
     m_autosave = std::make_unique<LessonAutosave>(root, [this] { return hasChanges() ? &m_draft : nullptr; });
     showLessons();
     if (m_window && !m_autosave->abandoned().isEmpty())
-        m_window->showNotice(
-            tr("A lesson that was not saved is kept: Sculpt > Record Lesson has it among the lessons."));
+        m_window->showNotice(tr("An unsaved lesson was kept: Sculpt > Record Lesson lists it."));
 }
 
 /// Lists the lessons, those that were not saved first.

@@ -89,7 +89,7 @@ QString LessonMessages::json(const core::LessonError& error)
         return tr("\"%1\" is out of range, %2 to %3")
             .arg(key, QString::number(error.min, 'g', 6), QString::number(error.max, 'g', 6));
     case Kind::NoWords:
-        return tr("\"%1\" has no words in some language").arg(key);
+        return tr("\"%1\" has no text in some language").arg(key);
     case Kind::TooLong:
         return tr("\"%1\" is too long: at most %2 of text are read").arg(key, bytes(error.max));
     case Kind::TooMany:
@@ -112,17 +112,17 @@ QString LessonMessages::wrongType(const std::string& key)
     };
     const QString shown = QString::fromStdString(key);
     if (isAmong({"title", "summary", "text"}))
-        return tr("\"%1\" must hold texts by language, as in {\"en\": \"A mug\"}").arg(shown);
+        return tr("\"%1\" must contain texts by language, as in {\"en\": \"A mug\"}").arg(shown);
     if (key == "steps")
         return tr("\"%1\" must be a list of steps, as in [{…}, {…}]").arg(shown);
     if (key == "tools")
         return tr("\"%1\" must be a list of tools, as in [\"pull\", \"smooth\"]").arg(shown);
     if (key == "checkpoint")
-        return tr("\"%1\" must hold goals, as in {\"height_mm\": {\"least\": 60}}").arg(shown);
+        return tr("\"%1\" must contain goals, as in {\"height_mm\": {\"least\": 60}}").arg(shown);
     if (key == "view")
         return tr("\"%1\" must be angles, as in {\"yaw_deg\": 75, \"pitch_deg\": -25}").arg(shown);
     if (key == "target")
-        return tr("\"%1\" must hold a distance, as in {\"tolerance_mm\": 2}").arg(shown);
+        return tr("\"%1\" must contain a distance, as in {\"tolerance_mm\": 2}").arg(shown);
     if (isAmong({"start", "file", "picture", "strokes"}))
         return tr("\"%1\" must be a name in quotation marks").arg(shown);
     const auto* const fact = std::ranges::find(core::factTable, key, &core::FactInfo::key);

@@ -82,7 +82,7 @@ void LessonWriter::onChecked(const QString& path, const CheckedLesson& checked, 
     if (checked.remarks.size() > maxRemarks)
         remarks << tr("And %n more.", nullptr, static_cast<int>(checked.remarks.size() - maxRemarks));
     auto* box = new QMessageBox(QMessageBox::Question, tr("Save the lesson"),
-                                tr("Not everything is as the lesson asks for."), QMessageBox::Cancel, m_window);
+                                tr("Not all goals of the lesson are met."), QMessageBox::Cancel, m_window);
     box->setObjectName(QStringLiteral("lessonRemarks"));
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setTextFormat(Qt::PlainText);

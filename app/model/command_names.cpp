@@ -83,13 +83,13 @@ QString CommandNames::refusal(const core::ModelChange& change, const QString& in
     case core::ModelRefusal::None:
         return {};
     case core::ModelRefusal::FacesMeet:
-        return tr("The model stays as it is, because some of its faces would meet on the program's working grid "
-                  "(faces: %1).")
+        return tr("The model stays as it is, because some of its faces would intersect after rounding to the program's "
+                  "grid (faces: %1).")
             .arg(faces);
     case core::ModelRefusal::TooFar:
         return tr("The model stays as it is: nothing may be farther from the origin than four times its size.");
     case core::ModelRefusal::TooLarge:
-        return tr("The model stays as it is: it can be between a millionth of a millimetre and ten kilometres large.");
+        return tr("The model stays as it is: its size must be between a millionth of a millimetre and ten kilometres.");
     case core::ModelRefusal::Unsound:
         return ui::ErrorMessages::refusal(inserted, change.report);
     case core::ModelRefusal::Inside:

@@ -59,7 +59,7 @@ ModelChangeOutcome ModelChangeJob::run(const std::shared_ptr<core::Mesh>& copy, 
     } catch (const core::FileError& error) {
         outcome.problem = ui::ErrorMessages::sentence(error);
     } catch (const std::bad_alloc&) {
-        outcome.problem = tr("There is not enough memory for that; the model stays as it is.");
+        outcome.problem = tr("There is not enough memory for this; the model stays as it is.");
     }
     return outcome;
 }

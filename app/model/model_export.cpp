@@ -99,10 +99,9 @@ QString ModelExport::verdictText(const ExportRequest& request, const core::MeshR
     if (losesColors)
         line += u' ' + tr("Its format has no colours; GLB and 3MF keep them.");
     if (request.maxTriangles > 0 && report.faces > request.maxTriangles)
-        line +=
-            u' ' + tr("%1 triangles were asked for; so few could not be reached without losing handles or parts, or "
-                      "turning faces over.")
-                       .arg(locale.toString(static_cast<qulonglong>(request.maxTriangles)));
+        line += u' ' + tr("%1 triangles were asked for; this could not be reached without losing handles or parts, or "
+                          "flipping faces.")
+                           .arg(locale.toString(static_cast<qulonglong>(request.maxTriangles)));
     const QString doubt = ui::ErrorMessages::unitDoubt(report.volume.value_or(0));
     return doubt.isEmpty() ? line : line + u' ' + doubt;
 }

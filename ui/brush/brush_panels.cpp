@@ -109,8 +109,8 @@ public:
         QCheckBox* check = makeCheck(QStringLiteral("anchored"), BrushPanels::tr("Drag out size and direction"),
                                      &core::StrokeSettings::anchored);
         check->setToolTip(
-            BrushPanels::tr("Press where the alpha or the stamp belongs, and drag: the way is its radius, "
-                            "and up is where you drag. A click leaves it as large as the brush."));
+            BrushPanels::tr("Press where the alpha or the stamp should go, and drag: the distance sets its radius, and "
+                            "it points up where you drag. A click makes it as large as the brush."));
         const auto show = [check, brush = m_brush] { check->setEnabled(core::canAnchor(brush->tool())); };
         QObject::connect(m_brush, &BrushSettings::changed, check, show);
         show();
@@ -183,7 +183,8 @@ public:
         count->setRange(1, core::maxRadial);
         count->setSpecialValueText(BrushPanels::tr("Off"));
         count->setKeyboardTracking(false);
-        auto* hint = new QLabel(BrushPanels::tr("Alike to the eye with this count; exactly alike with 2 and 4."));
+        auto* hint =
+            new QLabel(BrushPanels::tr("With this count the sectors look alike; with 2 and 4 they are exactly alike."));
         hint->setObjectName(QStringLiteral("radialHint"));
         hint->setWordWrap(true);
         const auto show = [=, brush = m_brush] {

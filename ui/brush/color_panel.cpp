@@ -239,7 +239,7 @@ void addColorPanel(const ColorPanelContext& context, BrushSettings* brush, Setti
                          if (hit)
                              brush->set(&core::StrokeSettings::color, hit->color);
                          else
-                             notice(ColorPanel::tr("No colour was picked: the click was not on the model."));
+                             notice(ColorPanel::tr("No colour was picked: you did not click on the model."));
                      });
 }
 } // namespace ui

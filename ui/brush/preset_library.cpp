@@ -27,22 +27,22 @@ public:
 std::vector<PresetTexts::Row> PresetTexts::rows()
 {
     return {
-        {QStringLiteral("clay-buildup"), tr("Clay Buildup"), tr("Lays clay on in thick rolls, more where you rest.")},
-        {QStringLiteral("raked-clay"), tr("Raked Clay"), tr("Lays clay on in strips, as a rake leaves them.")},
+        {QStringLiteral("clay-buildup"), tr("Clay Buildup"), tr("Adds clay in thick rolls, more where you pause.")},
+        {QStringLiteral("raked-clay"), tr("Raked Clay"), tr("Adds clay in strips, as a rake does.")},
         {QStringLiteral("carve"), tr("Carve"), tr("Cuts a groove with soft edges.")},
         {QStringLiteral("swell"), tr("Swell"), tr("Inflates the surface under it, with a soft edge.")},
         {QStringLiteral("panel"), tr("Panel"), tr("Raises a plate of one height, with steep sides.")},
         {QStringLiteral("fine-line"), tr("Fine Line"), tr("Scores a sharp line: wrinkles, eyelids, seams.")},
         {QStringLiteral("ridge"), tr("Ridge"), tr("Raises a sharp edge.")},
         {QStringLiteral("polish"), tr("Polish"), tr("Takes off bumps and keeps hollows.")},
-        {QStringLiteral("plane-off"), tr("Plane Off"), tr("Cuts flat faces, as a knife does.")},
+        {QStringLiteral("plane-off"), tr("Plane Off"), tr("Cuts flat faces, like a knife.")},
         {QStringLiteral("big-move"), tr("Big Move"), tr("Moves large parts of the model, softly.")},
-        {QStringLiteral("horn"), tr("Horn"), tr("Draws out horns, tails and roots.")},
+        {QStringLiteral("horn"), tr("Horn"), tr("Pulls out horns, tails and roots.")},
         {QStringLiteral("pores"), tr("Pores"), tr("Prints the pores of skin.")},
         {QStringLiteral("scales"), tr("Scales"), tr("Prints scales along the stroke.")},
         {QStringLiteral("cracks"), tr("Cracks"), tr("Prints the cracks of dry earth.")},
         {QStringLiteral("weave"), tr("Weave"), tr("Prints woven cloth along the stroke.")},
-        {QStringLiteral("rough-stone"), tr("Rough Stone"), tr("Roughens, as broken stone is rough.")},
+        {QStringLiteral("rough-stone"), tr("Rough Stone"), tr("Makes the surface rough, like broken stone.")},
     };
 }
 
@@ -194,7 +194,7 @@ void PresetLibrary::remove(const Entry& entry)
 {
     QFile file(entry.file.path);
     isWritten(file.moveToTrash() ? QString()
-                                 : tr("%1 was not deleted: it cannot be put into the trash.").arg(entry.name));
+                                 : tr("%1 was not deleted: it cannot be moved to the trash.").arg(entry.name));
 }
 
 QString PresetLibrary::import(const QString& path)

@@ -61,9 +61,9 @@ void PresetShelf::build()
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_list->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // else the columns jump
     m_new = button(QStringLiteral("presets.new"), QStringLiteral("plus"), tr("New Preset"),
-                   tr("Keeps the brush as it is now as a preset, and asks for its name."), [this] { makeNew(); });
+                   tr("Saves the current brush as a preset, and asks for its name."), [this] { makeNew(); });
     m_rename = button(QStringLiteral("presets.rename"), QStringLiteral("rename"), tr("Rename"),
-                      tr("Gives this preset another name (F2)."), [this] { m_list->editItem(m_list->currentItem()); });
+                      tr("Renames this preset (F2)."), [this] { m_list->editItem(m_list->currentItem()); });
     m_delete = button(QStringLiteral("presets.delete"), QStringLiteral("trash"), tr("Delete"),
                       tr("Moves this preset to the trash."), [this] {
                           if (const auto* entry = entryOf(m_list->currentItem()))

@@ -85,8 +85,8 @@ QComboBox* chooser(const QString& name, const QString& text, const QString& tip)
 QComboBox* alphaChooser(BrushSettings* brush, BrushShapes* shapes)
 {
     QComboBox* box = chooser(QStringLiteral("alpha"), ShapeChoosers::tr("Alpha"),
-                             ShapeChoosers::tr("An image that the brush is weighted with: bright is much, black "
-                                               "nothing. A spacing of 2 sets prints side by side."));
+                             ShapeChoosers::tr("An image that weights the brush: white is full strength, black is "
+                                               "none. A spacing of 2 places prints side by side."));
     box->setIconSize({picturePixels, picturePixels});
     const auto fill = [=] {
         const QSignalBlocker quiet(box);
@@ -124,7 +124,7 @@ QComboBox* modelChooser(BrushSettings* brush, BrushShapes* shapes)
 {
     QComboBox* box = chooser(
         QStringLiteral("stampShape"), ShapeChoosers::tr("Stamp"),
-        ShapeChoosers::tr("The model that Stamp presses in or raises, its top outwards, and that Add Ball adds."));
+        ShapeChoosers::tr("The model that Stamp presses in or raises, with its top outwards, and that Add Ball adds."));
     const auto fill = [=] {
         const QSignalBlocker quiet(box);
         box->clear();

@@ -74,7 +74,7 @@ ClassroomDialog::ClassroomDialog(QWidget* parent, const Actions& actions, const 
     , m_startFolder(folder)
 {
     QVBoxLayout* column = beginDialog(this, "classroomDialog", tr("Classroom"));
-    auto* open = named(new QPushButton(tr("&Open a Class…")), "classOpen", tr("Shows a class here, to be changed."));
+    auto* open = named(new QPushButton(tr("&Open a Class…")), "classOpen", tr("Opens a class file to change it."));
     open->setAutoDefault(false);
     connect(open, &QPushButton::clicked, this, [this] {
         askForClass(this, m_path.isEmpty() ? m_startFolder : QFileInfo(m_path).absolutePath(),
@@ -98,7 +98,7 @@ ClassroomDialog::ClassroomDialog(QWidget* parent, const Actions& actions, const 
     page->addWidget(choices(tr("Tools"), actions, MenuId::Tool));
     column->addWidget(foot());
     m_save = addDialogButtons(this, tr("&Save…"));
-    m_saveAs = named(new QPushButton(tr("Save &As…")), "classSaveAs", tr("Keeps the class in another file."));
+    m_saveAs = named(new QPushButton(tr("Save &As…")), "classSaveAs", tr("Saves the class to another file."));
     qobject_cast<QDialogButtonBox*>(m_save->parentWidget())->addButton(m_saveAs, QDialogButtonBox::ActionRole);
     m_saveAs->setAutoDefault(false);
     m_saveAs->hide();
@@ -179,7 +179,7 @@ std::optional<ClassroomDraft> ClassroomDialog::checkedDraft()
 void ClassroomDialog::makeFolder()
 {
     if (!QDir().mkpath(folder()))
-        return showFault(tr("This folder cannot be made."));
+        return showFault(tr("This folder cannot be created."));
     showFault({});
     m_folder->setFocus();
 }

@@ -10,7 +10,7 @@ namespace ui
 LessonChoice::LessonChoice(const QList<LessonCard>& lessons)
 {
     setObjectName(QStringLiteral("classLesson"));
-    setToolTip(tr("Pupils may begin with it: it is shown stroke by stroke, and the report says how far they came."));
+    setToolTip(tr("Pupils can begin with it: it is shown stroke by stroke, and the report says how far they got."));
     setSizeAdjustPolicy(QComboBox::AdjustToContents);
     addItem(tr("none"), QString());
     for (const LessonCard& card : lessons)

@@ -30,11 +30,11 @@ QStringList linesOf(const QString& text)
 
 NamesField::NamesField()
     : m_text(named(new QPlainTextEdit, "classNames",
-                   tr("A name in each line, as it can be pasted from anywhere. Pupils choose theirs; who has had a "
-                      "turn today is marked.")))
+                   tr("One name per line; you can paste a list. Pupils choose their name; those who had a turn today "
+                      "are marked.")))
     , m_word(named(new QLabel, "classNamesWord"))
 {
-    m_text->setPlaceholderText(tr("One name in a line; none: pupils type theirs."));
+    m_text->setPlaceholderText(tr("One name per line. Without names, pupils type theirs."));
     m_text->setTabChangesFocus(true);
     m_text->setFixedHeight(nameLines * m_text->fontMetrics().lineSpacing() + 2 * gap);
     m_word->setTextFormat(Qt::PlainText);

@@ -66,7 +66,7 @@ QWidget* QuestionnairePanel::content()
 
 QLayout* QuestionnairePanel::buttons()
 {
-    named(m_skip, "skipQuestions", tr("Goes on without answers; nothing is kept."));
+    named(m_skip, "skipQuestions", tr("Continues without answers; nothing is saved."));
     named(m_done, "questionsDone", tr("Saves the answers with the work, and continues."));
     for (QPushButton* button : {m_skip, m_done})
         button->setAutoDefault(true); // Return presses it

@@ -124,8 +124,7 @@ QLayout* FileBrowser::buildChoices()
         showState();
         m_thumbnailTimer.start();
     });
-    m_order =
-        named(new QComboBox, "files.order", tr("What the files are sorted by; folders come first."), tr("Sorted by"));
+    m_order = named(new QComboBox, "files.order", tr("How the files are sorted; folders come first."), tr("Sorted by"));
     m_order->addItems({tr("Name"), tr("Size"), tr("Date"), tr("Vertices")});
     m_direction = panelButton(QStringLiteral("files.direction"), QStringLiteral("sort-up"), tr("Descending"),
                               tr("Turns the order round."));
@@ -142,7 +141,7 @@ QLayout* FileBrowser::buildFoot()
     m_state = named(new QLabel, "files.state");
     m_state->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_stop = panelButton(QStringLiteral("files.stop"), QStringLiteral("stop"), tr("Stop"),
-                         tr("Makes no more pictures in this folder."));
+                         tr("Stops making pictures of this folder."));
     QSizePolicy keepsItsPlace = m_stop->sizePolicy();
     keepsItsPlace.setRetainSizeWhenHidden(true);
     m_stop->setSizePolicy(keepsItsPlace);
@@ -150,8 +149,7 @@ QLayout* FileBrowser::buildFoot()
         m_isStopped = true;
         requestThumbnails();
     });
-    m_size =
-        named(new QSlider(Qt::Horizontal), "files.size", tr("How large the pictures are."), tr("Size of the pictures"));
+    m_size = named(new QSlider(Qt::Horizontal), "files.size", tr("Size of the pictures."), tr("Size of the pictures"));
     m_size->setRange(minPictureSize, maxPictureSize);
     m_size->setSingleStep(gap);
     m_size->setPageStep(4 * gap);
@@ -376,7 +374,7 @@ void FileBrowser::showState()
         m_empty->setText(!m_problem.isEmpty()       ? m_problem
                          : !m_isListed              ? QString()
                          : m_files->rowCount() == 0 ? tr("No models in this folder (%1).").arg(modelFormats())
-                                                    : tr("No name here has %1 in it.").arg(m_filter->text().trimmed()));
+                                                    : tr("No file name contains %1.").arg(m_filter->text().trimmed()));
 }
 
 QStringList FileBrowser::chosenFiles() const

@@ -169,7 +169,7 @@ FileOutcome FileJobs::trash(const QStringList& paths)
             ++moved;
         else
             outcome.sentence =
-                tr("%1 was not deleted: it could not be put into a trash, and nothing is deleted for good here.")
+                tr("%1 was not deleted: it could not be moved to the trash, and Fettle deletes nothing permanently.")
                     .arg(file.fileName());
     }
     if (outcome.sentence.isEmpty())

@@ -103,7 +103,7 @@ QLayout* StartPage::head()
     closing->setAutoRaise(true);
     closing->setFocusPolicy(Qt::StrongFocus);
     closing->setAccessibleName(tr("Close"));
-    closing->setToolTip(tr("Goes to the ball of clay. (Esc)"));
+    closing->setToolTip(tr("Starts with the ball of clay. (Esc)"));
     connect(closing, &QToolButton::clicked, this, &StartPage::close);
     auto* row = new QHBoxLayout;
     row->setSpacing(gap);

@@ -30,8 +30,8 @@ Timeline::Timeline(QWidget* parent)
     , m_play(new QToolButton)
 {
     named(m_slider, "timeline",
-          tr("Drag to see the model as it was after each step; Left and Right go by one. Sculpting "
-             "there drops the later steps."),
+          tr("Drag to see the model after each step; Left and Right move by one. Sculpting there removes the later "
+             "steps."),
           tr("Timeline"));
     m_slider->setPageStep(statesPerPage);
     m_text->setObjectName(QStringLiteral("timelineText"));
@@ -41,7 +41,7 @@ Timeline::Timeline(QWidget* parent)
     m_play->setAutoRaise(true);
     m_play->setCheckable(true);
     m_play->setAccessibleName(tr("Play the steps"));
-    m_play->setToolTip(tr("Plays the steps one after the other, from here or from the first."));
+    m_play->setToolTip(tr("Plays the steps in order, from here or from the first."));
     m_playTimer.setInterval(playIntervalMs);
     connect(m_slider, &QSlider::valueChanged, this, &Timeline::requestState);
     connect(m_play, &QToolButton::clicked, this, &Timeline::setPlaying);

@@ -109,10 +109,10 @@ void LessonEditor::addStarts(const Actions& actions)
     rows->addWidget(m_start);
     rows->addWidget(record);
     rows->addSpacing(2 * gap);
-    rows->addWidget(head(tr("Or change a lesson that is there:")));
+    rows->addWidget(head(tr("Or change an existing lesson:")));
     m_library = named(new QComboBox, "lessonShelf", {}, tr("Lessons of the program"));
     auto* change =
-        named(new QPushButton(tr("Edit")), "lessonEdit", tr("Opens it here; it is saved under a name of your own."));
+        named(new QPushButton(tr("Edit")), "lessonEdit", tr("Opens it here; you save it under a name of your own."));
     auto* file = named(new QPushButton(tr("Open a Lesson…")), "lessonEditFile",
                        tr("Opens a lesson from a zip or a folder, to change it."));
     rows->addWidget(m_library);
@@ -146,12 +146,13 @@ void LessonEditor::addEditor()
 
 void LessonEditor::addHead(QVBoxLayout* rows)
 {
-    m_language = named(new QComboBox, "lessonLanguage",
-                       tr("Texts are written in this language. Where one is missing, pupils read another one."),
-                       tr("Language of the texts"));
-    m_title = named(new QLineEdit, "lessonName", tr("What the lesson is called."), tr("Title of the lesson"));
+    m_language =
+        named(new QComboBox, "lessonLanguage",
+              tr("The language that you write in. Where a text is missing, pupils read it in another language."),
+              tr("Language of the texts"));
+    m_title = named(new QLineEdit, "lessonName", tr("Title of the lesson."), tr("Title of the lesson"));
     m_summary =
-        named(new QLineEdit, "lessonSummary", tr("What the lesson is about, in one sentence."), tr("In one sentence"));
+        named(new QLineEdit, "lessonSummary", tr("Subject of the lesson, in one sentence."), tr("In one sentence"));
     auto* row = new QHBoxLayout;
     row->addWidget(m_title, 1);
     row->addWidget(m_language);
@@ -171,7 +172,7 @@ void LessonEditor::addSteps(QVBoxLayout* rows)
     m_steps->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_steps->setFixedHeight(stepsShown * (m_steps->fontMetrics().height() + gap));
     auto* add = named(new QPushButton(tr("New Step")), "lessonNewStep",
-                      tr("From here on strokes belong to a new step, the last one."));
+                      tr("Starts a new step at the end; strokes belong to it from here on."));
     m_up = button("lessonUp", "sort-up", tr("Moves the step up"));
     m_down = button("lessonDown", "sort-down", tr("Moves the step down"));
     m_remove = button("lessonRemove", "trash", tr("Removes the step with its strokes"));
@@ -193,7 +194,7 @@ void LessonEditor::addRecorder(QVBoxLayout* rows)
     m_state = head({});
     m_state->setObjectName(QStringLiteral("lessonState"));
     m_record = named(new QPushButton, "lessonRecord",
-                     tr("Plays the lesson to its end and records from there, or stops that."));
+                     tr("Plays the lesson to its end and records from there. Press again to stop."));
     auto* save = named(new QPushButton(tr("Save…")), "lessonSave",
                        tr("Plays the lesson to its end, checks each step, and writes it as one file or a folder."));
     auto* close =

@@ -60,7 +60,7 @@ void LessonStepEditor::addText()
     auto* page = new QWidget;
     QVBoxLayout* rows = panelLayout(page);
     m_title = named(new QLineEdit, "lessonStepTitle", tr("What the step is called."), tr("Title of the step"));
-    m_text = named(new QPlainTextEdit, "lessonStepText", tr("What the pupil reads beside the model."),
+    m_text = named(new QPlainTextEdit, "lessonStepText", tr("Text that the pupil reads beside the model."),
                    tr("Text of the step"));
     m_text->setTabChangesFocus(true);
     rows->addWidget(m_title);
@@ -93,7 +93,7 @@ void LessonStepEditor::addTools(const Actions& actions)
 {
     auto* page = new QWidget;
     QVBoxLayout* rows = panelLayout(page);
-    rows->addWidget(sentence(tr("The pupil has these tools; all of them, if none is chosen.")));
+    rows->addWidget(sentence(tr("Tools that the pupil has; if none is chosen, all of them.")));
     auto* grid = new QGridLayout;
     constexpr int columns = 2;
     for (const std::string_view name : core::toolNames()) {
@@ -151,8 +151,7 @@ void LessonStepEditor::addCheckpoint()
     addFact(grid, Fact::Volume, tr("Volume, mm³"));
     addFact(grid, Fact::Faces, tr("Triangles"));
     m_tolerance = spin(0, maxTolerance, 1);
-    named(m_tolerance, "lessonTolerance",
-          tr("How close the pupil's shape must come to the one that the teacher's strokes make."));
+    named(m_tolerance, "lessonTolerance", tr("How close the pupil's shape must be to the teacher's."));
     auto* shape = new QLabel(tr("Near the teacher's, mm"));
     shape->setBuddy(m_tolerance);
     const int row = grid->rowCount();

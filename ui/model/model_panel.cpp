@@ -52,10 +52,9 @@ ModelPanel::ModelPanel(QWidget* parent)
     addRow("vertices", tr("Vertices"), tr("Corners of the triangles."));
     addRow("faces", tr("Faces"), tr("Triangles of the surface."));
     addRow("components", tr("Components"), tr("Parts of the surface that are not connected, including hollows."));
-    addRow("genus", tr("Genus"),
-           tr("How many handles it has, which is how many holes go through it: 0 for a ball, 1 for a ring or a cup."));
+    addRow("genus", tr("Genus"), tr("The number of handles or through holes: 0 for a ball, 1 for a ring or a cup."));
     addRow("size", tr("Size"), tr("Width, height and depth of the box around the model."));
-    addRow("volume", tr("Volume"), tr("Of the matter within the surface."));
+    addRow("volume", tr("Volume"), tr("Volume inside the surface."));
     addRow("area", tr("Area"), tr("Of the whole surface."));
     addRow("edges", tr("Edges"), tr("The shortest and the longest edge of a triangle."));
     setStale();

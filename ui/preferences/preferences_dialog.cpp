@@ -78,8 +78,8 @@ void PreferencesDialog::askToReset()
     question->setObjectName(QStringLiteral("resetQuestion"));
     question->setAttribute(Qt::WA_DeleteOnClose);
     question->setInformativeText(
-        tr("This is about colours, language, keys, pen and mouse, brush, view and the panels' places. "
-           "Models, recent files and swatches stay. The language is spoken from the next start on."));
+        tr("This resets colours, language, keys, pen and mouse, brush, view and the layout of panels. Models, recent "
+           "files and swatches stay. The language changes at the next start."));
     QPushButton* reset = question->addButton(tr("&Reset"), QMessageBox::AcceptRole);
     connect(reset, &QPushButton::clicked, this, &PreferencesDialog::resetRequested);
     question->open();
@@ -93,8 +93,8 @@ QWidget* PreferencesDialog::appearancePage()
               themeChoices, &Preferences::theme);
     addChoice(form, {"language", tr("&Language"), tr("Chooses the language of the window's texts.")}, languages,
               &Preferences::language);
-    addChoice(form, {"textSize", tr("&Text size"), tr("Makes the window's texts larger than the desktop has them.")},
-              textSizes, &Preferences::textSize);
+    addChoice(form, {"textSize", tr("&Text size"), tr("Makes the window's text larger than the desktop's.")}, textSizes,
+              &Preferences::textSize);
     form->addRow(remark(tr("Restart Fettle to apply language and text size.")));
     addCheck(
         form,
@@ -110,11 +110,11 @@ QWidget* PreferencesDialog::inputPage()
     QFormLayout* form = formIn(page);
     addCheck(form,
              {"pressureToStrength", tr("Pen pressure controls &strength"),
-              tr("A light touch changes little, a firm one much.")},
+              tr("A light touch changes little, a firm touch much.")},
              [](Preferences& all) { return &all.input.pressureToStrength; });
     addCheck(form,
              {"pressureToRadius", tr("Pen pressure controls &radius"),
-              tr("A light touch makes a narrow stroke, a firm one a wide one.")},
+              tr("A light touch makes a narrow stroke, a firm touch a wide one.")},
              [](Preferences& all) { return &all.input.pressureToRadius; });
     addCheck(form,
              {"altMovesView", tr("Alt and &mouse navigate"),
@@ -130,7 +130,7 @@ QWidget* PreferencesDialog::filesPage()
     auto* page = new QWidget;
     QFormLayout* form = formIn(page);
     addCheck(form,
-             {"keepsVersions", tr("Keep the last three &versions of a file that is saved again"),
+             {"keepsVersions", tr("Keep the last three &versions of each saved file"),
               tr("Older versions stay beside the file, as vase.glb~1, vase.glb~2 and so on. Open them like any other "
                  "file.")},
              [](Preferences& all) { return &all.keepsBackups; });

@@ -14,8 +14,8 @@ PressureCurve::PressureCurve(QWidget* parent) : CurveWidget(parent)
 {
     setObjectName(QStringLiteral("penCurve"));
     setAccessibleName(tr("Pressure curve"));
-    setToolTip(tr(
-        "How a pen's pressure counts: above the diagonal a light touch does much, below it little. Drag to bend it."));
+    setToolTip(tr("Effect of pen pressure: above the diagonal a light touch does much, below it little. Drag to bend "
+                  "the curve."));
 }
 
 void PressureCurve::setExponent(double exponent)

@@ -49,10 +49,10 @@ ShortcutsPage::ShortcutsPage(const Actions& actions, QWidget* parent)
     m_words->setObjectName(QStringLiteral("keyWords"));
     m_words->setPlaceholderText(tr("Search for a command or a key"));
     m_words->setAccessibleName(tr("Words of a command"));
-    m_words->setToolTip(tr("Shows only the commands that have these words or this key."));
+    m_words->setToolTip(tr("Shows only commands with these words or this key."));
     m_words->setClearButtonEnabled(true);
     m_modifierHelp->setWordWrap(true);
-    named(m_list, "keyList", tr("Every command with its keys; the marked one's are changed below."),
+    named(m_list, "keyList", tr("Every command with its keys. Change the keys of the selected one below."),
           tr("Commands and Keys"));
     m_list->setColumnHidden(CommandList::Tip, true);
     m_list->header()->setSectionResizeMode(CommandList::Name, QHeaderView::ResizeToContents);
@@ -83,7 +83,7 @@ QLayout* ShortcutsPage::presetRow()
         shortcuts.preset = static_cast<ShortcutPreset>(m_preset->currentData().toInt());
         change(shortcuts);
     });
-    m_resetAll = button("resetKeys", tr("Reset A&ll Keys"), tr("Gives every command the keys of the preset."));
+    m_resetAll = button("resetKeys", tr("Reset A&ll Keys"), tr("Resets all commands to the keys of the preset."));
     connect(m_resetAll, &QPushButton::clicked, this, [this] { change({m_shortcuts.preset, {}}); });
     auto* label = new QLabel(tr("&Preset"));
     label->setBuddy(m_preset);
@@ -107,7 +107,7 @@ QLayout* ShortcutsPage::editRow()
         connect(edit, &ShortcutEdit::entered, this, [this, place](const QKeySequence& key) { enter(place, key); });
         row->addWidget(edit);
     }
-    m_reset = button("resetKey", tr("R&eset"), tr("Gives the command the keys of the preset."));
+    m_reset = button("resetKey", tr("R&eset"), tr("Resets the command to the keys of the preset."));
     connect(m_reset, &QPushButton::clicked, this, &ShortcutsPage::reset);
     row->addWidget(m_reset);
     return row;
@@ -117,7 +117,7 @@ QLayout* ShortcutsPage::messageRow()
 {
     m_word->setObjectName(QStringLiteral("keyWord"));
     m_word->setWordWrap(true);
-    m_goThere = button("goToKey", tr("&Go There"), tr("Marks the command that has the key."));
+    m_goThere = button("goToKey", tr("&Go There"), tr("Selects the command that uses the key."));
     connect(m_goThere, &QPushButton::clicked, this, &ShortcutsPage::goToOwner);
     auto* row = new QHBoxLayout;
     row->addWidget(m_word, 1);
@@ -199,7 +199,7 @@ QString ShortcutsPage::refusal(const QKeySequence& key) const
     case ShortcutProblem::None:
         break;
     case ShortcutProblem::Modifier:
-        return tr("A key that is held together with others cannot be a command alone.");
+        return tr("A modifier key cannot be a shortcut on its own.");
     case ShortcutProblem::Widgets:
         return tr("%1 is needed to move and type in panels and dialogs.").arg(name);
     case ShortcutProblem::Menus:

@@ -30,7 +30,7 @@ PrintFinding surface(const core::MeshReport& mesh)
     if (mesh.printReady())
         return {PrintVerdict::Good,
                 PrintText::tr("Watertight surface"),
-                PrintText::tr("Closed, every face looks outward, nothing meets itself: checked exactly."),
+                PrintText::tr("Closed, all faces outwards, no self-intersections. Checked exactly."),
                 {},
                 {}};
     return {PrintVerdict::Bad, PrintText::tr("The surface needs repair"),

@@ -96,7 +96,7 @@ void PrintPanel::addOptions()
     m_printer->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_printer->setMinimumContentsLength(12);
     auto* edit = panelButton(QStringLiteral("print.printers"), QStringLiteral("preferences"), tr("Printers…"),
-                             tr("Changes the list of printers."));
+                             tr("Edits the list of printers."));
     connect(edit, &QToolButton::clicked, this, [this] {
         auto* dialog = new PrintersDialog(m_printers, window());
         connect(dialog, &PrintersDialog::chosen, this, [this](const QList<PrinterPreset>& printers) {
@@ -121,8 +121,9 @@ void PrintPanel::addOptions()
     };
     add(tr("Printer"), row, m_printer, tr("The printer to check against."));
     add(tr("Minimum wall"), m_wall, m_wall, tr("Finds thinner walls. Two lines of the nozzle are usual."));
-    add(tr("Overhang"), m_overhang, m_overhang, tr("How far faces may lean out from the vertical."));
-    add(tr("Colours"), m_picture, m_picture, tr("Shows on the model how thick it is, or how far it leans out."));
+    add(tr("Overhang"), m_overhang, m_overhang,
+        tr("Steepest overhang that prints without support, from the vertical."));
+    add(tr("Colours"), m_picture, m_picture, tr("Colours the model by wall thickness or by overhang."));
     auto* column = static_cast<QVBoxLayout*>(layout());
     column->addLayout(m_form);
     column->addWidget(m_legend);
@@ -135,7 +136,7 @@ void PrintPanel::addOptions()
 void PrintPanel::addList()
 {
     m_list = named(new QListWidget, "print.findings",
-                   tr("What was found. A click or Return on a place shows it on the model."), tr("Findings"));
+                   tr("The findings. Click a place, or press Return, to see it on the model."), tr("Findings"));
     m_list->setWordWrap(true);
     m_list->setResizeMode(QListView::Adjust);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

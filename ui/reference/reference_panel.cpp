@@ -56,8 +56,8 @@ ReferencePanel::ReferencePanel(ReferenceImages* images, Viewport* viewport, cons
     , m_sides(new QComboBox)
     , m_inFront(new QCheckBox(tr("In front of the model")))
 {
-    named(m_sides, "reference.side",
-          tr("The side to which the image is pinned; choosing another one turns the view to it."), tr("Side"));
+    named(m_sides, "reference.side", tr("The side that shows the image. Choosing another side turns the view to it."),
+          tr("Side"));
     m_sides->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     m_sides->setMinimumWidth(minWidth);
     connect(m_sides, &QComboBox::activated, this,

@@ -69,7 +69,7 @@ QString notThatNumber(const core::FileError& error, const QString& where)
     bool isNumber = false;
     const double value = QByteArray::fromStdString(error.token).toDouble(&isNumber);
     if (isNumber && std::abs(value) <= static_cast<double>(std::numeric_limits<float>::max()))
-        return ErrorMessages::tr("%1: \"%2\" is not a whole number that can be here.").arg(where, token(error));
+        return ErrorMessages::tr("%1: \"%2\" is not a whole number that is valid here.").arg(where, token(error));
     if (!error.token.empty())
         return ErrorMessages::tr("%1: \"%2\" is not a finite number.").arg(where, token(error));
     return error.place.unit == core::FilePlace::Unit::Line
@@ -96,7 +96,7 @@ QString ErrorMessages::faults(const core::MeshReport& report)
     add(report.openEdges.count, tr("open edges: %1"));
     add(report.nonManifoldEdges.count, tr("edges of more than two faces: %1"));
     add(report.nonManifoldVertices.count, tr("points at which parts merely touch: %1"));
-    add(report.misorientedEdges.count, tr("edges between faces that look to different sides: %1"));
+    add(report.misorientedEdges.count, tr("edges between faces that face different ways: %1"));
     add(report.degenerateFaces.count, tr("faces without area: %1"));
     add(report.intersections.count, tr("pairs of faces that intersect: %1"));
     if (faults.isEmpty())
@@ -131,8 +131,8 @@ QString ErrorMessages::unitDoubt(double volume)
 
 QString ErrorMessages::tooFine(const QString& file, quint64 faces)
 {
-    return tr("%1 cannot be sculpted yet, because some of its faces would meet on the program's working grid (faces: "
-              "%2).")
+    return tr("%1 cannot be sculpted yet, because some of its faces would intersect after rounding to the program's "
+              "grid (faces: %2).")
         .arg(file, number(faces));
 }
 
@@ -186,20 +186,20 @@ QString ErrorMessages::shortfall(core::Shortfall shortfall)
                                  tr("Nothing was added, because it would touch the model."),
                                  tr("Nothing was added, because it would reach beyond the workspace."),
                                  tr("Nothing was added, because the brush's shape is not watertight at that size."),
-                                 tr("Nothing was added, because masked surface would have to change.")};
+                                 tr("Nothing was added, because the mask protects the surface there.")};
     static_assert(std::size(sentences) == static_cast<std::size_t>(core::Shortfall::Masked) + 1);
     return sentences[static_cast<std::size_t>(shortfall)];
 }
 
 QString ErrorMessages::asymmetric()
 {
-    return tr("The model is not symmetric here: both sides were worked on, but they are not exact mirror images.");
+    return tr("The model is not symmetric here: both sides were changed, but they are not exact mirror images.");
 }
 
 QString ErrorMessages::sequentialSectors()
 {
-    return tr("The sectors meet here, or the model is not alike in all of them: they were worked on one after the "
-              "other and are not exact copies.");
+    return tr("The sectors meet here, or the model differs between them: they were changed one after the other and are "
+              "not exact copies.");
 }
 
 QString ErrorMessages::notADrawing(const QString& path)
@@ -272,7 +272,7 @@ QString ErrorMessages::reading(const core::FileError& error)
                       "GLB.")
                 .arg(path);
         return error.token.empty()
-                   ? tr("%1 has no ending that says its format: %2 can be used.").arg(path, modelFormats())
+                   ? tr("%1 has no known file extension: use one of %2.").arg(path, modelFormats())
                    : tr("%1: the format \"%2\" is not known; %3 can be used.").arg(path, token(error), modelFormats());
     case FileErrorKind::NotWhatItsEndingSays:
         return error.token.empty() ? tr("%1 is not a valid %2 file.").arg(path, formatOf(error.path))
@@ -292,7 +292,7 @@ QString ErrorMessages::content(const core::FileError& error)
     switch (error.kind) {
     case FileErrorKind::CutOff:
         return error.expected == 0 ? tr("%1: the file is incomplete; it ends here.").arg(where)
-                                   : tr("%1: the file is cut off; %2 are expected, and %3 are there.")
+                                   : tr("%1: the file is incomplete; %2 are expected, but it has %3.")
                                          .arg(where, bytes(error.expected), bytes(error.found));
     case FileErrorKind::CountMismatch:
         return tr("%1: %2 elements are announced, but the file has room for %3.")
@@ -313,15 +313,16 @@ QString ErrorMessages::content(const core::FileError& error)
     case FileErrorKind::TooManyElements:
         return tr("%1: too many %2; at most %3 are allowed.").arg(where, token(error), number(error.expected));
     case FileErrorKind::ReaderRefused:
-        return error.token.empty() ? tr("%1: its reader cannot make anything of it.").arg(where)
-                                   : tr("%1: its reader cannot make anything of it (%2).").arg(where, token(error));
+        return error.token.empty()
+                   ? tr("%1 cannot be read: the importer does not understand it.").arg(where)
+                   : tr("%1 cannot be read: the importer does not understand it (%2).").arg(where, token(error));
     case FileErrorKind::ReaderDied:
         return tr("%1 was not read: the process that reads it ended unexpectedly.").arg(where);
     case FileErrorKind::ReaderTooSlow:
-        return tr("%1 was not read: its reader took more than the %2 seconds that a file of its size is given.")
+        return tr("%1 was not read: it took longer than the limit of %2 seconds for a file of its size.")
             .arg(where, number(error.expected));
     case FileErrorKind::ReaderOutOfMemory:
-        return tr("%1 was not read: its reader asked for more memory than the %2 that a file of its size is given.")
+        return tr("%1 was not read: it needs more memory than the limit of %2 for a file of its size.")
             .arg(where, bytes(error.expected));
     case FileErrorKind::NoFaces:
         return error.expected == 0 ? tr("%1 contains no faces.").arg(where)

@@ -46,10 +46,10 @@ QStringList RepairMessages::steps(const core::RepairReport& report)
     add(report.intersections, tr("Intersections resolved: %1"));
     add(report.touchingEdges + report.touchingVertices, tr("Touching edges and points separated: %1"));
     if (report.knots > 0)
-        steps << tr("Tangles that could not be cut apart, covered by small solids: %1, the widest %2 mm")
+        steps << tr("Tangles that could not be resolved, covered by small solids: %1, the widest %2 mm")
                      .arg(number(report.knots), shortMillimetres(report.widestKnot));
     add(report.crumbs, tr("Tiny thin parts left out: %1"));
-    add(report.unmasked, tr("Masked points that went, and their mask with them: %1"));
+    add(report.unmasked, tr("Masked points removed, with their mask: %1"));
     if (report.remeshedAt)
         steps << tr("The surface was rebuilt, with edges of about %1 mm.").arg(shortMillimetres(*report.remeshedAt));
     return steps;

@@ -32,7 +32,7 @@ QCheckBox* makeSwitch(Turntable* turntable)
 
 QComboBox* makeDirection(Turntable* turntable)
 {
-    auto* box = named(new QComboBox, "turnDirection", TurntablePanel::tr("Which way the model turns, seen from above."),
+    auto* box = named(new QComboBox, "turnDirection", TurntablePanel::tr("Direction of the turn, seen from above."),
                       TurntablePanel::tr("Direction"));
     box->addItem(TurntablePanel::tr("Anticlockwise"));
     box->addItem(TurntablePanel::tr("Clockwise"));
@@ -43,9 +43,9 @@ QComboBox* makeDirection(Turntable* turntable)
 
 QDoubleSpinBox* makeSpeed(Turntable* turntable)
 {
-    auto* box = named(new QDoubleSpinBox, "turnSpeed",
-                      TurntablePanel::tr("How many degrees the model turns in a second; 360 are one turn."),
-                      TurntablePanel::tr("Speed"));
+    auto* box =
+        named(new QDoubleSpinBox, "turnSpeed", TurntablePanel::tr("Speed in degrees per second; 360 are one turn."),
+              TurntablePanel::tr("Speed"));
     box->setDecimals(0);
     box->setRange(minTurn, maxTurn);
     box->setSingleStep(10);

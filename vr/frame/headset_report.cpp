@@ -16,7 +16,7 @@ HeadsetReport HeadsetReport::of(HeadsetStage stage, const QString& headset)
     case HeadsetStage::Running:
         return report(tr("In VR with %1.").arg(headset));
     case HeadsetStage::TakenOff:
-        return report(tr("The headset is off. Put it on to go on."));
+        return report(tr("The headset is not worn. Put it on to continue."));
     case HeadsetStage::Ended:
         break;
     }

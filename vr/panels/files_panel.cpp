@@ -61,7 +61,7 @@ void FilesPanel::addTiles(PanelBuilder& builder) const
 {
     const QRectF first = builder.nextRow(tileHeight), second = builder.nextRow(tileHeight);
     if (files.isEmpty())
-        builder.add(first | second, TextLook{.text = tr("No models are here yet. Save puts the first one here."),
+        builder.add(first | second, TextLook{.text = tr("There are no models here yet. Save adds the first one."),
                                              .role = TextRole::Faint,
                                              .alignment = Qt::AlignCenter,
                                              .lines = 3});

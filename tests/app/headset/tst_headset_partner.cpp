@@ -322,9 +322,9 @@ void TestHeadsetPartner::choices_areAnnounced()
     drag(fixture.program.window.viewport(), {30, 10});
     QTRY_COMPARE_WITH_TIMEOUT(fixture.changes(), 1, longestWait);
     fixture.trigger("edit.undo");
-    QTRY_COMPARE_WITH_TIMEOUT(listener.update().notice, QStringLiteral("Your partner took back: Paint."), longestWait);
+    QTRY_COMPARE_WITH_TIMEOUT(listener.update().notice, QStringLiteral("Your partner undid: Paint."), longestWait);
     fixture.trigger("edit.redo");
-    QTRY_COMPARE_WITH_TIMEOUT(listener.update().notice, QStringLiteral("Your partner did again: Paint."), longestWait);
+    QTRY_COMPARE_WITH_TIMEOUT(listener.update().notice, QStringLiteral("Your partner redid: Paint."), longestWait);
 }
 
 /// Whatever radius the window has for that tool.

@@ -536,7 +536,7 @@ void TestHeadsetVisits::faults_thatItOutlives_data()
                                               << "the headset shows another program"
                                               << "'visible': true";
     QTest::newRow("the headset is taken off") << "'worn': false"
-                                              << "The headset is off."
+                                              << "The headset is not worn."
                                               << "'worn': true";
     QTest::newRow("the wand is lost") << "'right': {'tracked': false}"
                                       << "In VR with"

@@ -387,7 +387,7 @@ private Q_SLOTS:
         Program program;
         connectLessonAutosave(program.document, left);
         show(program);
-        QVERIFY(notice(program).contains(QStringLiteral("was not saved is kept")));
+        QVERIFY(notice(program).contains(QStringLiteral("unsaved lesson was kept")));
         auto* lessons = part<QComboBox>(program, "lessonShelf");
         QCOMPARE(lessons->itemText(0), QStringLiteral("Not saved: Mine"));
         QCOMPARE(lessons->count(), 4);

@@ -100,9 +100,9 @@ private Q_SLOTS:
     {
         FileError e(FileErrorKind::NotANumber, path);
         e.place = {core::FilePlace::Unit::Line, 2};
-        for (const auto& [token, words] : {std::pair{"4.0", "\"4.0\" is not a whole number that can be here."},
-                                           {"-1", "\"-1\" is not a whole number that can be here."},
-                                           {"4294967296", "\"4294967296\" is not a whole number that can be here."},
+        for (const auto& [token, words] : {std::pair{"4.0", "\"4.0\" is not a whole number that is valid here."},
+                                           {"-1", "\"-1\" is not a whole number that is valid here."},
+                                           {"4294967296", "\"4294967296\" is not a whole number that is valid here."},
                                            {"nan", "\"nan\" is not a finite number."},
                                            {"1e39", "\"1e39\" is not a finite number."},
                                            {"1e999", "\"1e999\" is not a finite number."},
