@@ -16,6 +16,7 @@
 
 #include <QAction>
 #include <QDir>
+#include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
 
@@ -72,7 +73,7 @@ void ClassFileController::write(const ui::ClassroomDraft& draft)
     if (!problem.isEmpty())
         return m_dialog->showFault(problem);
     m_dialog->done(QDialog::Accepted);
-    m_window.showNotice(tr("Saved %1.").arg(QDir::toNativeSeparators(draft.path)));
+    m_window.showNotice(tr("Saved %1.").arg(QFileInfo(draft.path).fileName()));
     askToBegin(classroom, draft.path,
                ui::isClassFile(draft.path) ? tr("A double click on %1 begins it, on every computer that has Fettle.")
                                                  .arg(QDir::toNativeSeparators(draft.path))

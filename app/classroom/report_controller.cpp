@@ -54,7 +54,7 @@ void ReportController::finish(const QString& path, const ReportOutcome& outcome)
     m_job->end();
     if (!outcome.problem.isEmpty())
         return Q_EMIT refused(outcome.problem);
-    Q_EMIT noticed(
-        (outcome.isWritten ? tr("Saved %1.") : tr("%1 was not written.")).arg(QDir::toNativeSeparators(path)));
+    Q_EMIT noticed(outcome.isWritten ? tr("Saved %1.").arg(QFileInfo(path).fileName())
+                                     : tr("%1 was not written.").arg(QDir::toNativeSeparators(path)));
 }
 } // namespace app

@@ -8,7 +8,7 @@
 #include "ui/widgets/file_dialogs.h"
 #include "ui/window/main_window.h"
 
-#include <QDir>
+#include <QFileInfo>
 #include <QLocale>
 
 namespace app
@@ -36,7 +36,7 @@ void HandoutSaving::write(const std::shared_ptr<const core::Lesson>& lesson, con
         if (!m_window)
             return;
         if (problem.isEmpty())
-            m_window->showNotice(tr("Saved %1.").arg(QDir::toNativeSeparators(path)));
+            m_window->showNotice(tr("Saved %1.").arg(QFileInfo(path).fileName()));
         else
             m_window->showProblem(problem);
     });

@@ -111,7 +111,7 @@ void LessonWriter::write(const QString& path, const std::shared_ptr<const core::
                 if (!problem.isEmpty())
                     return m_window->showProblem(problem);
                 Q_EMIT written(path, revision);
-                m_window->showNotice(tr("Saved %1.").arg(QDir::toNativeSeparators(path)));
+                m_window->showNotice(tr("Saved %1.").arg(QFileInfo(path).fileName()));
             });
 }
 } // namespace app

@@ -7,7 +7,6 @@
 #include "ui/drawing/drawing_sheet.h"
 #include "ui/util/error_messages.h"
 
-#include <QDir>
 #include <QFileInfo>
 
 #include <chrono>
@@ -200,7 +199,7 @@ void DrawingWorker::write(const Request& request)
         ui::writeSheet(request.path.toStdU16String(),
                        {request.modelName, QDate::currentDate(), *std::move(drawing), request.shaded});
         m_mailbox.post(
-            [this, path = request.path] { Q_EMIT noticed(tr("Saved %1.").arg(QDir::toNativeSeparators(path))); });
+            [this, path = request.path] { Q_EMIT noticed(tr("Saved %1.").arg(QFileInfo(path).fileName())); });
     } catch (const core::FileError& error) {
         m_mailbox.post([this, sentence = ui::ErrorMessages::sentence(error)] { Q_EMIT refused(sentence); });
     }
