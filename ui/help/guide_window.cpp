@@ -5,6 +5,7 @@
 #include "ui/widgets/named.h"
 #include "ui/widgets/spacing.h"
 
+#include <QAction>
 #include <QCoreApplication>
 #include <QEvent>
 #include <QKeyEvent>
@@ -16,6 +17,7 @@
 #include <QTextBlock>
 #include <QTextBrowser>
 #include <QTextTable>
+#include <QUrl>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -111,12 +113,14 @@ GuideWindow::GuideWindow(const Actions& actions, QWidget* parent)
     fillContents();
     connect(m_contents, &QListWidget::currentItemChanged, this, &GuideWindow::showPage);
     connect(m_words, &QLineEdit::textChanged, this, &GuideWindow::search);
-    connect(m_text, &QTextBrowser::anchorClicked, this, [this](const QUrl& url) { openPage(url.toString()); });
+    connect(m_text, &QTextBrowser::anchorClicked, this, &GuideWindow::followLink);
 }
 
 void GuideWindow::fillContents()
 {
     for (const HelpPage& page : helpPages()) {
+        if (*page.command && !m_actions.get(QLatin1StringView(page.command))->isVisible())
+            continue;
         auto* item = new QListWidgetItem(m_contents);
         item->setData(Id, QLatin1StringView(page.id));
         const QString text = helpText(QLatin1StringView(page.id), m_actions);
@@ -130,14 +134,25 @@ void GuideWindow::fillContents()
 void GuideWindow::openPage(const QString& page)
 {
     m_words->clear();
-    m_contents->setCurrentRow(0);
-    for (int i = 0; i < m_contents->count(); ++i)
-        if (m_contents->item(i)->data(Id).toString() == page)
-            m_contents->setCurrentRow(i);
+    m_contents->setCurrentRow(std::max(0, rowOf(page)));
     showPage();
     show();
     raise();
     activateWindow();
+}
+
+void GuideWindow::followLink(const QUrl& url)
+{
+    if (rowOf(url.toString()) >= 0)
+        openPage(url.toString());
+}
+
+int GuideWindow::rowOf(const QString& page) const
+{
+    for (int i = 0; i < m_contents->count(); ++i)
+        if (m_contents->item(i)->data(Id).toString() == page)
+            return i;
+    return -1;
 }
 
 void GuideWindow::showPage()

@@ -6,13 +6,15 @@ class QLabel;
 class QLineEdit;
 class QListWidget;
 class QTextBrowser;
+class QUrl;
 
 namespace ui
 {
 class Actions;
 
 /// The user guide: contents and search at the left, the page at the right. Words that are sought leave only the pages
-/// that have them, and are marked; Return goes on to the next place. Stays open beside the main window. Thread: gui.
+/// that have them, and are marked; Return goes on to the next place. Pages about commands that are hidden, as in a
+/// class, are left out. Stays open beside the main window. Thread: gui.
 class GuideWindow : public QDialog
 {
     Q_OBJECT
@@ -30,6 +32,8 @@ protected:
 
 private:
     void fillContents();
+    void followLink(const QUrl& url);
+    int rowOf(const QString& page) const; ///< in the contents; -1: it is not there
     void showPage();
     void search();
     void findNext();

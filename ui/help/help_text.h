@@ -14,6 +14,7 @@ struct HelpPage
 {
     const char* id;
     const char* picture = ""; ///< of a lesson, file in resources/help/pictures
+    const char* command = ""; ///< id of the action that the page is about; without that action the page is left out
     bool isLesson() const { return *picture; }
 };
 std::span<const HelpPage> helpPages();
