@@ -124,7 +124,7 @@ std::string keysOf(const FileCommand& entry)
         [](const Move& move) { return R"("move","by":)" + list(move.by); },
         [](const Rotate& rotate) { return R"("rotate","rotation":)" + list(rotate.rotation); },
         [](const Scale& scale) { return R"("scale","factor":)" + shortest(scale.factor); },
-        [](const Mirror& mirror) { return R"("mirror","plane":")" + Text(1, "xyz"[mirror.axis]) + '"'; },
+        [](const Mirror& mirror) { return Text(R"("mirror","plane":")") + "xyz"[mirror.axis] + '"'; },
         [](const Recentre&) { return Text(R"("recentre")"); },
         [&](const Insert& insert) {
             const Text text = R"("insert","file":)" + nlohmann::json(entry.file).dump() + R"(,"where":)";
