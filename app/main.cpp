@@ -47,7 +47,8 @@ void nameProgram()
                                             (commit.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(commit)));
 }
 
-/// The window's words and numbers, as chosen; the command line goes by the system.
+/// Sets the language chosen in the settings for texts and numbers of the window. The command line uses the system's
+/// language.
 void chooseLanguage(ui::Language language)
 {
     for (const ui::Named<ui::Language>& row : ui::languages)
@@ -55,14 +56,14 @@ void chooseLanguage(ui::Language language)
             QLocale::setDefault(QLocale(QLatin1StringView(row.key)));
 }
 
-/// Once, before anything is shown.
+/// Scales the application's font. Precondition: no widget has been shown.
 void chooseTextSize(ui::TextSize size)
 {
     QApplication::setFont(ui::scaled(QApplication::font(), ui::factorOf(size)));
 }
 
-/// Our own words, and Qt's for its dialogs, in the place of those before. They must outlive the texts: they belong to
-/// the application.
+/// Replaces the loaded translations by Fettle's own texts and Qt's texts for its dialogs. The application owns the
+/// translators, because they must outlive all texts.
 void loadTranslations(QCoreApplication& application)
 {
     qDeleteAll(application.findChildren<QTranslator*>());
@@ -75,8 +76,9 @@ void loadTranslations(QCoreApplication& application)
     const QString ours = QStringLiteral("fettle"), folder = QStringLiteral(":/i18n");
     QLocale found = load(QLocale(), ours, folder);
     if (found.language() == QLocale::C)
-        found = load(QLocale(QLocale::English), ours, folder); // for its plurals
-    // Qt's words say whether windows are mirrored, so they are those of our language.
+        // English has a translation file, too, for its plural forms
+        found = load(QLocale(QLocale::English), ours, folder);
+    // Qt's translation determines whether windows are mirrored, so it must be in the language that was found.
     load(found, QStringLiteral("qtbase"), QLibraryInfo::path(QLibraryInfo::TranslationsPath));
 }
 
@@ -86,15 +88,15 @@ bool hasWord(int argc, char* argv[], const char* word)
                        [word](const char* argument) { return qstrcmp(argument, word) == 0; });
 }
 
-/// The simulator takes its pictures by GLX, which is X11's.
+/// Makes Qt use X11 if there is a display: the headset simulator captures pictures by GLX, which needs X11.
 void preferX11()
 {
     if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM") && !qEnvironmentVariableIsEmpty("DISPLAY"))
         qputenv("QT_QPA_PLATFORM", "xcb");
 }
 
-/// Qt ends a program without a display by abort(). Where X11 or Wayland would be used, we look first and say it in
-/// words.
+/// Returns whether a display is configured for X11 or Wayland. Checked in advance, because Qt calls abort() without a
+/// display, and Fettle prints its own message instead.
 bool canHaveWindow(int argc, char* argv[])
 {
 #if defined(Q_OS_UNIX) && !defined(Q_OS_MACOS)
@@ -109,7 +111,8 @@ bool canHaveWindow(int argc, char* argv[])
 #endif
 }
 
-/// While QApplication is made: a display that is named but does not answer is a fatal message, after a few warnings.
+/// Message handler while QApplication is constructed. If the configured display does not answer, Qt logs warnings and a
+/// fatal message; this prints one sentence instead and exits.
 void onlyTellOfMissingDisplay(QtMsgType type, const QMessageLogContext&, const QString&)
 {
     if (type != QtFatalMsg)
@@ -118,8 +121,8 @@ void onlyTellOfMissingDisplay(QtMsgType type, const QMessageLogContext&, const Q
     std::_Exit(app::BadInput);
 }
 
-/// With fonts, though never on a display. What Qt misses of a desktop meanwhile is nobody's business, but for the
-/// platform itself.
+/// Makes an application that can draw text but never opens a display. Qt's warnings about missing desktop services are
+/// suppressed; only a missing "offscreen" platform is reported.
 std::unique_ptr<QCoreApplication> applicationWithFonts(int& argc, char* argv[])
 {
     qputenv("QT_QPA_PLATFORM", "offscreen");
@@ -143,7 +146,7 @@ int runCommand(int argc, char* argv[], bool needsFonts)
     return app::CommandLine::run(QCoreApplication::arguments().mid(1), QStringLiteral(FETTLE_OPENXR_VERSION));
 }
 
-/// When the model is there.
+/// Enters VR as soon as the first model is open.
 void enterVrOnce(const app::Document& document, ui::MainWindow& window)
 {
     const auto how = static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection);
@@ -151,7 +154,7 @@ void enterVrOnce(const app::Document& document, ui::MainWindow& window)
                      how);
 }
 
-/// Asks whether the class of a file is to begin, when the first model is there.
+/// Asks, as soon as the first model is open, whether to begin the class of the given file.
 void offerOnce(const app::Document& document, ui::MainWindow& window, const QString& classFile)
 {
     const auto how = static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection);
@@ -160,7 +163,8 @@ void offerOnce(const app::Document& document, ui::MainWindow& window, const QStr
         [&window, classFile] { window.findChild<app::ClassFileController*>()->offer(classFile); }, how);
 }
 
-/// If that is wanted, before anything asks for VR. Throws CommandFailure.
+/// Opens the simulator if requested, null otherwise. Precondition: nothing has called OpenXR yet. Throws
+/// CommandFailure.
 std::unique_ptr<app::Simulator> simulatorFor(const app::WindowStart& start)
 {
     if (!start.simulatesVr)
@@ -170,8 +174,9 @@ std::unique_ptr<app::Simulator> simulatorFor(const app::WindowStart& start)
     return app::Simulator::open();
 }
 
-/// All goes in the order from below: the window, then the mesh thread with the document, then what it worked for and
-/// what kept it. `nextClass` becomes the file of the class that is to begin after that, or empty.
+/// Shows the window and returns the exit status. The objects are destroyed in reverse order: window, document (which
+/// stops the mesh thread), recovery store, simulator. `nextClass` becomes the file of the class to begin afterwards;
+/// empty: none.
 int showWindow(const app::WindowStart& start, QString& nextClass)
 {
     std::unique_ptr<app::Simulator> simulator = simulatorFor(start);
@@ -202,7 +207,7 @@ int showWindow(const app::WindowStart& start, QString& nextClass)
     return status;
 }
 
-/// A class has a program of its own.
+/// Starts a class as a separate process.
 int beginClass(const QString& classFile)
 {
     if (QProcess::startDetached(QCoreApplication::applicationFilePath(), {QStringLiteral("--classroom"), classFile}))
@@ -212,8 +217,8 @@ int beginClass(const QString& classFile)
     return app::BadInput;
 }
 
-/// Journals, settings and words are the class's own: what pupils change is not the teacher's. Each start begins as a
-/// new user's.
+/// Runs a class. Its journals, settings and language are separate from the teacher's, so pupils cannot change the
+/// teacher's. Settings are cleared at each start.
 int showClass(QApplication& application, const app::WindowStart& start)
 {
     const ui::Classroom classroom = app::ClassFile::read(start.classFile);
@@ -277,8 +282,8 @@ int runWindow(int argc, char* argv[])
         app::CommandLine::printError(error.sentence);
         return app::BadInput;
     }
-    if (vr::RuntimeThread::hasAbandonedWork()) { // it still draws with what Qt and OpenXR keep, should the headset's
-                                                 // program wake just now
+    // the abandoned thread may still use Qt and OpenXR, so their static objects must not be destroyed
+    if (vr::RuntimeThread::hasAbandonedWork()) {
         std::fflush(nullptr);
         std::_Exit(status);
     }

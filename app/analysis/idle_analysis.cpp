@@ -67,7 +67,7 @@ void IdleAnalysis::setFinished()
     m_step = m_document->history().stack().index();
 }
 
-/// Returns whether the result is of the model as it is: it was saved since, but not changed.
+/// Returns whether the last result describes the present model. Saving leaves it valid.
 bool IdleAnalysis::isOfPresent() const
 {
     return m_isFinished && m_document->queue().isSettled() && m_document->history().stack().index() == m_step;

@@ -13,16 +13,16 @@ namespace app
 class Document;
 class SculptWorker;
 
-/// The surface as it was, and the slots that its points have.
+/// A copy of the model's surface, with the slot of each point in the live mesh.
 struct ModelCopy
 {
     core::TriangleMesh mesh;
     std::vector<core::Slot> slots;
 };
 
-/// Analyses the whole model while it is active, once the model has not changed for a moment. The mesh thread makes a
-/// copy; a change of the model cancels the analysis. Must be destroyed after the worker has stopped, as a child of the
-/// document is. Thread: gui.
+/// Base of analyses that run when the model has not changed for 0.7 s, while the analysis is active. The mesh thread
+/// makes a copy; changing the model cancels the analysis. Precondition: the worker has stopped before this is
+/// destroyed; a child of the document satisfies this. Thread: gui.
 class IdleAnalysis : public QObject
 {
     Q_OBJECT
@@ -31,20 +31,20 @@ public:
     IdleAnalysis(Document* document, SculptWorker* worker);
 
     void setActive(bool active);
-    /// Starts at once if it is active, even after stop().
+    /// Starts at once if the analysis is active, even after stop().
     void runNow();
-    /// Cancels the analysis; none starts before the next change.
+    /// Cancels the analysis. The next one starts after the next change of the model.
     void stop();
 
 Q_SIGNALS:
-    /// The last result is of another model now.
+    /// Emitted when the last result no longer describes the present model.
     void outdated();
 
 protected:
     /// Starts the analysis of the copy on another thread. Thread: mesh.
     virtual void analyse(const std::shared_ptr<ModelCopy>& copy, const std::stop_token& stop) = 0;
     void setFinished();
-    /// To be called first in the destructor of a derived class.
+    /// Cancels the analysis. Must be called first in the destructor of a derived class.
     void cancel() { m_stop.request_stop(); }
 
 private:
@@ -57,7 +57,7 @@ private:
     QTimer m_idleTimer;
     bool m_isActive = false;
     bool m_isFinished = false;
-    int m_step = 0; ///< of the document's history, when it finished
+    int m_step = 0; ///< undo index of the document's history when the analysis finished
     std::stop_source m_stop;
 };
 } // namespace app

@@ -22,6 +22,6 @@ Q_SIGNALS:
 private:
     void analyse(const std::shared_ptr<ModelCopy>& copy, const std::stop_token& stop) override;
 
-    ui::BackgroundThread m_background; ///< last
+    ui::BackgroundThread m_background; ///< last member: its destructor waits for jobs that use the other members
 };
 } // namespace app

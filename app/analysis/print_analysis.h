@@ -10,8 +10,8 @@
 
 namespace app
 {
-/// Whether the model will print. Long measurements are made once per change; limits and pictures are evaluated from
-/// them.
+/// Analyses whether the model can be printed. The slow measurements are made once per change of the model; changed
+/// limits and pictures are evaluated from them.
 class PrintAnalysis : public IdleAnalysis
 {
     Q_OBJECT
@@ -29,9 +29,9 @@ public:
     void setOptions(const Options& options);
 
 Q_SIGNALS:
-    /// 0 to 1, while it is measured.
+    /// Progress of the measurements, 0 to 1.
     void progressed(double share);
-    /// `shades`: of the vertices, as ui::PrintScale has them; null if no picture is requested.
+    /// `shades`: one value per vertex for drawing by ui::PrintScale; null if no picture is requested.
     void finished(const core::MeshReport& mesh, const core::PrintReport& print,
                   const std::shared_ptr<const core::Footprint>& shades);
 
@@ -53,8 +53,8 @@ private:
     void evaluateAgain();
 
     Options m_options;
-    std::shared_ptr<const Measurement> m_measured; ///< null: of no model, or of one that has changed
-    std::stop_source m_stopEvaluation;             ///< of the evaluation for the latest options
-    ui::BackgroundThread m_background;             ///< last
+    std::shared_ptr<const Measurement> m_measured; ///< measurements of the present model; null: none yet
+    std::stop_source m_stopEvaluation;             ///< cancels the evaluation for the latest options
+    ui::BackgroundThread m_background; ///< last member: its destructor waits for jobs that use the other members
 };
 } // namespace app

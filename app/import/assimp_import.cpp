@@ -34,7 +34,7 @@ namespace fs = std::filesystem;
 
 bool send(const void* data, std::size_t size)
 {
-    return size == 0 || std::fwrite(data, 1, size, stdout) == size; // data may be null then
+    return size == 0 || std::fwrite(data, 1, size, stdout) == size; // data may be null if size is 0
 }
 
 template <class Element> bool send(const std::vector<Element>& elements)
@@ -49,8 +49,8 @@ int sendResult(const ImportHeader& header, const core::TriangleMesh& mesh)
     return isSent ? 0 : 1;
 }
 
-/// Puts the message into the header, and of one that is too long its beginning and its end: Assimp quotes all that is
-/// behind a wrong word.
+/// Copies the message into the header. A message that is too long loses its middle, because Assimp quotes everything
+/// after the wrong word.
 void setMessage(ImportHeader& header, std::string_view message)
 {
     constexpr std::size_t size = sizeof header.message - 1, endSize = 90;
@@ -69,7 +69,7 @@ int refuse(ImportHeader::Outcome outcome, std::string_view message)
     return sendResult(header, {});
 }
 
-/// Puts the file that an error is of into the header, unless it is the one that was to be read.
+/// Puts the path of the faulty file into the header, unless it is the file to be read.
 void setFile(ImportHeader& header, const fs::path& file, const fs::path& read)
 {
     std::error_code problem;
@@ -94,7 +94,7 @@ int refuse(const core::FileError& error, const fs::path& read)
     return sendResult(header, {});
 }
 
-/// Returns what Assimp says, with the file's name alone instead of its path.
+/// Returns Assimp's error message, with the file's path shortened to its name.
 std::string wordsOf(const Assimp::Importer& importer, const fs::path& path)
 {
     std::string words = importer.GetErrorString();
@@ -103,20 +103,20 @@ std::string wordsOf(const Assimp::Importer& importer, const fs::path& path)
     return words;
 }
 
-/// Keeps what Assimp logs of a mesh that it leaves out because it is broken.
+/// Records Assimp's error about the first mesh that it drops because the mesh is broken.
 class ErrorLog : public Assimp::LogStream
 {
 public:
-    /// Takes part in all that Assimp logs from now on in this process.
+    /// Attaches a new log to Assimp's logger and returns it. The logger owns it and is never removed.
     static ErrorLog& attached()
     {
         Assimp::DefaultLogger::create("", Assimp::Logger::NORMAL, 0); // 0: to no file and no console
-        auto* const log = new ErrorLog;                               // the logger's from now on
+        auto* const log = new ErrorLog;                               // 0: log to no file and no console
         Assimp::DefaultLogger::get()->attachStream(log, Assimp::Logger::Err);
         return *log;
     }
 
-    /// `message`: "Error, T0: FBX-DOM (TOK_KEY, line 27, col 23) what it is", and a line end.
+    /// `message`: a line such as "Error, T0: FBX-DOM (TOK_KEY, line 27, col 23) description".
     void write(const char* message) override
     {
         constexpr std::string_view behindThread = ": ";
@@ -127,12 +127,12 @@ public:
                            words.find_last_not_of(" \r\n") + 1 - at - behindThread.size());
     }
 
-    /// Returns the words of the first one; empty if there was none.
+    /// Returns the text of the first error about a mesh; empty if there was none.
     const std::string& first() const { return m_first; }
 
 private:
-    /// Returns whether it is an error that only meshes have, or that ends any object. Those that only materials,
-    /// animations and shapes to blend have are not; nor those of a mesh that has no faces.
+    /// Returns whether the error can concern a mesh. Errors that occur only in materials, animations, blend shapes or
+    /// meshes without faces do not count.
     static bool isOfMesh(std::string_view words)
     {
         for (const std::string_view part :
@@ -155,7 +155,7 @@ std::string startOf(const fs::path& path, std::size_t size)
     return bytes;
 }
 
-/// Throws FileError for FBX of a version that Assimp does not read.
+/// Throws FileError for an FBX version that Assimp does not read.
 void requireFbxVersion(const fs::path& path, std::string_view start)
 {
     constexpr int oldest = 7100;
@@ -168,7 +168,7 @@ void requireFbxVersion(const fs::path& path, std::string_view start)
     throw error;
 }
 
-/// Puts what is known of the file besides its mesh into the header.
+/// Adds information about the file other than its mesh to the header.
 void addNotes(const aiScene& scene, const ImportFolder::Notes& notes, const fs::path& path, ImportHeader& header)
 {
     for (unsigned i = 0; i < scene.mNumAnimations; ++i) {
@@ -184,10 +184,11 @@ void addNotes(const aiScene& scene, const ImportFolder::Notes& notes, const fs::
     header.unreadNodes += fbxNurbs(bytes);
 }
 
-/// Reads a format of our own, for which this process has what others lack: the decoder of Draco.
+/// Reads a format that core reads, in this process because only it has the Draco decoder.
 int importOwn(const fs::path& path, const ImportLimits& limits)
 {
-    core::WorkerPool::shared().setThreads(1); // the memory of others, stacks and heaps, counts as this process's
+    // stacks and heaps of further threads would count against this process's memory limit
+    core::WorkerPool::shared().setThreads(1);
     core::setDracoDecoder(decodedDraco);
     const core::ReadResult result = core::readModel(path, {.up = core::UpAxis::Y});
     if (result.mesh.points.size() > limits.points || result.mesh.triangles.size() > limits.triangles)
@@ -217,7 +218,8 @@ int importForeign(const fs::path& path, const ImportLimits& limits)
     ImportFolder::Notes notes;
     const ErrorLog& log = ErrorLog::attached();
     Assimp::Importer importer;
-    importer.SetIOHandler(new ImportFolder(fs::canonical(path.parent_path()), notes)); // the importer's from now on
+    // owned by the importer from now on
+    importer.SetIOHandler(new ImportFolder(fs::canonical(path.parent_path()), notes));
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, true);
     const aiScene* const scene = importer.ReadFile(path.string(), 0);
     if (notes.problem)
@@ -225,7 +227,7 @@ int importForeign(const fs::path& path, const ImportLimits& limits)
     if (!scene || !scene->mRootNode)
         return notes.outside.empty() ? refuse(ImportHeader::Outcome::Refused, wordsOf(importer, path))
                                      : refuse(ImportHeader::Outcome::Outside, notes.outside);
-    if (!notes.isFollowed) // as it is it may be turned wrongly
+    if (!notes.isFollowed) // the unmodified file might be read with wrong rotations
         return refuse(ImportHeader::Outcome::Refused, "the records of its models cannot be followed");
     SceneMesh mesh(*scene, limits);
     std::size_t missing = 0;

@@ -4,15 +4,15 @@
 
 namespace app
 {
-/// The word that makes the program such a process: "fettle read-foreign FILE BYTES", which nobody is told of.
+/// Undocumented first argument that makes this program an import process: "fettle read-foreign FILE BYTES".
 inline constexpr const char* importWord = "read-foreign";
 
-/// Reads the file with Assimp, or glTF with Draco, and answers on standard output (import_protocol.h). Before that it
-/// takes from itself what it does not need: memory and time beyond ImportLimits, other programs, the network, files to
-/// write. Nothing outside of the file's folder is opened. `bytes`: the size of the file and of what it names, in
-/// decimal. The exit status.
+/// Runs the import process: reads the file with Assimp (or glTF with Draco) and writes the result to standard output
+/// (import_protocol.h). First restricts itself: memory and time to ImportLimits, no other programs, no network, no
+/// writing of files. Opens only files in the folder of `file`. `bytes`: size of the file and of the files it refers to,
+/// in decimal. Returns the exit status.
 int runImport(const char* file, const char* bytes);
 
-/// Whether files with that ending are measured in a unit of their own.
+/// Returns whether files with this extension define a unit of length.
 bool assimpHoldsUnit(const std::filesystem::path& file);
 } // namespace app

@@ -22,7 +22,7 @@ std::string asUtf8(std::string_view bytes)
     return text.toStdString();
 }
 
-/// Removes what is before the first tag, and the declaration of XML, whose encoding may not be that of the text now.
+/// Removes everything before the first tag and the XML declaration, whose encoding may no longer be that of the text.
 void dropDeclaration(std::string& text)
 {
     text.erase(0, std::min(text.find_first_not_of(blanks), text.size()));
@@ -30,7 +30,7 @@ void dropDeclaration(std::string& text)
         text.erase(0, std::min(text.find("?>"), text.size() - 2) + 2);
 }
 
-/// Removes the blanks before the values of an element, of which Assimp 5.2 makes no number.
+/// Removes the blanks before an element's values: Assimp 5.2 does not parse numbers after blanks.
 void dropBlanksBeforeValues(std::string& text)
 {
     std::size_t to = 0;
@@ -57,7 +57,7 @@ std::size_t wordsIn(std::string_view text)
     }
 }
 
-/// Returns the tag of a float_array with the count of its values.
+/// Returns the tag of a float_array with its count attribute set to `count`.
 std::string withCount(std::string_view tag, std::size_t count)
 {
     constexpr std::string_view attribute = "count=\"";

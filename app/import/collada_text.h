@@ -5,8 +5,8 @@
 
 namespace app
 {
-/// Returns a COLLADA file as Assimp understands it: in UTF-8, whether it came as that or as UTF-16, without blanks
-/// before it or before values; each float_array tells the number of its values. Assimp reads beyond the values where
-/// one tells too few.
+/// Returns a COLLADA file in the form that Assimp reads correctly: UTF-8 even if the file is UTF-16, no blanks before
+/// the first tag or before values, and the true number of values in each float_array. Assimp reads beyond the values if
+/// that number is wrong.
 std::string colladaText(std::string_view bytes);
 } // namespace app

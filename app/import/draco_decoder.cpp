@@ -9,7 +9,7 @@ namespace app
 {
 namespace
 {
-/// Returns glTF's number of the type; 0: glTF has no such type.
+/// Returns the glTF component type; 0 if glTF has no equivalent.
 int componentTypeOf(draco::DataType type)
 {
     switch (type) {
@@ -30,7 +30,7 @@ int componentTypeOf(draco::DataType type)
     }
 }
 
-/// Returns nothing if the attribute has too few values for the points.
+/// Returns the attribute's value for each point; nothing if values are missing or glTF has no such type.
 std::optional<core::DracoMesh::Attribute> attributeOf(const draco::PointAttribute& from, std::uint32_t points)
 {
     core::DracoMesh::Attribute attribute{.id = from.unique_id(),
@@ -77,7 +77,7 @@ std::optional<core::DracoMesh> decodedDraco(std::string_view stream, std::span<c
     try {
         const auto mesh = draco::Decoder().DecodeMeshFromBuffer(&buffer);
         return mesh.ok() ? meshOf(*mesh.value(), ids) : std::nullopt;
-    } catch (const std::length_error&) { // a count beyond what a vector can have
+    } catch (const std::length_error&) { // the file declares more elements than a vector can have
         return std::nullopt;
     }
 }

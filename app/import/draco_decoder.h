@@ -4,7 +4,7 @@
 
 namespace app
 {
-/// Decodes a stream by Google's Draco. Throws std::bad_alloc. For a process that may die of it: broken streams may do
-/// anything to the library.
+/// Decodes a stream with Google's Draco library. Throws std::bad_alloc. Call it only in a process that may crash:
+/// broken streams may do anything to the library.
 std::optional<core::DracoMesh> decodedDraco(std::string_view stream, std::span<const std::uint32_t> ids);
 } // namespace app

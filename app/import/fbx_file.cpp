@@ -1,5 +1,5 @@
-// Source: the FBX files of many programs; Blender Foundation, "FBX binary file format specification" (code.blender.org,
-// 2013): the header of 27 bytes, and records whose name is followed by their properties.
+// Source: FBX files written by many programs, and Blender Foundation, "FBX binary file format specification"
+// (code.blender.org, 2013): a header of 27 bytes, then records, each a name followed by its properties.
 #include "app/import/fbx_file.h"
 
 #include <algorithm>
@@ -10,7 +10,8 @@ namespace app
 {
 namespace
 {
-constexpr std::string_view binaryStart = "Kaydara FBX Binary"; // two blanks follow, but not for Assimp
+// followed by two blanks in the format; Assimp does not require them
+constexpr std::string_view binaryStart = "Kaydara FBX Binary";
 
 std::uint32_t wordAt(std::string_view bytes, std::size_t at)
 {
@@ -20,7 +21,7 @@ std::uint32_t wordAt(std::string_view bytes, std::size_t at)
     return word;
 }
 
-/// Returns the whole number behind a word of a text file: "Word: 7400".
+/// Returns the integer after a key of a text file, e.g. in "FBXVersion: 7400".
 int numberBehind(std::string_view rest)
 {
     rest.remove_prefix(std::min(rest.find_first_not_of(": \t"), rest.size()));
@@ -48,7 +49,7 @@ int fbxVersion(std::string_view bytes)
 
 std::size_t fbxSubdivisions(std::string_view bytes)
 {
-    constexpr std::string_view key = "Smoothness"; // 0: none, 1: the hull, 2: both, 3: smooth
+    constexpr std::string_view key = "Smoothness"; // 0: none, 1: hull, 2: hull and smooth surface, 3: smooth surface
     const bool isBinary = isBinaryFbx(bytes);
     std::size_t count = 0;
     for (std::size_t at = bytes.find(key); at != std::string_view::npos; at = bytes.find(key, at + 1)) {
@@ -63,7 +64,7 @@ std::size_t fbxSubdivisions(std::string_view bytes)
 
 std::size_t fbxNurbs(std::string_view bytes)
 {
-    constexpr std::string_view key = "NurbsSurfaceOrder"; // one in each
+    constexpr std::string_view key = "NurbsSurfaceOrder"; // occurs once in each NURBS surface
     std::size_t count = 0;
     for (std::size_t at = bytes.find(key); at != std::string_view::npos; at = bytes.find(key, at + key.size()))
         ++count;

@@ -1,6 +1,6 @@
 // Source: Autodesk, FBX SDK Help, "Computing transformation matrices", and FbxNode::SetRotationActive(); ufbx, which
-// takes inactive rotations as XYZ. Assimp (5.2 to 6.0) applies RotationOrder to geometric rotations, too, and takes no
-// notice of RotationActive; of text it reads no id below zero, though FBX's are of 64 bits with a sign.
+// treats inactive rotations as XYZ. Assimp (5.2 to 6.0) applies RotationOrder to geometric rotations, too, and ignores
+// RotationActive. In text files it rejects negative ids, although FBX ids are signed 64-bit numbers.
 #include "app/import/fbx_models.h"
 
 #include "app/import/fbx_records.h"
@@ -29,7 +29,7 @@ using Eigen::Vector3d;
 
 constexpr double radian = std::numbers::pi / 180;
 
-/// Lists the values of RotationOrder. XYZ turns about x first.
+/// Axes in the order of application, for each value of RotationOrder. The first entry, XYZ, turns about x first.
 constexpr std::array<std::array<int, 3>, 6> orders{{{0, 1, 2}, {0, 2, 1}, {1, 2, 0}, {1, 0, 2}, {2, 0, 1}, {2, 1, 0}}};
 constexpr double spheric = 6;
 
@@ -41,7 +41,7 @@ Eigen::Matrix3d turnOf(const Vector3d& degrees)
     return turn;
 }
 
-/// Returns the angles that make the turn in that order, in degrees.
+/// Returns the angles, in degrees, that produce the rotation when applied in this order.
 Vector3d anglesOf(const Eigen::Matrix3d& turn, std::size_t order)
 {
     const auto [first, second, third] = orders[order];
@@ -53,7 +53,7 @@ Vector3d anglesOf(const Eigen::Matrix3d& turn, std::size_t order)
     return degrees;
 }
 
-/// Counts the values before a property's numbers: name, type, its second name, flags.
+/// Number of values before a property's numbers: name, type, second type name, flags.
 constexpr std::size_t valuesBefore = 4;
 
 const FbxRecord* propertyIn(const FbxRecord* properties, std::string_view name)
@@ -66,7 +66,7 @@ const FbxRecord* propertyIn(const FbxRecord* properties, std::string_view name)
     return found == properties->records.end() ? nullptr : &*found;
 }
 
-/// Returns a number behind a property's name, types and flags.
+/// Returns one of the numbers after a property's name, types and flags.
 std::optional<double> valueOf(const FbxRecord* property, std::size_t index = 0)
 {
     const std::size_t at = valuesBefore + index;
@@ -78,7 +78,7 @@ bool isReal(const FbxValue& value)
     return value.type == 'F' || value.type == 'D' || value.type == 'T';
 }
 
-/// Returns three real numbers; empty where one is whole or none, which Assimp does not take for one of a vector.
+/// Returns three real numbers; nothing if one of them is an integer or missing, since Assimp ignores such vectors.
 std::optional<Vector3d> vectorOf(const FbxRecord* property)
 {
     Vector3d vector;
@@ -96,8 +96,8 @@ std::optional<Vector3d> vectorOf(const FbxRecord* property)
     throw errorAtLine(core::FileErrorKind::NotANumber, file, word.bytes.data(), word.bytes);
 }
 
-/// Throws FileError where a property that places a model, or all of them, is no finite number: Assimp passes over such
-/// properties.
+/// Throws FileError if a property of a transform, unit or axis is not a finite number. Assimp would ignore the
+/// property.
 void requireNumbers(const core::io::FileBytes& file, const FbxRecord* properties)
 {
     constexpr std::array<std::string_view, 12> vectors{"Lcl Translation",   "Lcl Rotation",     "Lcl Scaling",
@@ -130,7 +130,8 @@ bool isMesh(const FbxRecord& object)
     return object.name == "Geometry" && object.values.size() > 2 && object.values[2].bytes == "Mesh";
 }
 
-/// Throws FileError where a point or corner of a mesh in text is no finite number: Assimp takes what it begins with.
+/// Throws FileError if a mesh point or corner in a text file is not a finite number. Assimp would use the digits that
+/// it begins with.
 void requireNumbersOf(const core::io::FileBytes& file, const FbxRecord& mesh)
 {
     for (const FbxRecord& array : mesh.records)
@@ -143,12 +144,12 @@ bool hasFaces(const FbxRecord& mesh)
     const FbxRecord* const corners = recordIn(mesh.records, "PolygonVertexIndex");
     if (!corners || corners->values.empty())
         return false;
-    const FbxValue& value = corners->values.front(); // of text, the number of those that follow
+    const FbxValue& value = corners->values.front(); // in a text file, the number of values that follow, e.g. "*12"
     return value.type == 'T' ? value.bytes != "*0" : !value.bytes.empty();
 }
 
-/// Returns the name of a model as Assimp's node of it has it: "Model::name" in text, "name", NUL, SOH, "Model" in
-/// binary files.
+/// Returns the model's name as Assimp gives it to the node. The file has "Model::name" in text, and "name", NUL, SOH,
+/// "Model" in binary.
 std::string nameOf(const FbxRecord& model)
 {
     if (model.values.size() < 2)
@@ -160,7 +161,7 @@ std::string nameOf(const FbxRecord& model)
     return name.starts_with(kind) ? name.substr(kind.size()) : name;
 }
 
-/// Changes the numbers of a file.
+/// Collects changes to the bytes of an FBX file.
 class Changes
 {
 public:
@@ -173,14 +174,15 @@ public:
             m_texts[value.at] = {value.bytes.size(), textOf(value.type, number)};
     }
     void setByte(std::size_t at, char byte) { m_texts[at] = {1, {byte}}; }
-    /// Makes a connection one of properties, over which Assimp passes, if its kind has two letters, as all have.
+    /// Turns a connection into one between properties, which Assimp ignores. Changes nothing unless its kind has two
+    /// letters.
     void ignore(const FbxRecord& connection)
     {
         constexpr std::string_view kind = "PP";
         if (const FbxValue& value = connection.values[0]; value.bytes.size() == kind.size())
             m_texts[value.at] = {kind.size(), std::string(kind)};
     }
-    /// Writes an id of text without a sign, as Assimp reads it.
+    /// Replaces a negative id in a text file by the same id modulo 2^64, which Assimp accepts.
     void unsign(const FbxRecord& record, std::size_t index)
     {
         if (index >= record.values.size() || record.values[index].type != 'T')
@@ -240,14 +242,15 @@ private:
     }
 
     std::string_view m_bytes;
-    std::map<std::size_t, std::pair<std::size_t, std::string>> m_texts; ///< length, and what is there instead
+    /// length of the replaced text, and its replacement, by position in the file
+    std::map<std::size_t, std::pair<std::size_t, std::string>> m_texts;
 };
 
-/// Finds the properties of a model: its own ones, and those of the template. Does not own them.
+/// Properties of a model: its own and, for missing ones, the template's. Does not own them.
 struct ModelProperties
 {
-    const FbxRecord* own = nullptr;   ///< may be null
-    const FbxRecord* usual = nullptr; ///< may be null
+    const FbxRecord* own = nullptr;   ///< the model's own properties; may be null
+    const FbxRecord* usual = nullptr; ///< properties of the template; may be null
 
     const FbxRecord* find(std::string_view name) const
     {
@@ -261,7 +264,7 @@ struct ModelProperties
     }
 };
 
-/// Rights the rotations of models.
+/// Rewrites the rotations of models so that Assimp applies them correctly.
 class RotationFixer
 {
 public:
@@ -284,23 +287,23 @@ private:
         throw error;
     }
 
-    /// Returns the index in `orders` of the order in which Assimp applies the model's rotations. Assimp does not know
-    /// SphericXYZ: it becomes XYZ where nothing turns. Throws FileError where something does.
+    /// Returns the index in `orders` of the rotation order that Assimp applies to the model. SphericXYZ, unknown to
+    /// Assimp, is changed to XYZ if the model has no rotation. Throws FileError if it has one.
     std::size_t orderOf(bool isActive)
     {
         const double number = m_properties.number("RotationOrder", 0);
         if (number >= 0 && number < spheric)
             return static_cast<std::size_t>(number);
         if (number != spheric)
-            return 0; // no order that there is
+            return 0; // not a valid rotation order
         if (isActive && !vectorOf(m_properties.find("Lcl Rotation")).value_or(Vector3d::Zero()).isZero(0))
             refuse("the rotation order SphericXYZ is not read");
         m_changes.set(*m_properties.find("RotationOrder"), 0, 0);
         return 0;
     }
 
-    /// Gives the angles, which stand for turns about x, then y, then z, in the other order; those of the template for
-    /// all models that have none of their own. Throws FileError where these need different ones.
+    /// Rewrites a rotation about x, y, z as the equivalent angles in another order. The template's rotation is
+    /// rewritten for all models that use it. Throws FileError if these models need different angles.
     void reorder(std::string_view name, std::size_t order)
     {
         const FbxRecord* const property = m_properties.find(name);
@@ -316,7 +319,7 @@ private:
     const std::filesystem::path& m_path;
     Changes& m_changes;
     ModelProperties m_properties;
-    std::map<const FbxRecord*, Vector3d> m_righted; ///< the angles that each rotation has got
+    std::map<const FbxRecord*, Vector3d> m_righted; ///< rewritten angles of each property, degrees
 };
 
 const FbxRecord* modelTemplateIn(const Records& records)
@@ -331,14 +334,14 @@ const FbxRecord* modelTemplateIn(const Records& records)
     return nullptr;
 }
 
-/// Follows which models are below which.
+/// The hierarchy of models in an FBX file.
 class ModelTree
 {
 public:
     ModelTree(const Records& objects, const Records& connections)
     {
-        std::set<std::int64_t> meshes;                         // meshes with faces
-        std::set<std::pair<std::int64_t, std::int64_t>> known; // children and parents
+        std::set<std::int64_t> meshes;                         // ids of meshes with faces
+        std::set<std::pair<std::int64_t, std::int64_t>> known; // ids of child and parent
         for (const FbxRecord& object : objects)
             if (const auto id = idOf(object, 0); id && object.name == "Model")
                 m_models[*id].record = &object;
@@ -358,12 +361,12 @@ public:
         }
     }
 
-    /// Returns the connections of models and meshes that Assimp has to pass over: those that come again, and those of
-    /// no known kind, which it takes for ones of objects. Not owned.
+    /// Returns the connections of models and meshes that Assimp must ignore: repeated ones, and ones of unknown kinds,
+    /// which Assimp would treat as object connections. Not owned.
     const std::vector<const FbxRecord*>& ignored() const { return m_ignored; }
 
-    /// Returns the first model found that holds itself, or that is too deep with what is below it; null if there is
-    /// none. Only models of the scene count. Cost: linear in models and connections.
+    /// Returns a model in the scene that contains itself or has too many generations above and below it; null if there
+    /// is none. Cost: linear in models and connections.
     const FbxRecord* endless()
     {
         struct Step
@@ -371,7 +374,7 @@ public:
             Model* model;
             std::size_t next = 0;
         };
-        std::vector<Step> way{{&m_models[0]}}; // from the root; its length is the depth of what comes next
+        std::vector<Step> way{{&m_models[0]}}; // path from the root; its length is the depth of the next model
         while (!way.empty()) {
             Step& step = way.back();
             step.model->isOnWay = true;
@@ -395,7 +398,7 @@ public:
         return nullptr;
     }
 
-    /// Returns the models, the scene first. `usual`: the properties of the template, not owned; may be null.
+    /// Returns all models; the first entry is the scene. `usual`: properties of the template, not owned; may be null.
     std::vector<FbxModel> models(const FbxRecord* usual) const
     {
         std::map<std::int64_t, std::size_t> indices{{0, 0}};
@@ -422,8 +425,8 @@ private:
         const FbxRecord* record = nullptr;
         std::vector<std::int64_t> below;
         bool isOnWay = false, isDone = false;
-        std::size_t height = 0; ///< the generations below it; complete once it is done
-        std::size_t meshes = 0; ///< with faces
+        std::size_t height = 0; ///< generations below this model; final once isDone is true
+        std::size_t meshes = 0; ///< number of meshes with faces
     };
 
     static FbxModel modelOf(const FbxRecord& record, const FbxRecord* usual)
@@ -446,7 +449,7 @@ private:
 
     enum class Kind { Objects, Properties, Other };
 
-    /// Returns what a connection connects. One from an object to a property that has no name is one of objects.
+    /// Returns what a connection links. An object-to-property connection without a property name links objects.
     static Kind kindOf(const FbxRecord& connection)
     {
         const std::string_view kind = connection.values[0].bytes;

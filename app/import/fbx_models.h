@@ -11,44 +11,45 @@
 
 namespace app
 {
-/// Says of a model what Assimp does not hand on. What it has not of its own is by the template of its kind.
+/// Properties of an FBX model that Assimp does not pass on. A property that the model lacks is taken from the template.
 struct FbxModel
 {
-    /// Names the ways in which a model follows its parent's scale.
+    /// The ways in which a model inherits its parent's scale; RrSs, RSrs and Rrs are FBX's names.
     enum class Inherit {
-        ComponentWise, ///< by its own axes: RrSs
-        Usual,         ///< as matrices do: RSrs
-        WithoutParents ///< not at all; the place does: Rrs
+        ComponentWise, ///< RrSs: the parent's scale applies along the model's own axes
+        Usual,         ///< RSrs: the parent's full matrix applies
+        WithoutParents ///< Rrs: the parent's scale applies to the model's position only
     };
 
     std::string name;
-    std::vector<std::size_t> below; ///< indices of the models below it, in the order in which Assimp has them
-    Eigen::Vector3d scale = Eigen::Vector3d::Ones(); ///< its own one, with signs
+    std::vector<std::size_t> below;                  ///< indices of the child models, in Assimp's order
+    Eigen::Vector3d scale = Eigen::Vector3d::Ones(); ///< the model's own scale, with signs
     Inherit inherit = Inherit::Usual;
     bool hasActiveRotations = true;
-    std::size_t meshes = 0;         ///< number of its meshes that have faces, as the file says
-    bool isLodGroup = false;        ///< whether those below it stand for each other, the finest one first
-    bool isShown = true;            ///< itself
-    bool isVisible = true;          ///< with those below it that inherit that
-    bool inheritsVisibility = true; ///< whether it is hidden with its parent
+    std::size_t meshes = 0;         ///< number of meshes with faces, according to the file
+    bool isLodGroup = false;        ///< whether the children are levels of detail, finest first
+    bool isShown = true;            ///< whether the model itself is shown
+    bool isVisible = true;          ///< whether the model is visible, with the children that inherit visibility
+    bool inheritsVisibility = true; ///< whether the model is hidden if its parent is hidden
 };
 
-/// An FBX file as Assimp reads it right.
+/// An FBX file prepared so that Assimp reads it correctly.
 struct FbxForAssimp
 {
-    bool isFollowed = true;             ///< false: its records could not be followed, so nothing was checked or changed
-    std::optional<std::string> changed; ///< the changed file; empty: nothing has to be changed
-    std::vector<FbxModel> models;       ///< the first one stands for the scene
+    bool isFollowed = true;             ///< false: the records could not be parsed, so nothing was checked or changed
+    std::optional<std::string> changed; ///< the modified file; empty: no change is needed
+    std::vector<FbxModel> models;       ///< all models; the first entry is the scene itself
 };
 
-/// Changes an FBX file so that Assimp reads it by the rules of FBX. Ids of text are written without a sign, modulo
-/// 2^64, types of binary values that Assimp does not know as those that are read alike, and connections of models and
-/// meshes that come again, or that are of no known kind, as some over which Assimp passes. Rotations are such that
-/// Assimp turns models right: geometric rotations go about x, then y, then z, whatever the order of the model's own,
-/// and so do those of a model whose rotations are not active; that it has no rotations before and behind then is left
-/// to who places it. Throws core::FileError: TooDeep for models that hold themselves, or that are nested more than 4096
-/// deep; ReaderRefused for a rotation of the order SphericXYZ, and for one of the template that would have to become
-/// different ones; NotANumber for the place, rotation or scale of a model or the template, the file's unit or axes, or,
-/// in text, a point or corner of a mesh that is no finite number.
+/// Modifies an FBX file so that Assimp reads it by the rules of FBX.
+/// Text ids are written without a sign, modulo 2^64. Binary value types unknown to Assimp are replaced by equivalent
+/// types. Repeated connections of models and meshes, and connections of unknown kinds, are changed to a kind that
+/// Assimp ignores.
+/// Geometric rotations are rewritten because Assimp applies the model's rotation order to them; FBX always uses XYZ.
+/// Rotations of a model with inactive rotations are rewritten in the same way; addFbxScene() drops its pre- and
+/// post-rotations.
+/// Throws core::FileError: TooDeep for models that contain themselves or are nested more than 4096 deep. ReaderRefused
+/// for a rotation in the order SphericXYZ, and for a rotation of the template that would need several values.
+/// NotANumber if a transform, unit or axis is not a finite number, or, in text files, a mesh point or corner is not.
 FbxForAssimp fbxForAssimp(const std::filesystem::path& path, std::string_view bytes);
 } // namespace app

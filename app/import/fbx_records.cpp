@@ -1,7 +1,9 @@
-// Source: the FBX files of many programs; Blender Foundation, "FBX binary file format specification" (code.blender.org,
-// 2013). Binary: records of end, number of values, their size (8 bytes each from version 7.5 on, before 4), length of
-// the name, name, values, further records up to the end. Text: "Name: value, value {", lines, "}", comments from ";"
-// to a line's end. Where programs write otherwise, what Assimp (5.2 to 6.0) makes of it counts.
+// Source: FBX files written by many programs, and Blender Foundation, "FBX binary file format specification"
+// (code.blender.org, 2013).
+// Binary record: end offset, number of values, size of the values (8 bytes each from version 7.5 on, 4 before), length
+// of the name, name, values, nested records up to the end offset.
+// Text: "Name: value, value {", lines, "}", comments from ";" to the end of the line.
+// If a file deviates from this, it is parsed as Assimp (5.2 to 6.0) parses it.
 #include "app/import/fbx_records.h"
 
 #include "app/import/fbx_file.h"
@@ -20,11 +22,11 @@ namespace
 {
 using Records = std::vector<FbxRecord>;
 
-/// Thrown where the bytes are no records. Assimp does not read such a file either.
+/// Thrown if the bytes are not valid records. Assimp does not read such a file either.
 struct NotFbx
 {};
 
-/// Returns whether the records in that one are wanted, `path` being the names of those around it.
+/// Returns whether the records nested in this record are wanted. `path`: names of the enclosing records.
 bool isWanted(std::span<const std::string_view> path, std::string_view name)
 {
     switch (path.size()) {
@@ -45,13 +47,13 @@ bool isWanted(std::span<const std::string_view> path, std::string_view name)
     }
 }
 
-/// Returns whether it is the record of an array's numbers in text.
+/// Returns whether the record contains the numbers of an array in a text file.
 bool isArray(std::span<const std::string_view> path, std::string_view name)
 {
     return path.size() == 3 && path[1] == "Geometry" && name == "a";
 }
 
-/// Returns whether a record itself is wanted. What is in geometry, of which there is most, is not but for its arrays.
+/// Returns whether the record itself is wanted. Geometry is most of a file, so only its arrays are kept.
 bool isKept(std::span<const std::string_view> path, std::string_view name)
 {
     return isWanted(path, name) || name == "P" || name == "C" || isArray(path, name) ||
@@ -70,7 +72,7 @@ public:
         return recordsTo(m_bytes.size(), true);
     }
 
-    /// Returns the places of types "Z" that have been read.
+    /// Returns the offsets of all type letters "Z" read so far.
     const std::vector<std::size_t>& byteTypes() const { return m_byteTypes; }
 
 private:
@@ -90,8 +92,9 @@ private:
         return part;
     }
 
-    /// Reads records up to the byte, and those of the file up to a null record, behind which there is a footer. Passes
-    /// over null records elsewhere, by the field of their end, as Assimp does. `keeps`: whether any are returned.
+    /// Reads records up to the offset `end`. At the top level, a null record ends the file, since a footer follows it.
+    /// Null records elsewhere are skipped by their end field only, as in Assimp. `keeps`: whether any records are
+    /// returned.
     Records recordsTo(std::size_t end, bool keeps)
     {
         constexpr std::size_t maxDepth = 256;
@@ -110,7 +113,7 @@ private:
             FbxRecord record{name, valuesTo(inner, count), {}};
             m_at = inner;
             if (inner < recordEnd) {
-                const std::size_t nullSize = m_isWide ? 25 : 13; // of the record that ends those within
+                const std::size_t nullSize = m_isWide ? 25 : 13; // size of the null record that ends the nested records
                 if (recordEnd - inner < nullSize || m_path.size() == maxDepth)
                     throw NotFbx();
                 const bool isWithinWanted = keeps && isWanted(m_path, name);
@@ -139,10 +142,11 @@ private:
             throw NotFbx();
         return values;
     }
-    /// Returns the size of a value of the type; of texts and arrays the size without its field, which is read.
+    /// Returns the size of a value of this type, bytes. For strings and arrays, reads the size field and returns its
+    /// value.
     std::size_t sizeOf(char type)
     {
-        constexpr std::size_t arrayHead = 8; // count and packing, before the size
+        constexpr std::size_t arrayHead = 8; // number of elements and encoding, before the size field
         switch (type) {
         case 'C':
         case 'B':
@@ -178,16 +182,17 @@ private:
     std::vector<std::size_t> m_byteTypes;
 };
 
-/// A token of FBX as text, by Assimp's rules.
+/// A token of FBX text, by Assimp's rules.
 struct Token
 {
     enum class Type { Key, Data, Comma, Open, Close };
     Type type;
-    std::string_view text; ///< of data with its quotes; of a key without its colon
-    std::size_t line = 0;  ///< at which the token is known to end: LF and CR count one each
+    std::string_view text; ///< for Data including quotes; for Key without the colon
+    /// line number where the tokenizer recognised the token's end; LF and CR count as one line each
+    std::size_t line = 0;
 };
 
-/// Cuts FBX text into tokens up to its end, or to a NUL. Data without an end are dropped. Throws NotFbx.
+/// Splits FBX text into tokens up to the end of the text or a NUL. Data cut off by the end are dropped. Throws NotFbx.
 class TextTokens
 {
 public:
@@ -204,7 +209,7 @@ public:
         return std::exchange(m_waiting, std::nullopt);
     }
 
-    /// Passes over what is in braces, the first of which has been read, and its closing brace.
+    /// Skips a block in braces, whose opening brace has been read, and its closing brace.
     void passBraces()
     {
         for (int depth = 1; depth > 0;) {
@@ -218,13 +223,13 @@ public:
         }
     }
 
-    /// Returns where a view of the text begins in it.
+    /// Returns the offset in the text at which the view begins.
     std::size_t placeOf(std::string_view text) const { return static_cast<std::size_t>(text.data() - m_bytes.data()); }
 
 private:
     static constexpr std::string_view lineEnds = "\n\r\f";
 
-    /// Passes over the next of the signs, and returns it.
+    /// Skips to just after the next character in `signs`, and returns that character.
     char passTo(std::string_view signs)
     {
         m_at = m_bytes.find_first_of(signs, m_at);
@@ -233,7 +238,7 @@ private:
         return m_bytes[m_at++];
     }
 
-    /// Takes one sign. Returns the token that ends with it; a second one waits.
+    /// Processes one character. Returns the token that it ends; if it is a token itself, it is kept in m_waiting.
     std::optional<Token> take(char sign)
     {
         const bool isLineEnd = lineEnds.find(sign) != std::string_view::npos;
@@ -276,7 +281,7 @@ private:
         }
     }
 
-    /// Returns the token that has begun, if one has.
+    /// Returns the token that has begun, if there is one.
     std::optional<Token> endData(std::size_t end, Token::Type type = Token::Type::Data)
     {
         if (!m_begin)
@@ -296,13 +301,12 @@ private:
 
     std::string_view m_bytes;
     std::size_t m_at = 0, m_line = 0;
-    std::optional<std::size_t> m_begin; ///< of the token that is being read
+    std::optional<std::size_t> m_begin; ///< offset of the first character of the unfinished token
     std::optional<Token> m_waiting;
     bool m_isComment = false, m_isQuoted = false;
 };
 
-/// Reads text as Assimp does, which ends the file at a brace too many, and takes values without a comma between them
-/// from line to line.
+/// Parses text as Assimp does: a surplus closing brace ends the file, and a value on the next line needs no comma.
 class TextReader
 {
 public:
@@ -321,7 +325,7 @@ private:
         return *m_token;
     }
 
-    /// Reads records up to a closing brace or, at the top level, up to the end of the file.
+    /// Reads records up to a closing brace or, at the top level, the end of the file.
     Records recordsHere()
     {
         Records records;
@@ -341,7 +345,7 @@ private:
         return records;
     }
 
-    /// Reads a record, whose key is present, up to the token behind it.
+    /// Reads a record, whose key is the present token, up to the token after the record.
     void readRecord(FbxRecord& record, bool keeps)
     {
         do {
@@ -383,7 +387,7 @@ private:
     }
 
     TextTokens m_tokens;
-    std::optional<Token> m_token; ///< the present one; empty: the text is at its end
+    std::optional<Token> m_token; ///< the present token; empty: end of the text
     std::vector<std::string_view> m_path;
 };
 
@@ -451,7 +455,7 @@ std::vector<std::size_t> fbxByteTypes(std::string_view bytes)
     try {
         reader.read();
     } catch (const NotFbx&) {
-        return {}; // Assimp refuses it anyway
+        return {}; // Assimp refuses such a file anyway
     }
     return reader.byteTypes();
 }

@@ -8,20 +8,20 @@
 
 namespace app
 {
-/// A value of a record, and where it is in the file.
+/// A value of an FBX record, and its position in the file.
 struct FbxValue
 {
-    char type = 0;               ///< of binary files as they name it; of text 'S' for what is in quotes, else 'T'
-    std::size_t at = 0;          ///< byte of the file
-    std::string_view bytes = {}; ///< without the quotes or the length
+    char type = 0;               ///< in binary files FBX's type letter; in text 'S' if quoted, 'T' otherwise
+    std::size_t at = 0;          ///< offset in the file, bytes
+    std::string_view bytes = {}; ///< the value's bytes, without quotes or length field
 
-    /// Returns its number; empty if it is none.
+    /// Returns the value as a number; nothing if it is not a number.
     std::optional<double> number() const;
-    /// Returns its whole number, of 64 bits; empty if it is none. Ids of text may be without a sign: 2^64 - 1 is -1.
+    /// Returns the value as a 64-bit integer; nothing if it is not an integer. Unsigned text ids wrap: 2^64 - 1 is -1.
     std::optional<std::int64_t> whole() const;
 };
 
-/// A record of an FBX file: name, values, and the records in its braces as far as they were asked for.
+/// A record of an FBX file: its name, its values, and the requested records in its braces.
 struct FbxRecord
 {
     std::string_view name;
@@ -29,17 +29,18 @@ struct FbxRecord
     std::vector<FbxRecord> records;
 };
 
-/// Returns those records of an FBX file of version 7, binary or text, that tell of its models: its settings, the
-/// property templates and properties of models, the connections, the objects, without what is in them, and of geometry
-/// the arrays of points and corners. In text these have a record "a" each, which keeps only those of its values that
-/// are no finite numbers. Empty if the file cannot be followed, which Assimp does not read then either. The records
-/// point into `bytes`. Memory: a few times what the models take in the file.
+/// Returns the records that describe the models of an FBX file of version 7, binary or text. They are: settings, the
+/// models' property templates and properties, connections, objects without their content, and the point and corner
+/// arrays of geometry.
+/// In text, each array has a record "a" that keeps only the values that are not finite numbers.
+/// Returns nothing if the file cannot be parsed; Assimp does not read such a file either. The records point into
+/// `bytes`. Cost: memory of a few times the size of the models in the file.
 std::optional<std::vector<FbxRecord>> fbxModelRecords(std::string_view bytes);
 
-/// Returns the bytes of a binary file at which "Z" is the type of a value: a byte, as "C" is, which Assimp does not
-/// know.
+/// Returns the offsets in a binary file where a value has the type "Z". Assimp does not know it; it is a byte, like
+/// type "C".
 std::vector<std::size_t> fbxByteTypes(std::string_view bytes);
 
-/// Returns the first record of the name; null if there is none.
+/// Returns the first record with this name; null if there is none.
 const FbxRecord* recordIn(const std::vector<FbxRecord>& records, std::string_view name);
 } // namespace app

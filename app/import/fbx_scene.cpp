@@ -1,8 +1,8 @@
 // Source: Autodesk, FBX SDK Help, "Computing transformation matrices":
 //   world = parent's world * T * Roff * Rp * Rpre * R * Rpost^-1 * Rp^-1 * Soff * Sp * S * Sp^-1,
-// and for the model's own mesh, but not for its children, OT * OR * OS behind it. Assimp (5.2 to 6.0) gives the factors
-// that are not the identity as a chain of nodes, "name_$AssimpFbx$_PreRotation" and so on, that ends in the node of the
-// model; OT, OR and OS are taken back by further nodes in front of its children.
+// followed by OT * OR * OS for the model's own mesh, but not for its children. Assimp (5.2 to 6.0) gives the factors
+// that are not the identity as a chain of nodes, "name_$AssimpFbx$_PreRotation" and so on, which ends in the model's
+// node. Further nodes before its children undo OT, OR and OS.
 #include "app/import/fbx_scene.h"
 
 #include <assimp/scene.h>
@@ -22,7 +22,7 @@ namespace
 {
 using Inherit = FbxModel::Inherit;
 
-/// Returns the factor that a node of the chain stands for; empty for the node of a model, which alone has metadata.
+/// Returns the name of the transform factor in this node; empty for a model's node, which alone has metadata.
 std::string_view factorOf(const aiNode& node)
 {
     constexpr std::string_view tag = "_$AssimpFbx$_";
@@ -47,7 +47,7 @@ template <class Value> std::optional<Value> valueOf(const aiMetadata* data, cons
     return data && data->Get(key, value) ? std::optional(value) : std::nullopt;
 }
 
-/// Returns the node that ends a model's chain, which has its name, its metadata and its meshes.
+/// Returns the last node of a model's chain, which has the model's name, metadata and meshes.
 const aiNode& endOf(const aiNode& first)
 {
     const aiNode* node = &first;
@@ -56,11 +56,11 @@ const aiNode& endOf(const aiNode& first)
     return *node;
 }
 
-/// A model's chain, put together.
+/// The products of the transform factors in a model's chain of nodes.
 struct Transforms
 {
-    Eigen::Matrix4d local = Eigen::Matrix4d::Identity();    ///< against its parent
-    Eigen::Matrix4d ofMeshes = Eigen::Matrix4d::Identity(); ///< against itself
+    Eigen::Matrix4d local = Eigen::Matrix4d::Identity();    ///< model space to parent space
+    Eigen::Matrix4d ofMeshes = Eigen::Matrix4d::Identity(); ///< mesh space to model space
 };
 
 Transforms transformsOf(const aiNode& first, const FbxModel& model)
@@ -76,16 +76,17 @@ Transforms transformsOf(const aiNode& first, const FbxModel& model)
     }
 }
 
-/// A model's place in the world, and what its children inherit of it.
+/// A model's transform in the world, and the values that its children inherit.
 struct ModelPlace
 {
     Eigen::Matrix4d world, withoutScale;
-    Eigen::Vector3d scale = Eigen::Vector3d::Ones();       ///< of itself times what it inherits by its axes, with signs
-    Eigen::Vector3d scaleBefore = Eigen::Vector3d::Ones(); ///< of those from which an Rrs child inherits
+    /// own scale times the scale inherited along the model's axes, with signs
+    Eigen::Vector3d scale = Eigen::Vector3d::Ones();
+    Eigen::Vector3d scaleBefore = Eigen::Vector3d::Ones(); ///< scale of the ancestors that an Rrs child inherits
     bool isVisible = true;
 };
 
-/// Returns the matrix without its scale, the mirrors of which go with it. A scale of nothing cannot be taken back.
+/// Returns the matrix without its scale and mirroring. A scale of 0 cannot be undone and is left as it is.
 Eigen::Matrix4d unscaled(Eigen::Matrix4d matrix, const Eigen::Vector3d& scale)
 {
     for (int axis = 0; axis < 3; ++axis)
@@ -111,14 +112,14 @@ ModelPlace placeOf(const FbxModel& model, Eigen::Matrix4d local, const ModelPlac
     return place;
 }
 
-/// Walks along the models and Assimp's nodes of them, and adds what they place.
+/// Traverses the models and Assimp's nodes together, and adds the meshes of visible models.
 class SceneWalk
 {
 public:
     SceneWalk(const std::vector<FbxModel>& models, SceneMesh& mesh) : m_models(models), m_mesh(mesh) {}
 
-    /// Adds the models below one, of levels of detail the first that shows anything. `above`: Assimp's node whose
-    /// children they are.
+    /// Adds the children of a model; of levels of detail, only the first that shows anything. `above`: Assimp's node
+    /// whose children they are.
     void addBelow(const aiNode& above, const FbxModel& model, const ModelPlace& place)
     {
         auto next = model.below.begin();
@@ -133,13 +134,13 @@ public:
         }
     }
 
-    /// Returns how many meshes the models lack that they should have.
+    /// Returns the number of meshes that models should have but lack.
     std::size_t missing() const { return m_missing; }
 
 private:
-    /// Returns whether the node has that name, or begins with the first 1,000 bytes of it; there may be a number behind
-    /// it, by which Assimp tells equal ones apart. Assimp passes over models that it cannot read. A name of 1,024 bytes
-    /// or more, with what Assimp adds to it, may be missing from its node: such a file is refused.
+    /// Returns whether the node's name begins with the first 1,000 bytes of `name`; Assimp appends numbers to equal
+    /// names. Nodes are matched by name because Assimp skips models that it cannot read. Names of 1,024 bytes or more,
+    /// with Assimp's additions, may be missing from the node; such a file is refused.
     static bool isNamed(const aiNode& node, std::string_view name)
     {
         constexpr std::size_t kept = 1000;
@@ -165,8 +166,8 @@ private:
     std::size_t m_missing = 0;
 };
 
-/// Returns the turn, or the mirror, that makes the axis that the file has as its right one X, its up one Y, its front
-/// one Z. Where the file's axes are none, up alone counts.
+/// Returns the rotation or mirroring that maps the file's right, up and front axes to X, Y and Z. If the file's axes
+/// are invalid, only its up axis is used.
 Eigen::Matrix3d axesOf(const aiMetadata* data)
 {
     const auto number = [data](const char* key, std::int32_t usual) {
@@ -196,7 +197,8 @@ std::size_t addFbxScene(const aiScene& scene, const std::vector<FbxModel>& model
     ModelPlace root{.world = Eigen::Matrix4d::Identity(), .withoutScale = Eigen::Matrix4d::Identity()};
     root.world.topLeftCorner<3, 3>() = unit * axesOf(scene.mMetaData);
     root.withoutScale = root.world;
-    const aiNode& top = *scene.mRootNode; // from 5.4 on Assimp puts the axes into its transform, half of them wrongly
+    // since 5.4 Assimp puts the axes into this node's transform, partly wrong, so it is ignored
+    const aiNode& top = *scene.mRootNode;
     mesh.addMeshesOf(top, root.world);
     SceneWalk walk(models, mesh);
     walk.addBelow(top, models.front(), root);

@@ -1,5 +1,5 @@
-// Source: Terathon Software, Open Game Engine Exchange Specification 1.1, "Metric": "distance", the metres in its unit,
-// and "up", "y" or "z". Assimp (5.2 to 6.0) reads both and takes no notice of them.
+// Source: Terathon Software, Open Game Engine Exchange Specification 1.1, "Metric": "distance" is the unit in metres,
+// and "up" is "y" or "z". Assimp (5.2 to 6.0) reads these values but ignores them.
 #include "app/import/foreign_unit.h"
 
 #include "app/import/import_folder.h"
@@ -14,17 +14,17 @@ namespace app
 {
 namespace
 {
-/// Lists the formats that are in metres by their specifications; LWS is so because the LWO that it names is.
+/// Extensions of formats that are in metres by specification. LWS counts because it refers to LWO files.
 constexpr std::string_view endingsInMetres[] = {".dae", ".zae", ".x3d", ".lwo", ".lws", ".ifc"};
 constexpr double millimetresInMetre = 1000;
 
-/// Takes apart OpenDDL: words, and single signs. Passes over comments.
+/// Splits OpenDDL text into words and single punctuation characters. Skips comments.
 class DdlWords
 {
 public:
     explicit DdlWords(std::string_view text) : m_rest(text) {}
 
-    /// Returns the next word without its quotes; empty at the end.
+    /// Returns the next word without its quotes; empty at the end of the text.
     std::string_view next()
     {
         skip();
@@ -61,7 +61,7 @@ private:
     std::string_view m_rest;
 };
 
-/// Returns the value of `Metric (key = "name") {type {value}}`, empty if there is none.
+/// Returns the value of `Metric (key = "name") {type {value}}`; empty if there is none.
 std::string_view metricOf(std::string_view text, std::string_view name)
 {
     DdlWords words(text);

@@ -7,10 +7,10 @@
 
 namespace app
 {
-/// Returns the transform from what Assimp gives of a file that is not FBX to millimetres with Y up, as far as the
-/// format or the file itself says what they are. `start`: the file's first bytes.
+/// Returns the transform from Assimp's coordinates for a file that is not FBX to millimetres with Y up. Uses what the
+/// format or the file states about unit and axes. `start`: first bytes of the file.
 Eigen::Matrix4d placeOf(const std::filesystem::path& file, std::string_view start);
 
-/// Returns whether files with that ending are measured in a unit of their own.
+/// Returns whether files with this extension define a unit of length.
 bool holdsUnit(const std::filesystem::path& file);
 } // namespace app

@@ -20,10 +20,10 @@ namespace
 {
 namespace fs = std::filesystem;
 
-/// The times that X3D files are opened for one scene: an Inline may name its own file.
+/// Limit of X3D files opened for one scene: an Inline node may refer to its own file.
 constexpr int maxOpened = 256;
 
-/// Returns the names of files that a url may stand for: itself, without what is behind "#", and without percent signs.
+/// Returns the file names that a URL may mean: the URL itself, without its fragment ("#..."), and percent-decoded.
 std::vector<std::string> namesOf(std::string_view url)
 {
     std::vector<std::string> names{std::string(url), std::string(url.substr(0, url.find('#')))};
@@ -33,8 +33,8 @@ std::vector<std::string> namesOf(std::string_view url)
     return names;
 }
 
-/// Returns the X3D file that a url stands for, links followed; empty if there is none. Files outside of the import's
-/// folder count, so that Open() can report them.
+/// Returns the X3D file that a URL refers to, with links resolved; nothing if there is none. Files outside of the
+/// import's folder are returned, too, so that Open() can report them.
 std::optional<fs::path> inlinedFile(const fs::path& folder, std::string_view url)
 {
     for (const std::string& name : namesOf(url)) {
@@ -79,7 +79,8 @@ Assimp::IOStream* ImportFolder::Open(const char* file, const char* mode)
         if (const std::string* const text = replacement(fs::canonical(path)))
             return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(text->data()), text->size());
     } catch (...) {
-        m_notes.problem = std::current_exception(); // Assimp would make another one of it
+        // not thrown here, because Assimp would replace it by another exception
+        m_notes.problem = std::current_exception();
         return nullptr;
     }
     return DefaultIOSystem::Open(file, mode);
@@ -130,7 +131,7 @@ std::string ImportFolder::expanded(const fs::path& path)
     return std::move(expansion.text);
 }
 
-/// Throws core::FileError if an X3D file inlines itself, as far as the files are known that it names.
+/// Throws core::FileError if an X3D file inlines itself, as far as the inlined files are known.
 void ImportFolder::refuseCycleOf(const fs::path& path) const
 {
     std::set<fs::path> seen;

@@ -16,19 +16,21 @@
 
 namespace app
 {
-/// Lets Assimp read in one folder, links followed, and write nowhere. It is given X3D files expanded, COLLADA files in
-/// UTF-8, with counts as they are, and FBX files with rotations that it turns right.
+/// File access for Assimp: lets it read files in one folder and write none. Symbolic links are resolved first. Some
+/// files are modified on reading: X3D is expanded, COLLADA becomes UTF-8 with correct counts, and FBX gets rotations
+/// that Assimp applies correctly.
 class ImportFolder : public Assimp::DefaultIOSystem
 {
 public:
-    /// Tells of the reading what no reader does.
+    /// Facts about the reading that Assimp does not report.
     struct Notes
     {
-        std::string outside;          ///< the name of a file that was asked for elsewhere
-        std::exception_ptr problem;   ///< exception over a file that could not be given
-        std::size_t unread = 0;       ///< nodes left out that stand for surfaces
-        bool isFollowed = true;       ///< false: an FBX file was given as it is, because it could not be followed
-        std::vector<FbxModel> models; ///< of an FBX file
+        std::string outside;        ///< name of a requested file that is outside of the folder; empty: none
+        std::exception_ptr problem; ///< the exception of a file that could not be provided
+        std::size_t unread = 0;     ///< number of surface nodes that are left out
+        /// false: an FBX file was passed on unmodified, because its records could not be parsed
+        bool isFollowed = true;
+        std::vector<FbxModel> models; ///< models of the FBX file
     };
 
     ImportFolder(std::filesystem::path folder, Notes& notes) : m_folder(std::move(folder)), m_notes(notes) {}
@@ -37,26 +39,27 @@ public:
     Assimp::IOStream* Open(const char* file, const char* mode) override;
 
 private:
-    /// Returns what Assimp is given of an X3D file. Throws core::FileError.
+    /// Returns the expanded text of an X3D file. Throws core::FileError.
     std::string expanded(const std::filesystem::path& path);
     void refuseCycleOf(const std::filesystem::path& path) const;
-    /// Returns the name that Assimp is given of an X3D file: it knows none with blanks.
+    /// Returns an alias without blanks for an X3D file: Assimp does not accept names with blanks.
     std::string aliasOf(const std::filesystem::path& path);
-    /// Returns the path of a file that Assimp asks for, perhaps by its alias.
+    /// Returns the path of a file that Assimp requests, perhaps by its alias.
     std::filesystem::path pathOf(const char* file) const;
     bool isWithin(const std::filesystem::path& file) const;
-    /// Returns what is given instead of the file; null: the file itself. Throws core::FileError.
+    /// Returns the modified content of the file; null: the file is read unmodified. Throws core::FileError.
     const std::string* replacement(const std::filesystem::path& path);
 
     std::filesystem::path m_folder;
     Notes& m_notes;
-    std::map<std::filesystem::path, std::optional<std::string>> m_replacements; ///< empty: the file itself
-    std::map<std::filesystem::path, std::set<std::filesystem::path>> m_inlined; ///< of X3D files, what they name
+    /// modified content by path; empty: unmodified
+    std::map<std::filesystem::path, std::optional<std::string>> m_replacements;
+    std::map<std::filesystem::path, std::set<std::filesystem::path>> m_inlined; ///< files named by each X3D file
     std::map<std::string, std::filesystem::path> m_aliases;
-    std::filesystem::path m_outermost; ///< the X3D file that came first
-    int m_opened = 0;                  ///< X3D files, each as often as it was asked for
+    std::filesystem::path m_outermost; ///< the first X3D file opened
+    int m_opened = 0;                  ///< number of times that X3D files were opened
 };
 
-/// Returns the ending in lower case, with its dot.
+/// Returns the file name extension in lower case, with its dot.
 std::string lowerEnding(const std::filesystem::path& path);
 } // namespace app

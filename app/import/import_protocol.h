@@ -5,11 +5,11 @@
 
 namespace app
 {
-/// The result of the process that reads further formats: this header, then points, colours, masks and triangles as core
-/// has them, then importEnd. Both ends are the same program on the same machine.
+/// Header of the import process's output. It is followed by points, colours, masks and triangles in core's memory
+/// layout, then importEnd. Writer and reader are the same program on the same machine.
 struct ImportHeader
 {
-    /// Faulty: what kind, fault, unit, place, expected and found say.
+    /// Faulty: `kind`, `fault`, `unit`, `place`, `expected` and `found` describe a core::FileError.
     enum class Outcome : std::uint32_t { Read, Refused, Faulty, OutOfMemory, Outside };
     static constexpr std::uint32_t magicNumber = 0x464f5231;
 
@@ -17,16 +17,17 @@ struct ImportHeader
     Outcome outcome = Outcome::Refused;
     std::uint64_t points = 0, colors = 0, masks = 0, triangles = 0, objects = 1;
     std::uint64_t repeatedCorners = 0, facesOfFewer = 0, animations = 0, subdivisions = 0, unreadNodes = 0;
-    std::uint64_t place = 0, expected = 0, found = 0; ///< of a core::FileError
-    std::uint32_t kind = 0, fault = 0, unit = 0;      ///< of a core::FileError, as numbers
+    std::uint64_t place = 0, expected = 0, found = 0; ///< fields of a core::FileError
+    std::uint32_t kind = 0, fault = 0, unit = 0;      ///< fields of a core::FileError, as numbers
     std::uint8_t materials = 0, textures = 0, poses = 0;
-    char file[201] = {};    ///< which one is Faulty, against the folder of the one that is read; empty: that one
-    char message[201] = {}; ///< why it was refused; the error's token; or the name of what is outside of its folder
+    char file[201] = {}; ///< the faulty file's path relative to the folder of the file read; empty: the file read
+    /// reason for a refusal, token of a core::FileError, or name of a file outside of the folder
+    char message[201] = {};
 };
 
 inline constexpr std::uint32_t importEnd = 0x454e4421;
 
-/// What the process may use for a file of that many bytes.
+/// Resources that the import process may use for a file of `fileSize` bytes.
 struct ImportLimits
 {
     explicit ImportLimits(std::uint64_t fileSize)
@@ -36,8 +37,8 @@ struct ImportLimits
         , triangles(2 * points)
     {}
 
-    std::uint64_t memory;  ///< bytes, beyond what the program takes anyway
-    std::uint64_t seconds; ///< of the processor; twice as long by the clock
+    std::uint64_t memory;  ///< bytes, beyond what the program uses anyway
+    std::uint64_t seconds; ///< CPU time; the wall-clock limit is twice as long
     std::uint64_t points, triangles;
 };
 } // namespace app

@@ -17,9 +17,9 @@ using core::FileError;
 using core::FileErrorKind;
 using core::TriangleMesh;
 
-/// Of those that Assimp 5.2 reads: what holds surfaces, and whose ending means nothing else to most people (no raw,
-/// scn, xml, mesh). Blender's files are not among them: without its modifiers they are another model; nor
-/// is X3D in its binary encoding, of which Assimp makes nothing.
+/// Extensions of formats with surfaces that Assimp 5.2 reads. Ambiguous extensions (raw, scn, xml, mesh) are left out.
+/// Also left out are Blender's files, which differ without their modifiers, and binary X3D, which Assimp reads as
+/// nothing.
 constexpr std::array<std::string_view, 37> endings{
     "fbx",  "dae",  "3ds", "x3d", "lwo",     "lws", "lxo", "dxf",     "ifc", "ac",  "ac3d", "acc", "ase",
     "b3d",  "cob",  "hmp", "iqm", "irrmesh", "md2", "md3", "md5mesh", "mdc", "mdl", "ms3d", "ndo", "nff",
@@ -32,7 +32,7 @@ FileError errorOf(FileErrorKind kind, const std::filesystem::path& path, std::ui
     return error;
 }
 
-/// Reads the result's bytes in order, as long as there are enough.
+/// Reads the bytes of the result in order. Each read fails if too few bytes are left.
 class ResultReader
 {
 public:
@@ -72,7 +72,7 @@ bool isSound(const TriangleMesh& mesh)
     return isOnePerPoint(mesh.colors) && isOnePerPoint(mesh.masks);
 }
 
-/// Returns the text of the header's message, with "?" for each byte that is not printable ASCII.
+/// Returns the header's message, with "?" for each byte that is not printable ASCII.
 std::string messageOf(const ImportHeader& header)
 {
     std::string message = header.message;
@@ -81,7 +81,7 @@ std::string messageOf(const ImportHeader& header)
     return message;
 }
 
-/// Returns the file that the process found faulty: the one that it was to read, or one in its folder that it names.
+/// Returns the file that the process found faulty: the requested file, or one in its folder that it refers to.
 std::filesystem::path faultyFile(const ImportHeader& header, const std::filesystem::path& path)
 {
     const std::string_view name = header.file;
@@ -91,7 +91,7 @@ std::filesystem::path faultyFile(const ImportHeader& header, const std::filesyst
     return isPrintable && isWithin ? path.parent_path() / file : path;
 }
 
-/// Returns the error that the process met, if it is one that there is.
+/// Returns the error that the process reported, or ReaderDied if its numbers are out of range.
 FileError faultOf(const ImportHeader& header, const std::filesystem::path& path)
 {
     if (header.kind > static_cast<std::uint32_t>(FileErrorKind::NoFaces) ||
@@ -151,7 +151,7 @@ core::ReadResult resultOf(std::string_view bytes, const std::filesystem::path& p
     return result;
 }
 
-/// `bytes`: the size of what is read.
+/// Reads a file in an import process. `bytes`: size of the file and of the files it refers to.
 core::ReadResult read(const std::string& program, const std::filesystem::path& path, std::uint64_t bytes,
                       const std::stop_token& stop)
 {

@@ -10,6 +10,6 @@ namespace app
 /// own, `program` with importWord, so that whatever a file does to Assimp or Draco it does not do to us; what it
 /// answers is checked as a file would be. `program` is fettle.
 core::ExternalReader sandboxedImporter(const std::string& program);
-/// By this program; from now on core reads those formats.
+/// Registers sandboxedImporter() of this program with core.
 void installSandboxedImporter();
 } // namespace app

@@ -69,7 +69,7 @@ void SceneMesh::addColors(const aiMesh& from, std::size_t first)
         m_mesh.colors.push_back(colorOf(from.mColors[0][i]));
 }
 
-/// Passes over points and lines, which Assimp has as faces, too.
+/// Skips points and lines, which Assimp represents as faces, too.
 void SceneMesh::addFaces(const aiMesh& from, core::Slot first, bool isMirrored, bool countsFewer)
 {
     for (unsigned i = 0; i < from.mNumFaces; ++i) {

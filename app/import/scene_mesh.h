@@ -13,23 +13,23 @@ struct aiScene;
 
 namespace app
 {
-/// Gathers the meshes of a scene that Assimp has read as one mesh, in millimetres. Polygons come whole and are cut into
-/// triangles by core's exact code.
+/// Merges the meshes of a scene read by Assimp into one mesh, in millimetres. Polygons are kept whole and triangulated
+/// by core's exact code.
 class SceneMesh
 {
 public:
     SceneMesh(const aiScene& scene, const ImportLimits& limits) : m_scene(scene), m_limits(limits) {}
 
-    /// Adds the meshes of the node, without its children's. `countsFewer`: whether faces of fewer than three corners,
-    /// which are left out, are polygons, to be counted, and not points and lines. Throws std::bad_alloc beyond the
-    /// limits, and std::runtime_error where a face names a point that is not there.
+    /// Adds the meshes of the node, not those of its children. Faces with fewer than three corners are skipped;
+    /// `countsFewer`: whether they are counted as polygons rather than ignored as points and lines. Throws
+    /// std::bad_alloc beyond the limits, and std::runtime_error if a face refers to a missing point.
     void addMeshesOf(const aiNode& node, const Eigen::Matrix4d& transform, bool countsFewer = false);
-    /// Adds the node with all below it. `above`: the transform of its parent.
+    /// Adds the node and all its descendants. `above`: transform of the node's parent.
     void addTree(const aiNode& node, const Eigen::Matrix4d& above);
 
-    /// Counts the polygons that have been added.
+    /// Returns the number of polygons added.
     std::size_t faces() const { return m_polygons.faces(); }
-    /// Returns the mesh, and puts its counts and remarks into the header. Empties this.
+    /// Returns the mesh and writes its counts and remarks to the header. Empties this object.
     core::TriangleMesh take(ImportHeader& header);
 
 private:
@@ -40,11 +40,11 @@ private:
 
     const aiScene& m_scene;
     const ImportLimits& m_limits;
-    core::TriangleMesh m_mesh; ///< its points and colours
+    core::TriangleMesh m_mesh; ///< points and colours only, until take() adds triangles
     core::io::Polygons m_polygons;
     std::uint64_t m_objects = 0, m_facesOfFewer = 0;
 };
 
-/// Returns the node's own transform.
+/// Returns the node's own transform, without its parents'.
 Eigen::Matrix4d matrixOf(const aiNode& node);
 } // namespace app

@@ -42,7 +42,7 @@ ExportedBrush BrushExport::run(const std::shared_ptr<core::Mesh>& copy, const QS
         if (!brush.what)
             return {{}, brush.problem};
         const QDir folderOfBrush(folder() + u'/' + QString::fromStdString(brush.what->fingerprint()));
-        folderOfBrush.mkpath(QStringLiteral(".")); // without it there is no file, which is said
+        folderOfBrush.mkpath(QStringLiteral(".")); // if this fails, save() below reports the missing folder
         const QString path = folderOfBrush.filePath(QFileInfo(name).completeBaseName() + QStringLiteral(".glb"));
         const QString problem = ModelLoader::save(path, mesh, {});
         return problem.isEmpty() ? ExportedBrush{path, {}} : ExportedBrush{{}, problem};

@@ -14,25 +14,26 @@ class Mesh;
 
 namespace app
 {
-/// The outcome of an export as a brush.
+/// Result of exporting the model as a brush.
 struct ExportedBrush
 {
-    QString path;    ///< of its file; empty: there is none
-    QString problem; ///< then: one sentence, or nothing if it was stopped
+    QString path;    ///< path of the brush file; empty if none was written
+    QString problem; ///< reason why there is no file, one sentence; empty if the export succeeded or was cancelled
 };
 
-/// Writes the document's present model to a file that brushes are read from: strokes name it, with its fingerprint.
-/// Any thread; never throws.
+/// Writes the present model to a brush file. Stroke files refer to the file by path and by fingerprint. Thread: any.
+/// Never throws.
 class BrushExport
 {
     Q_DECLARE_TR_FUNCTIONS(app::BrushExport)
 
 public:
-    /// In the user's data. Nothing is removed there: a stroke file may name it.
+    /// Returns the folder of brush files in the user's data directory. Files in it are never deleted, because stroke
+    /// files may refer to them.
     static QString folder();
-    /// A GLB of that name, in a folder that is called as its fingerprint: another model of that name takes no file's
-    /// place. A model with more triangles than a brush may have has fewer there. Consumes the copy; null: there was not
-    /// enough memory for one.
+    /// Writes `name`.glb to a subfolder named after the brush's fingerprint, so that a different model with the same
+    /// name replaces no file. A model with more triangles than core::BrushModel::maxFaces is decimated first. Consumes
+    /// the copy. A null `copy` is reported as out of memory.
     static ExportedBrush run(const std::shared_ptr<core::Mesh>& copy, const QString& name,
                              const core::JobControl& control);
 };

@@ -11,7 +11,7 @@ namespace
 {
 struct Names
 {
-    QString name, progress, icon; ///< the icon of those in resources/icons
+    QString name, progress, icon; ///< `icon`: file name in resources/icons
 };
 
 QString nameOf(const core::MaskOperation& change)

@@ -7,21 +7,22 @@
 
 namespace app
 {
-/// Whole-model commands in words.
+/// Translated names and messages for whole-model commands.
 class CommandNames
 {
     Q_DECLARE_TR_FUNCTIONS(app::CommandNames)
 
 public:
-    /// The undo step.
+    /// Returns the name of the command's undo step.
     static QString name(const core::ModelCommand& command);
-    /// Of those in resources/icons.
+    /// Returns the name of the command's icon in resources/icons.
     static QString icon(const core::ModelCommand& command);
-    /// The name of the command while it runs.
+    /// Returns a phrase that names the command while it is running, e.g. "Moving the model".
     static QString progress(const core::ModelCommand& command);
-    /// What was not done, where and why: one sentence. `inserted`: the file of the inserted model.
+    /// Returns one sentence that says what was not done and why; empty if the change was not refused. `inserted`: path
+    /// of the file whose model was to be inserted.
     static QString refusal(const core::ModelChange& change, const QString& inserted);
-    /// The notice if the command changed nothing.
+    /// Returns the message for a command that changed nothing.
     static QString unchanged(const core::ModelCommand& command);
 };
 } // namespace app

@@ -19,8 +19,9 @@ namespace app
 {
 namespace
 {
-constexpr double afterInsertReading = 0.2, afterInsertRepair = 0.8; ///< shares of the time
-}
+/// progress after reading and repairing the inserted model, 0 to 1
+constexpr double afterInsertReading = 0.2, afterInsertRepair = 0.8;
+} // namespace
 
 std::shared_ptr<core::Mesh> ModelChangeJob::copyOf(const core::Mesh& mesh)
 {
@@ -64,7 +65,8 @@ ModelChangeOutcome ModelChangeJob::run(const std::shared_ptr<core::Mesh>& copy, 
     return outcome;
 }
 
-/// Repaired or not, the model keeps the place that its file gives it: one that lay far from the origin goes back there.
+/// Reads the model to insert, and repairs it if requested. A repair moves the model to the origin; this moves it back
+/// to the place that its file gives it.
 void ModelChangeJob::read(ModelChangeOutcome& outcome, ModelChangeRequest& request, const OnStage& onStage,
                           const core::JobControl& control)
 {

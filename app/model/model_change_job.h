@@ -14,22 +14,25 @@
 
 namespace app
 {
-/// A change of the whole model.
+/// A request to change the whole model.
 struct ModelChangeRequest
 {
     core::ModelCommand command;
-    ui::InsertRequest insertion; ///< with a core::Insert, whose model is read from its file
+    /// used only if `command` is a core::Insert: the file that the inserted model is read from
+    ui::InsertRequest insertion;
 };
 
-/// What became of a change of the whole model.
+/// Result of a change of the whole model.
 struct ModelChangeOutcome
 {
     core::ModelChange change;
-    QString problem;           ///< it was not done: one sentence
-    bool isRepairable = false; ///< then: the model to be inserted is not in order; ui::InsertRequest::repair may help
-    QString notice;            ///< what the person should know of an inserted model; may be empty
-    QStringList repairs;       ///< what was done to it; empty: nothing
-    std::optional<ui::RepairDoubt> doubt; ///< the repairs did not keep it, and it was not inserted
+    QString problem; ///< reason why the change was not made, one sentence; empty if there was none
+    /// true: the model to insert is not sound, and repairing it (InsertRequest::repair) may help
+    bool isRepairable = false;
+    QString notice;      ///< message for the user about an inserted model; may be empty
+    QStringList repairs; ///< repairs made to the inserted model, one sentence each; empty: none
+    /// set if repairing changed the model too much: it was not inserted, and the user must decide
+    std::optional<ui::RepairDoubt> doubt;
 };
 
 /// Applies a change of the whole model to a copy. Thread: any.
@@ -38,11 +41,11 @@ class ModelChangeJob
     Q_DECLARE_TR_FUNCTIONS(app::ModelChangeJob)
 
 public:
-    /// Null: there is not enough memory.
+    /// Returns a copy of the mesh; null if there is not enough memory.
     static std::shared_ptr<core::Mesh> copyOf(const core::Mesh& mesh);
-    /// Called at the beginning of each stage with its name.
+    /// A callback that gets the name of each stage at its beginning.
     using OnStage = std::function<void(const QString& what)>;
-    /// Consumes the copy. What is to be inserted is read first.
+    /// Applies the request to the copy, which is consumed. For a core::Insert, reads the model from its file first.
     static ModelChangeOutcome run(const std::shared_ptr<core::Mesh>& copy, ModelChangeRequest request,
                                   const OnStage& onStage, const core::JobControl& control);
 

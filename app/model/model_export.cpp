@@ -19,7 +19,7 @@ namespace app
 {
 namespace
 {
-/// Shares of the time.
+/// Progress at the end of decimating, and of writing within the remaining part, 0 to 1.
 constexpr double afterDecimating = 0.85, afterWriting = 0.2;
 } // namespace
 
@@ -38,7 +38,7 @@ ExportOutcome ModelExport::run(ExportRequest request, const OnStage& onStage, co
             core::decimate(std::move(*request.mesh), request.maxTriangles, control.part(0, afterDecimating));
         if (control.isCancelled())
             return {};
-        request.metadata = {}; // they are of the whole model
+        request.metadata = {}; // they describe the undecimated model
         return write(request, core::placedMesh(toPath(request.path), std::move(few.mesh), place), onStage,
                      control.part(afterDecimating, 1));
     } catch (const core::FileError& error) {

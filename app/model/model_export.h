@@ -18,34 +18,35 @@ struct TriangleMesh;
 
 namespace app
 {
-/// What is to be written.
+/// A request to export the model.
 struct ExportRequest
 {
-    QString path;                          ///< the ending says the format
-    quint64 maxTriangles = 0;              ///< 0: all
-    bool slices = false;                   ///< an installed slicer tries the file then
-    core::DocumentMetadata metadata = {};  ///< of the mesh; a file with fewer triangles has none
-    std::shared_ptr<core::Mesh> mesh = {}; ///< a copy; null: there was not enough memory
+    QString path;                         ///< file to write; its extension determines the format
+    quint64 maxTriangles = 0;             ///< limit to which the model is decimated; 0: no limit
+    bool slices = false;                  ///< whether to test the file with an installed slicer
+    core::DocumentMetadata metadata = {}; ///< metadata of the mesh; not written if the model is decimated
+    /// a copy of the model, which is consumed; null: there was not enough memory for a copy
+    std::shared_ptr<core::Mesh> mesh = {};
 };
 
-/// What became of it.
+/// Result of an export.
 struct ExportOutcome
 {
-    QString problem; ///< one sentence: there is no file, or it is not what it should be
-    QString verdict; ///< one line, of the file; empty: it was stopped before there was one
+    QString problem; ///< one sentence: the file was not written, or its content is wrong; empty: neither
+    QString verdict; ///< one line about the written file; empty if there is a problem or writing was cancelled
 };
 
-/// Writes a model that stays what it is, with fewer triangles if asked to, and checks what the file holds. Thread: any;
-/// never throws.
+/// Writes a copy of the model to a file, decimated if requested, and reads the file back to verify it. The document's
+/// model does not change. Thread: any. Never throws.
 class ModelExport
 {
     Q_DECLARE_TR_FUNCTIONS(app::ModelExport)
 
 public:
-    /// Called at the beginning of each stage with its name.
+    /// A callback that gets the name of each stage at its beginning.
     using OnStage = std::function<void(const QString& what)>;
 
-    /// Consumes the copy. If it is cancelled in time, there is no file.
+    /// Exports the copy, which is consumed. Cancelling before the file is written leaves no file.
     static ExportOutcome run(ExportRequest request, const OnStage& onStage, const core::JobControl& control);
 
 private:

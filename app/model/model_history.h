@@ -13,13 +13,13 @@ class Mesh;
 
 namespace app
 {
-/// The states of a model after each of its steps, to be visited from the last to the first.
+/// The states of a model after each undo step, for visiting them from the last to the first.
 struct ModelHistory
 {
-    std::shared_ptr<core::Mesh> mesh; ///< a copy, after the last step; null: there was no memory for it
-    int first = 0, present = 0;       ///< states: so many steps were done
-    /// What takes the step at that index back; nothing if it cannot be read any more, or it was stopped. Not on the gui
-    /// thread.
+    std::shared_ptr<core::Mesh> mesh; ///< a copy of the present model; null: there was not enough memory
+    int first = 0, present = 0;       ///< undo indices of the earliest reachable state and of `mesh`
+    /// Returns the delta that undoes the step with this index; nothing if it cannot be read or the visit was cancelled.
+    /// Thread: any except the gui thread.
     std::function<std::optional<core::MeshDelta>(int index)> change;
 };
 } // namespace app

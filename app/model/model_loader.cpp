@@ -25,7 +25,7 @@ namespace app
 namespace
 {
 constexpr int paperSubdivisions = 4;
-constexpr double afterReading = 0.1, afterRepair = 0.8; ///< shares of the time
+constexpr double afterReading = 0.1, afterRepair = 0.8; ///< progress after reading and after repair, 0 to 1
 } // namespace
 
 std::filesystem::path toPath(const QString& path)
@@ -151,7 +151,7 @@ LoadedModel ModelLoader::sphere(double radius)
 {
     LoadedModel loaded;
     loaded.name = tr("Ball of clay");
-    loaded.metadata.work.emplace(); // nobody did anything yet
+    loaded.metadata.work.emplace(); // a new model: its work counters start at zero
     build(loaded, core::icosphere(paperSubdivisions, radius), {}, {});
     return loaded;
 }
@@ -160,7 +160,7 @@ LoadedModel ModelLoader::starter(core::Starter starter)
 {
     LoadedModel loaded;
     loaded.name = name(starter);
-    loaded.metadata.work.emplace(); // nobody did anything yet
+    loaded.metadata.work.emplace(); // a new model: its work counters start at zero
     build(loaded, core::starterModel(starter), {}, {});
     return loaded;
 }

@@ -34,22 +34,22 @@ namespace app
 struct LoadedModel
 {
     std::shared_ptr<core::Sculptor> sculptor;    ///< null: refused
-    std::shared_ptr<const core::Snapshot> start; ///< snapshot of its mesh; null: refused
+    std::shared_ptr<const core::Snapshot> start; ///< snapshot of the sculptor's mesh; null: refused
     QString problem;                             ///< if refused: one sentence with file, place or counts, and reason
     bool isRepairable = false;                   ///< if refused: loadRepaired() may help
     QStringList repairs;                         ///< sentences about repairs that were done; empty: none
-    std::optional<ui::RepairDoubt> doubt;        ///< the repairs did not keep the model: a person must accept it
-    bool isUnsaved = false;                      ///< no file holds the model as it is
-    QString notice;                              ///< if not refused: a remark for the user; may be empty
-    core::UnitDoubt unitGuess = core::UnitDoubt::None; ///< the likelier unit, if the file has none
+    std::optional<ui::RepairDoubt> doubt; ///< set if repairing changed the model too much: the user must accept it
+    bool isUnsaved = false;               ///< true if no file contains the model in this state
+    QString notice;                       ///< if not refused: a remark for the user; may be empty
+    core::UnitDoubt unitGuess = core::UnitDoubt::None; ///< the likelier unit of length, if the file states none
     QString name;
-    QString path;                           ///< empty: no file holds the model
-    QString source;                         ///< the file that it was read from; empty: none
+    QString path;                           ///< path of the file that contains the model; empty: none
+    QString source;                         ///< file from which the model was read; empty: none
     core::DocumentMetadata metadata;        ///< metadata of the file
     std::shared_ptr<core::Journal> journal; ///< journal begun for the model; may be null
     /// History of a model that was recovered from a journal; its mesh has moved to the sculptor. Null for others.
     std::shared_ptr<core::RecoveredDocument> recovered;
-    quint64 offer = 0; ///< id of the RecoveryOffer that the model was; 0: none
+    quint64 offer = 0; ///< id of the RecoveryOffer from which the model was recovered; 0: none
 };
 
 /// Reads models from files, checks them and writes them, with sentences for the user. Never throws. Thread: any. Cost:
@@ -65,24 +65,24 @@ public:
     /// Reads, checks and builds a model for the window, with its centre at the origin; the mesh's frame keeps the place
     /// that the file gives it. If it is cancelled, returns neither a model nor a problem.
     static LoadedModel load(const QString& path, const OnStage& onStage = {}, const core::JobControl& control = {});
-    /// As load(), except that it repairs a model that is not sound. A repaired model has no path.
+    /// Loads like load(), but repairs a model that is not sound. A repaired model has no path.
     static LoadedModel loadRepaired(const QString& path, const core::RepairOptions& options,
                                     const OnStage& onStage = {}, const core::JobControl& control = {});
-    /// Does as load(), for scripts: the model stays where it is, unless it lies far from the origin. One that lies too
-    /// far for 32-bit coordinates is refused (core::isTooFarForFloats), as its file could not be written again.
+    /// Loads like load(), for scripts: keeps the model's coordinates unless it is far from the origin. A model too far
+    /// away for 32-bit coordinates is refused (core::isTooFarForFloats), because its file could not be written again.
     static LoadedModel loadInPlace(const QString& path);
-    /// Returns the paper's sphere of 2562 vertices. Units: mm.
+    /// Returns the sphere of 2562 vertices that the sculpting paper starts with. `radius`: mm.
     static LoadedModel sphere(double radius);
-    /// Returns a starter model.
     static LoadedModel starter(core::Starter starter);
-    /// Writes a model to a file, at the place of the metadata's frame. Returns an empty string, or a sentence that says
-    /// what is wrong; no file has changed then. `backupCount`: number of backups to keep (core/util/numbered_backup.h).
+    /// Writes a model to a file, at the position given by metadata.frame. Returns an empty string on success. Otherwise
+    /// returns one sentence about the error, and no file has changed. `backupCount`: number of backups to keep
+    /// (core/util/numbered_backup.h).
     static QString save(const QString& path, const core::TriangleMesh& mesh, const core::DocumentMetadata& metadata,
                         int backupCount = 0);
 
-    /// Whether the format of a file of this name has colours.
+    /// Returns whether the format for this file name supports colours.
     static bool holdsColors(const QString& path);
-    /// Whether the format of a file of this name has a unit of length.
+    /// Returns whether the format for this file name defines a unit of length.
     static bool holdsUnit(const QString& path);
     /// Returns a sentence about a model that was inserted, if it is so small that its unit may be larger than the
     /// millimetre; otherwise an empty string. `volume`: mm3.
@@ -95,14 +95,15 @@ private:
                             const Process& process);
     struct Placing
     {
-        bool isCentred = false;                 ///< the centre goes to the origin
-        core::Vec3 origin = core::Vec3::Zero(); ///< the place of the mesh's origin in the file
+        bool isCentred = false;                 ///< whether the centre of the model is moved to the origin
+        core::Vec3 origin = core::Vec3::Zero(); ///< position of the mesh's origin in the space of the file
     };
-    /// Returns the report of the mesh as it came.
+    /// Builds `loaded.sculptor` from the mesh, or sets `loaded.problem`. Returns the check report of the unchanged
+    /// input mesh.
     static core::MeshReport build(LoadedModel& loaded, const core::TriangleMesh& mesh, const Placing& placing,
                                   const core::JobControl& control);
 };
 
-/// Converts a path from Qt.
+/// Converts a Qt path to a std::filesystem path.
 std::filesystem::path toPath(const QString& path);
 } // namespace app

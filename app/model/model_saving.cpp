@@ -11,7 +11,7 @@ namespace app
 {
 namespace
 {
-/// With another ending.
+/// Returns the path with its extension replaced by `ending`.
 QString ended(const QString& path, const QString& ending)
 {
     const QFileInfo file(path);
@@ -29,7 +29,8 @@ SavedFile ModelSaving::save(const QString& path, const core::TriangleMesh& mesh,
     return saved;
 }
 
-/// The number is looked for just before: another program may be counting in that folder.
+/// Chooses the number immediately before writing, because another program may be saving numbered files in the same
+/// folder.
 SavedFile ModelSaving::saveNumbered(const QString& path, const core::TriangleMesh& mesh,
                                     const core::DocumentMetadata& metadata)
 {

@@ -8,25 +8,27 @@
 
 namespace app
 {
-/// What became of a model that was to have a file of its own.
+/// Result of saving a model.
 struct SavedFile
 {
-    QString path;    ///< of that file
-    QString problem; ///< one sentence: there is none
-    QString notice;  ///< what the person should know all the same; may be empty
+    QString path;    ///< path of the written file
+    QString problem; ///< reason why no file was written, one sentence; empty if it was written
+    QString notice;  ///< message for the user after saving; may be empty
 };
 
-/// Writes models to files that are to be their own. Each is written whole or not at all. Any thread; never throws.
+/// Saves models to files and reports losses such as missing colours. Each file is written completely or not at all.
+/// Thread: any. Never throws.
 class ModelSaving
 {
     Q_DECLARE_TR_FUNCTIONS(app::ModelSaving)
 
 public:
-    /// Replaces a file of that name, of which `backupCount` backups stay
+    /// Saves to `path`, replacing an existing file. `backupCount`: number of backups to keep
     /// (core/util/numbered_backup.h).
     static SavedFile save(const QString& path, const core::TriangleMesh& mesh, const core::DocumentMetadata& metadata,
                           int backupCount = 0);
-    /// A GLB and an STL, named as that path but for ending and number, which is the first after all that are there.
+    /// Saves a GLB and an STL beside `path`, with the base name of `path` and the first number after all numbers in
+    /// use.
     static SavedFile saveNumbered(const QString& path, const core::TriangleMesh& mesh,
                                   const core::DocumentMetadata& metadata);
 };

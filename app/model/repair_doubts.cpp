@@ -11,7 +11,7 @@ namespace
 {
 QImage pictureOf(const core::TriangleMesh& mesh)
 {
-    constexpr int pixels = 192; // two stand side by side in a dialog
+    constexpr int pixels = 192; // small enough to show two pictures side by side in a dialog
     return ui::toImage(core::drawThumbnail(mesh, pixels, {}).value());
 }
 } // namespace

@@ -12,8 +12,8 @@ struct TriangleMesh;
 
 namespace app
 {
-/// Returns what a person must know of a repair that did not keep the model, with pictures; nothing if it kept it.
-/// `repaired` has a mesh. Thread: any. Cost: two pictures.
+/// Returns a description of what a repair lost, with pictures of the model before and after; nothing if the repair
+/// preserved the model. Precondition: `repaired` has a mesh. Thread: any. Cost: two rendered pictures.
 std::optional<ui::RepairDoubt> repairDoubt(ui::RepairUse use, const QString& name, const core::RepairResult& repaired,
                                            const core::TriangleMesh& old);
 } // namespace app

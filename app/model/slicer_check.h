@@ -7,15 +7,15 @@
 
 namespace app
 {
-/// Has an installed slicer slice a file, and tells what it says. Never needed; its G-code is thrown away.
+/// Tests an exported file with an installed slicer. The check is optional, and its G-code is discarded.
 class SlicerCheck
 {
     Q_DECLARE_TR_FUNCTIONS(app::SlicerCheck)
 
 public:
-    /// Slices in a child process, which is ended after three minutes, or when the job is cancelled. One sentence:
-    /// layers and time, or what the slicer complains of. Any thread; blocks it, at most about 50 ms longer than the
-    /// process lives.
+    /// Slices the model in a child process, which is killed after three minutes or when the job is cancelled. Returns
+    /// one sentence: layers and print time, or the slicer's error. Thread: any. Cost: blocks until the process has
+    /// ended; notices cancelling within about 50 ms.
     static QString run(const QString& model, const core::JobControl& control);
 
 private:

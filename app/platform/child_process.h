@@ -10,23 +10,22 @@ namespace app
 {
 struct ChildRequest
 {
-    std::vector<std::string> command; ///< the program's path first
-    std::chrono::seconds time{0};     ///< by the clock; then it is killed
-    std::uint64_t maxBytes = 0;       ///< of its answer; with more it is killed
-    std::stop_token stop = {};        ///< then it is killed, within some 20 ms
+    std::vector<std::string> command; ///< path of the program, then its arguments
+    std::chrono::seconds time{0};     ///< wall-clock limit; the child is killed when it is exceeded
+    std::uint64_t maxBytes = 0; ///< limit of the standard output in bytes; the child is killed when it is exceeded
+    std::stop_token stop = {};  ///< kills the child within about 20 ms
 };
 
 struct ChildResult
 {
     enum class End { Exited, Died, TooSlow, Stopped, NotStarted };
     End end = End::Exited;
-    std::string bytes; ///< from its standard output
+    std::string bytes; ///< content of the standard output
 };
 
-/// The path of this program, whatever has become of its file.
+/// Returns a path that starts this program. On Linux it works even if the program's file was moved or deleted.
 std::string ownProgram();
 
-/// Runs a program whose input is empty and whose errors nobody reads, and waits for it; it is gone afterwards. Any
-/// thread.
+/// Runs a program with empty standard input, discards its standard error, and waits until it has ended. Thread: any.
 ChildResult runChild(const ChildRequest& request);
 } // namespace app

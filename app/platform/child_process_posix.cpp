@@ -22,7 +22,7 @@ using End = ChildResult::End;
 
 constexpr int pollEveryMs = 20;
 
-/// The child's end of the pipe is its standard output.
+/// Starts the program. `output`: the writing end of a pipe, which becomes the child's standard output.
 std::optional<pid_t> start(const std::vector<std::string>& command, int output)
 {
     std::vector<char*> arguments;
@@ -34,7 +34,7 @@ std::optional<pid_t> start(const std::vector<std::string>& command, int output)
     posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_addopen(&files, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
     posix_spawn_file_actions_adddup2(&files, output, STDOUT_FILENO);
-    // An ignored signal stays ignored in a child, and SIGPIPE is how a child notices that nobody reads it any more.
+    // A child inherits ignored signals. It needs the default SIGPIPE, to end when nobody reads its output any more.
     sigset_t byDefault;
     sigemptyset(&byDefault);
     sigaddset(&byDefault, SIGPIPE);
@@ -49,7 +49,7 @@ std::optional<pid_t> start(const std::vector<std::string>& command, int output)
     return problem == 0 ? std::optional(child) : std::nullopt;
 }
 
-/// Until the child closes its end. Exited: it did.
+/// Reads the child's output until the child closes it (Exited), or until a limit is exceeded or a read fails.
 End collect(int input, const ChildRequest& request, Clock::time_point deadline, std::string& bytes)
 {
     std::array<char, 1 << 16> piece;
@@ -72,7 +72,8 @@ End collect(int input, const ChildRequest& request, Clock::time_point deadline, 
     }
 }
 
-/// Who has closed its output is about to end; who is not gets no more than a second.
+/// Waits for the child and returns its exit status. A child that has closed its output gets one second to end; any
+/// other child is killed at once.
 int statusOf(pid_t child, bool isEnding)
 {
     int status = 0;

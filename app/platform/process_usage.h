@@ -2,8 +2,8 @@
 
 namespace app
 {
-/// CPU time of the calling thread since it began, milliseconds.
+/// Returns the CPU time of the calling thread since it began, milliseconds.
 double threadCpuMs();
-/// The most memory that the process ever held, MiB (2^20 bytes).
+/// Returns the peak resident memory of the process, MiB (2^20 bytes).
 double peakRssMb();
 } // namespace app

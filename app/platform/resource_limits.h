@@ -4,9 +4,9 @@
 
 namespace app
 {
-/// For a process that reads what strangers wrote: from now on it has that many bytes beyond what it has now (at most
-/// what the machine has) and that many seconds of the processor, cannot write files, leaves no core file, ends with its
-/// parent, and, where the system can do that, starts no other program and opens no connection. Only standard input,
-/// output and error stay open.
+/// Restricts this process for reading files from untrusted sources. It gets `memory` bytes beyond its present use (at
+/// most the machine's memory) and `seconds` of CPU time. It cannot write files and leaves no core file. On Linux it
+/// also ends with its parent, starts no other program, opens no connection, and keeps only standard input, output and
+/// error open.
 void limitOwnProcess(std::uint64_t memory, std::uint64_t seconds);
 } // namespace app

@@ -28,7 +28,7 @@ void limit(__rlimit_resource resource, std::uint64_t max)
     setrlimit(resource, &value);
 }
 
-/// Bytes of address space in use; 0 if the system does not say.
+/// Returns the address space in use, bytes; 0 if the system does not report it.
 std::uint64_t usedNow()
 {
     unsigned long pages = 0;
@@ -51,7 +51,7 @@ void limitMemory(std::uint64_t memory)
 }
 
 #ifdef __linux__
-/// A number that stands for the machine's way of calling the system; 0: we do not know it.
+/// Identifier of this machine's system call table for seccomp; 0: not supported, so no call is forbidden.
 #if defined(__x86_64__)
 constexpr std::uint32_t ownCalls = AUDIT_ARCH_X86_64;
 #elif defined(__aarch64__)
@@ -60,13 +60,13 @@ constexpr std::uint32_t ownCalls = AUDIT_ARCH_AARCH64;
 constexpr std::uint32_t ownCalls = 0;
 #endif
 
-/// These calls fail from now on, as if they were not permitted.
+/// Makes the listed system calls fail with EPERM from now on.
 void forbidCalls()
 {
     constexpr std::uint32_t forbidden[] = {SYS_socket,   SYS_socketpair, SYS_connect,   SYS_execve,   SYS_execveat,
                                            SYS_unlinkat, SYS_renameat,   SYS_renameat2, SYS_truncate, SYS_ptrace,
                                            SYS_kill,     SYS_tgkill,
-#ifdef SYS_unlink // not on newer machines
+#ifdef SYS_unlink // newer architectures do not have these calls
                                            SYS_unlink,   SYS_rename,     SYS_fork,      SYS_vfork
 #endif
     };

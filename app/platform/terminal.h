@@ -4,6 +4,6 @@
 
 namespace app
 {
-/// Returns whether a terminal shows what is written to the stream.
+/// Returns whether the stream is connected to a terminal.
 bool isTerminal(std::FILE* stream);
 } // namespace app
