@@ -21,8 +21,8 @@ QString ClassEnd::question(bool isTurn) const
     return waiting == 0 ? ends : ends + u' ' + tr("%n models are not yet in the class folder.", nullptr, waiting);
 }
 
-/// Delivers in the next round of the event loop: works are paused until the last one is saved. Meanwhile it is nobody's
-/// turn.
+/// Delivers in the next iteration of the event loop, because delivery is paused until the last work is saved. The
+/// window is disabled meanwhile.
 void ClassEnd::end(const std::function<void()>& end)
 {
     constexpr auto longest = std::chrono::seconds(10);
@@ -38,7 +38,7 @@ void ClassEnd::end(const std::function<void()>& end)
         else
             end();
     };
-    QTimer::singleShot(longest, this, goOn); // of a folder that does not answer
+    QTimer::singleShot(longest, this, goOn); // gives up on a folder that does not answer
     QMetaObject::invokeMethod(
         this, [this, goOn] { m_work->deliver(goOn); }, Qt::QueuedConnection);
 }

@@ -10,19 +10,21 @@ namespace app
 {
 class ClassWork;
 
-/// The end of a class: what waits is delivered once more, and the teacher hears of what cannot be. Thread: gui.
+/// Ends a class: delivers the waiting works once more, and tells the teacher which ones cannot be delivered. Thread:
+/// gui.
 class ClassEnd : public QObject
 {
     Q_OBJECT
 
 public:
-    /// Owns neither; both must outlive this, except that the window may be in its destructor by then.
+    /// Owns neither object; both must outlive this, but the window may already be in its destructor.
     ClassEnd(ClassWork* work, QWidget* window) : m_work(work), m_window(window) {}
 
-    /// Returns the question before, with what waits by now. `isTurn`: somebody's work is open.
+    /// Returns the question whether to end the class, with the number of undelivered works. `isTurn`: a pupil's work is
+    /// open.
     QString question(bool isTurn) const;
-    /// Calls `end` when all works are in the class's folder, or the teacher knows of those that are not; of a folder
-    /// that does not answer after 10 s. After the PIN.
+    /// Calls `end` when all works are in the class's folder, or the teacher has seen which are not. A folder that does
+    /// not answer within 10 s counts as unreachable. Precondition: the PIN was entered.
     void end(const std::function<void()>& end);
 
 private:

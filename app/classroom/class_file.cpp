@@ -1,4 +1,4 @@
-// Our own reader: QSettings takes each file, tells no line, and reads \ and , in a folder's name as signs of its own.
+// QSettings is not used: it accepts any file, reports no line numbers, and interprets \ and , in folder names.
 
 #include "app/classroom/class_file.h"
 
@@ -22,7 +22,7 @@ namespace app
 namespace
 {
 constexpr qint64 maxBytes = 64 << 10;
-constexpr QChar nameSeparator = u';'; // a name may have a comma
+constexpr QChar nameSeparator = u';'; // a comma may be part of a name
 
 struct Entry
 {
@@ -49,7 +49,7 @@ QString bytesToText(const QString& path)
     return text;
 }
 
-/// The words that a list or a choice may have.
+/// Returns the allowed words as text for an error message.
 QString wordList(const QStringList& words)
 {
     return words.join(QStringLiteral(", "));
@@ -84,13 +84,13 @@ QString noPin()
     return ClassFile::tr("this is not a PIN as Fettle writes it; set one with Edit › Classroom.");
 }
 
-/// Returns an absolute path; a relative one leads from the class's file.
+/// Returns an absolute path. A relative path is resolved against the folder of the class file.
 QString pathFrom(const QString& classFile, const QString& path)
 {
     return QDir::cleanPath(QFileInfo(classFile).absoluteDir().absoluteFilePath(QDir::fromNativeSeparators(path)));
 }
 
-/// Takes the file's values one by one.
+/// Parses a class file. Each value is removed from m_entries when it is read, so that unknown keys remain.
 class Reader
 {
 public:
@@ -149,7 +149,7 @@ private:
         m_entries.insert(key, {number, line.mid(equals + 1).trimmed()});
     }
 
-    /// Empty if the key is not there.
+    /// Returns the value and removes its entry; empty if the key is missing.
     QString takeValue(const char* key)
     {
         const Entry entry = m_entries.take(QLatin1StringView(key));
@@ -214,7 +214,7 @@ private:
         return index;
     }
 
-    /// The first of the words if the key is not there.
+    /// Returns the index of the chosen word; 0 if the key is missing.
     qsizetype choice(const char* key, const QStringList& words)
     {
         const QString value = takeValue(key);
@@ -249,8 +249,8 @@ private:
     }
 
     QString m_path;
-    QHash<QString, Entry> m_entries; ///< that were not taken yet
-    int m_line = 0;                  ///< of the key that was taken last; 0: it is not there
+    QHash<QString, Entry> m_entries; ///< entries not read yet
+    int m_line = 0;                  ///< line of the key read last; 0: the key is missing
 };
 
 QString textOf(const ui::Classroom& classroom)

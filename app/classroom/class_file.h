@@ -6,25 +6,26 @@
 
 namespace app
 {
-/// One sentence that names file, line or key, and reason.
+/// An error in a class file: one sentence with the file, the line or key, and the reason.
 struct ClassFileError
 {
     QString sentence;
 };
 
-/// The file that a teacher makes for a class: UTF-8, a line for each key, "key = value", lines that begin with # or ;
-/// or [ left out. Any thread.
+/// Reads and writes the file that a teacher makes for a class. It is UTF-8 text with one "key = value" per line; lines
+/// that begin with #, ; or [ are ignored. Thread: any.
 class ClassFile
 {
     Q_DECLARE_TR_FUNCTIONS(app::ClassFile)
 
 public:
-    /// A folder that is named relatively is sought from the file; whether it is there is not asked. Throws
+    /// Reads a class file. A relative folder is resolved against the file's folder; it need not exist. Throws
     /// ClassFileError.
     static ui::Classroom read(const QString& path);
-    /// Whole or not at all: empty, or what is wrong. The title has no line break.
+    /// Writes the file completely or not at all. Returns an empty string, or one sentence about the error.
+    /// Precondition: the title has no line break.
     static QString write(const QString& path, const ui::Classroom& classroom);
-    /// Returns why the class cannot have its lesson: one sentence; empty if it can, or has none.
+    /// Returns one sentence why the class cannot use its lesson; empty if it can or has none.
     static QString lessonProblem(const ui::Classroom& classroom);
 };
 } // namespace app

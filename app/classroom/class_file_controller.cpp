@@ -27,7 +27,7 @@ ClassFileController::ClassFileController(ui::MainWindow& window, Document& docum
     , m_window(window)
 {
     connect(window.action(QStringLiteral("edit.classroom")), &QAction::triggered, this, [this] { edit(); });
-    const auto stay = [this] { m_next.clear(); }; // the window was not closed after all
+    const auto stay = [this] { m_next.clear(); }; // the window stays open after all
     connect(&document, &Document::stepped, this, stay);
     connect(&document, &Document::opened, this, stay);
     connect(&document.saver(), &ModelSaver::saveFailed, this, stay);
@@ -62,7 +62,7 @@ void ClassFileController::load(const QString& path)
     }
 }
 
-/// The dialog stays, with all that was typed, unless the file is there.
+/// Writes the class file. If that fails, the dialog stays open with its input.
 void ClassFileController::write(const ui::ClassroomDraft& draft)
 {
     ui::Classroom classroom = draft.classroom;
@@ -110,14 +110,14 @@ void ClassFileController::askToBegin(const ui::Classroom& classroom, const QStri
     question->open();
 }
 
-/// Closes the window after the question has closed: it may ask about unsaved changes.
+/// Closes the window once the question is closed, because closing may ask about unsaved changes.
 void ClassFileController::begin(const QString& path)
 {
     m_next = path;
     QMetaObject::invokeMethod(&m_window, &QWidget::close, Qt::QueuedConnection);
 }
 
-// --- works that wait
+// --- works waiting on this computer
 
 void ClassFileController::showWaiting(const QString& outcome)
 {

@@ -17,20 +17,20 @@ namespace app
 {
 class Document;
 
-/// The file of a class in the teacher's window: made, opened, changed, and begun; and the works of classes that wait on
-/// this computer, for a teacher to move. A class has a program of its own, which begins when this one has ended: no
-/// window with the teacher's files is left beside it. Thread: gui.
+/// Lets the teacher make, open, change and start class files, and move works of classes that wait on this computer. A
+/// class runs in a program of its own, which starts when this one has ended, so no window with the teacher's files
+/// stays open beside it. Thread: gui.
 class ClassFileController : public QObject
 {
     Q_OBJECT
 
 public:
-    /// A child of the window. The document must outlive this.
+    /// A child of the window. The document must outlive it.
     ClassFileController(ui::MainWindow& window, Document& document);
 
-    /// Asks whether the class in that file is to begin, or to be changed; or says why it is none.
+    /// Asks whether to begin or change the class of the given file. Shows an error if it is not a class file.
     void offer(const QString& path);
-    /// The file of the class that is to begin when the program has ended; empty: none.
+    /// Returns the file of the class to begin when the program has ended; empty: none.
     const QString& next() const { return m_next; }
 
 private:
@@ -46,6 +46,6 @@ private:
     ui::MainWindow& m_window;
     QPointer<ui::ClassroomDialog> m_dialog;
     QString m_next;
-    ui::BackgroundThread m_background; ///< last
+    ui::BackgroundThread m_background; ///< last member: its destructor waits for jobs that use the other members
 };
 } // namespace app

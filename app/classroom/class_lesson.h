@@ -17,32 +17,32 @@ namespace app
 {
 class Document;
 
-/// The lesson that the turns of a class may begin with. Thread: gui.
+/// The lesson of a class, which each turn may begin with. Thread: gui.
 class ClassLesson
 {
     Q_DECLARE_TR_FUNCTIONS(app::ClassLesson)
 
 public:
-    /// `lesson`: as ui::Classroom has it. None is owned; all must outlive this.
+    /// `lesson`: ui::Classroom::lesson. Owns none of the arguments; all must outlive this.
     ClassLesson(const QString& lesson, ui::MainWindow* window, Document* document);
 
     bool isThere() const { return m_place.lesson != nullptr; }
     ui::LessonCard card() const;
-    /// Opens the model that the lesson begins with.
+    /// Opens the lesson's first model.
     void open() const;
-    /// Begins the lesson with the model that is open, with its panel beside it.
+    /// Begins the lesson with the open model, and shows the lesson panel.
     void begin() const { resume(m_place); }
     void resume(const LessonPlace& place) const;
-    /// Returns where the lesson is; nothing if none is open.
+    /// Returns the present place in the lesson; nothing if no lesson is open.
     std::optional<LessonPlace> place() const;
-    /// Returns the place that a note tells of; nothing if the class has another lesson by now.
+    /// Returns the place that was noted, with the lesson filled in; nothing if the class now has another lesson.
     std::optional<LessonPlace> find(const LessonPlace& noted) const;
-    /// Stops the teacher. Returns where the lesson is; nothing if none is open.
+    /// Stops the lesson's demonstration. Returns the present place in the lesson; nothing if no lesson is open.
     std::optional<LessonPlace> stop() const;
 
 private:
     ui::MainWindow* m_window;
     Document* m_document;
-    LessonPlace m_place; ///< of the first step; no lesson in it: the class has none
+    LessonPlace m_place; ///< the first step of the class's lesson; without a lesson if the class has none
 };
 } // namespace app

@@ -1,5 +1,5 @@
-// Keeps a folder for each class in one root, called after the first path by which the class's folder was known. The
-// file folders.json in it lists these paths.
+// Each class has a subfolder of one root, named after the first known path of the class's folder. Its file folders.json
+// lists all known paths of the class's folder.
 
 #include "app/classroom/class_paths.h"
 
@@ -21,7 +21,7 @@ namespace app
 {
 namespace
 {
-constexpr int keyLength = 16; ///< digits that tell classes from each other
+constexpr int keyLength = 16; ///< hexadecimal digits of the hash that identifies a class
 
 QDir classesRoot()
 {
@@ -50,7 +50,7 @@ QString foldersFile(const QString& key)
     return classesRoot().filePath(key + QStringLiteral("/folders.json"));
 }
 
-/// Returns the paths by which the folder of that class was known; none: an older version knew it by its file.
+/// Returns the known paths of the class's folder; empty: an older version identified the class by its file.
 QStringList foldersOf(const QString& key)
 {
     QStringList folders;
@@ -61,7 +61,8 @@ QStringList foldersOf(const QString& key)
     return folders;
 }
 
-/// Adds to those that are known. A file that cannot be written only costs that the class is found by another path.
+/// Adds paths to the known paths of a class. If the file cannot be written, the class is later found only by its other
+/// paths.
 void addFolders(const QString& key, const QStringList& folders)
 {
     const QStringList known = foldersOf(key);
@@ -77,7 +78,7 @@ void addFolders(const QString& key, const QStringList& folders)
     file.commit();
 }
 
-/// Returns the path as the class has it, and the one without links if the folder is there.
+/// Returns the path as written in the class file and, if the folder exists, its path without links.
 QStringList pathsOf(const QString& folder)
 {
     QStringList paths{QDir::cleanPath(folder), QFileInfo(folder).canonicalFilePath()};
@@ -86,7 +87,8 @@ QStringList pathsOf(const QString& folder)
     return paths;
 }
 
-/// Returns the classes on this computer that have this folder; first those with journals, which only one class reads.
+/// Returns the keys of the classes that have this folder. Classes with journals come first, because only the first
+/// one's journals are read.
 QStringList classesWith(const QStringList& folders, const QString& classFile)
 {
     QStringList keys;

@@ -1,4 +1,4 @@
-// "pbkdf2-sha256:<rounds>:<salt>:<key>", both in hexadecimal digits.
+// Format: "pbkdf2-sha256:<rounds>:<salt>:<key>", with salt and key in hexadecimal digits.
 
 #include "app/classroom/class_pin.h"
 
@@ -18,7 +18,7 @@ const QLatin1StringView method{"pbkdf2-sha256"};
 
 struct PinRecord
 {
-    int rounds = 0; ///< 0: it is none
+    int rounds = 0; ///< 0: not a valid record
     QByteArray salt, key;
 };
 

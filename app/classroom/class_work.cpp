@@ -57,7 +57,7 @@ bool ClassWork::save(const QString& what, const ClassTurn& turn, const TurnRecor
         self->setPaused(false, self->m_isHeld);
         self->deliver();
     };
-    setPaused(true, m_isHeld); // before the work is there: it may be held
+    setPaused(true, m_isHeld); // before the work is saved, because `done` may hold it
     if (m_document->saver().saveExternally(what, save, finish))
         return true;
     setPaused(false, m_isHeld);
@@ -80,7 +80,7 @@ void ClassWork::deliver(const std::function<void()>& then)
         return;
     }
     const auto written = std::make_shared<std::promise<void>>();
-    m_answering.run([written] { written->set_value(); }); // behind the answers that were given by now
+    m_answering.run([written] { written->set_value(); }); // runs after the answers given so far are written
     const auto deliver = [this, archive = m_archive, written] {
         written->get_future().wait();
         return archive.deliver([this] { return m_isPaused.load(); });
@@ -96,7 +96,8 @@ void ClassWork::deliver(const std::function<void()>& then)
 
 void ClassWork::copyWaiting(const QString& folder, const std::function<void(const Delivery& copied)>& done)
 {
-    m_answering.run([archive = m_archive, folder] { return archive.copy(folder); }, done); // the other may be waiting
+    // m_background may be waiting for a slow folder
+    m_answering.run([archive = m_archive, folder] { return archive.copy(folder); }, done);
 }
 
 void ClassWork::setHeld(bool isHeld)
@@ -120,7 +121,7 @@ void ClassWork::onDelivered(const Delivery& delivery)
 {
     if (m_ended)
         m_ended->folder = delivery.moved.value(m_ended->folder, m_ended->folder);
-    if (delivery.isPaused) // the next one says how many wait
+    if (delivery.isPaused) // the next delivery reports how many wait
         return;
     m_bar->setUndelivered(
         delivery.undelivered,

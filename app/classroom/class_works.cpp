@@ -15,7 +15,7 @@ namespace app
 {
 namespace
 {
-/// Returns the name of the folder where turn.json has none: a pupil, or whoever moved it, has called it something.
+/// Returns a work. If turn.json has no name, uses the name of the folder, which a pupil or teacher may have renamed.
 FoundModel workIn(const QString& folder)
 {
     FoundModel found{toPath(WorkArchive::modelOf(folder)), folder, WorkArchive::turnOf(folder)};
@@ -24,7 +24,7 @@ FoundModel workIn(const QString& folder)
     return found;
 }
 
-/// Leaves the last work of each turn.
+/// Returns the works in the folder, only the last one of each turn.
 QList<FoundModel> worksOf(const QString& folder)
 {
     QList<FoundModel> works;
@@ -37,7 +37,7 @@ QList<FoundModel> worksOf(const QString& folder)
     return works;
 }
 
-/// Adds the turn's beginning to a name that several turns have.
+/// Adds the turn's beginning to names that several turns have.
 void tellApart(QList<FoundModel>& works)
 {
     QStringList names;

@@ -11,30 +11,30 @@
 
 namespace app
 {
-/// Facts that turn.json has about the turn that left a work; empty or invalid where it says nothing.
+/// Facts about a turn from the turn.json of its work. Missing values are empty or invalid.
 struct TurnFacts
 {
     QString id, pupil;
     QDateTime begun, ended;
-    std::optional<LessonResult> lesson; ///< none: the turn had none
+    std::optional<LessonResult> lesson; ///< nothing: the turn had no lesson
     std::optional<double> used;         ///< seconds, without pauses
 
-    /// Returns the seconds that it used or, if it does not say, those from its beginning to its end; nothing: unknown.
+    /// Returns the used seconds or, if these are unknown, the seconds from beginning to end; nothing: unknown.
     std::optional<double> seconds() const;
 };
 
-/// A model to be looked at: a file, or a pupil's work.
+/// A model to be checked: a file, or a pupil's work.
 struct FoundModel
 {
     std::filesystem::path file;
-    QString work = {};     ///< folder of the turn that left it; empty: it is no work
-    TurnFacts turn = {};   ///< of a work
-    QString pupil = {};    ///< tells the work from the others: with the turn's beginning where a name comes twice
-    QString title() const; ///< pupil, or the file's name
+    QString work = {};     ///< folder of the work; empty: the model is not a work
+    TurnFacts turn = {};   ///< facts about the turn of a work
+    QString pupil = {};    ///< display name of the work; includes the turn's beginning if several turns have this pupil
+    QString title() const; ///< returns the display name of the work, or the file's name
 };
 
-/// Returns the models of a folder by name. The works of a class's turns in it come first, by pupil; of a turn that was
-/// resumed, which has left several, only the last. The folder of one work is such a folder, too. Throws core::FileError
-/// if there is no model. Any thread.
+/// Returns the models of a folder, sorted by name. Works of a class in the folder come first, sorted by pupil. Of the
+/// several works of a resumed turn only the last is returned. `folder` may also be a single work. Throws
+/// core::FileError if there is no model. Thread: any.
 QList<FoundModel> modelsAndWorks(const std::filesystem::path& folder);
 } // namespace app

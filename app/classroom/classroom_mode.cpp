@@ -29,13 +29,13 @@ QString newId()
     return QUuid::createUuid().toString(QUuid::WithoutBraces);
 }
 
-/// As a part of a sentence.
+/// Returns the pupil's name, or "somebody", for use in a sentence.
 QString nameOf(const ClassTurn& turn)
 {
     return turn.pupil.isEmpty() ? ClassroomMode::tr("somebody") : turn.pupil;
 }
 
-/// Adds the large words over the view, and the window for the projector.
+/// Adds the countdown over the view and the clock window for a projector.
 void addClocks(const ui::Classroom& classroom, ui::ClassBar* bar, ClassWork* work, ui::MainWindow* window)
 {
     auto* countdown = new ui::TurnCountdown(window->viewport());
@@ -83,10 +83,11 @@ ClassroomMode::ClassroomMode(const Program& program, ui::Classroom classroom, Cl
             then();
     };
     connect(document, &Document::opened, this, onOpened, Qt::QueuedConnection);
-    const auto checkIdle = [this] { // failed, as the window has said, or cancelled: the class goes on
+    // opening failed, which the window has reported, or was cancelled: the class continues
+    const auto checkIdle = [this] {
         if (m_isOpened || m_program.document->job().isBusy() || !std::exchange(m_then, nullptr))
             return;
-        if (m_stage != Stage::Asking) // else the form or the panel is open, and stays as it is
+        if (m_stage != Stage::Asking) // in stage Asking the questions or the name panel are already open
             m_panel->open();
         openClay();
     };
@@ -121,7 +122,8 @@ ClassroomMode::ClassroomMode(const Program& program, ui::Classroom classroom, Cl
 
 ClassroomMode::~ClassroomMode() = default;
 
-/// Calls `open`, which has the document open a model, and `then` when that model is there. One after the other.
+/// Calls `open`, which opens a model in the document, and calls `then` when the model is open. Further calls wait until
+/// `then` has been called.
 void ClassroomMode::openThen(const std::function<void()>& open, const std::function<void()>& then)
 {
     if (m_then) {
@@ -142,9 +144,9 @@ void ClassroomMode::begin()
     m_program.recoveryStore->findAbandoned();
 }
 
-// --- what a program before left
+// --- works that an earlier run left
 
-/// The first says what there is; the others come while the store's are taken.
+/// Starts archiving with the first offer. Later offers arrive as each one is taken from the store.
 void ClassroomMode::onRecoveryOffered(const RecoveryOffer& offer)
 {
     m_offer = offer;
@@ -163,7 +165,7 @@ void ClassroomMode::recoverNext()
              [this, offer] { saveRecovered(offer); });
 }
 
-/// Of one that was resumed what came before is not known any more.
+/// Archives a recovered work. The steps made before a turn was resumed are no longer known.
 void ClassroomMode::saveRecovered(const RecoveryOffer& offer)
 {
     const auto note = m_note.read(offer.changed);
@@ -179,7 +181,7 @@ void ClassroomMode::saveRecovered(const RecoveryOffer& offer)
 
 // --- turns
 
-/// Opens the first starter, or the lesson's, for the next pupil, below the panel or the form that asks meanwhile.
+/// Opens the first starter or the lesson's model for the next pupil, below the name panel or the questions.
 void ClassroomMode::openClay()
 {
     m_stage = Stage::Asking;
@@ -222,7 +224,7 @@ void ClassroomMode::startTurn(const ClassTurn& turn, const TurnRecord& before)
     show();
 }
 
-/// Asks the questions before the next name; the work is kept already.
+/// Saves the turn, then asks the questions if the class has them, then the next name.
 void ClassroomMode::next()
 {
     if (m_stage != Stage::Sculpting)
@@ -268,18 +270,19 @@ void ClassroomMode::resume()
 
 // --- keeping the work
 
-/// `then` only if it is safe; else the model stays open, and that is said.
+/// Saves the turn's work and calls `then` if it is safe. Otherwise the model stays open and an error is shown.
 void ClassroomMode::saveThen(ClassTurn turn, std::function<void()> then)
 {
     if (m_stage == Stage::Saving)
         return;
     m_program.window->viewport()->input()->finish();
-    if (m_stage == Stage::Sculpting) // else a turn that was interrupted has its place from the note
+    if (m_stage == Stage::Sculpting) // an interrupted turn has its place in the lesson from the note instead
         turn.lesson = m_lesson.stop();
     Document& document = *m_program.document;
     const auto stepOf = [](const ClassTurn& of) { return of.lesson ? of.lesson->step : 0; };
     if (m_resumed && m_stage == Stage::Sculpting && document.queue().isSettled() &&
-        document.history().stack().index() == 0 && stepOf(turn) == stepOf(m_resumed->turn)) { // that work is kept
+        // nothing was changed since the saved work
+        document.history().stack().index() == 0 && stepOf(turn) == stepOf(m_resumed->turn)) {
         EndedTurn unchanged = *m_resumed;
         unchanged.turn.usedMs = turn.usedMs;
         m_work.setEnded(unchanged);
@@ -310,7 +313,7 @@ void ClassroomMode::onSaved(const EndedTurn& ended, const QString& problem, cons
     then();
 }
 
-// --- the way out
+// --- leaving the class
 
 void ClassroomMode::leave()
 {
@@ -332,7 +335,7 @@ void ClassroomMode::leave()
     });
 }
 
-/// A window manager's keys may take the window off the screen: it comes back.
+/// Restores a full-screen window that a window manager's shortcut has minimised or resized.
 bool ClassroomMode::eventFilter(QObject* watched, QEvent* event)
 {
     const ui::MainWindow& window = *m_program.window;
@@ -344,7 +347,7 @@ bool ClassroomMode::eventFilter(QObject* watched, QEvent* event)
 
 // --- the clock
 
-/// Notes the lesson's step, too: it changes with no step of the document where the model stays as it is.
+/// Also notes the place in the lesson, which can change without a step of the document.
 void ClassroomMode::tick()
 {
     if (m_stage == Stage::Sculpting) {

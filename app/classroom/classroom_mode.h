@@ -28,10 +28,10 @@ namespace app
 {
 class Document;
 
-/// A class in the window: turn after turn, each saved before the next begins. Thread: gui.
+/// Runs a class in the window: one turn after another, each saved before the next begins. Thread: gui.
 ///
-/// A turn's work is in its journal, which is the class's own, until it is in the archive; what a program that ended
-/// otherwise left there is archived before the first turn.
+/// A turn's work is in the class's own journal until it is archived. Works left in the journal by a crash are archived
+/// before the first turn.
 class ClassroomMode : public QObject
 {
     Q_OBJECT
@@ -41,24 +41,24 @@ public:
     {
         ui::MainWindow* window;
         Document* document;
-        RecoveryStore* recoveryStore; ///< of ClassPaths::journals
+        RecoveryStore* recoveryStore; ///< store for ClassPaths::journals
     };
 
-    /// None is owned, and all outlive the mode but the window, which may be just going. Of `nowMs` only differences
-    /// count.
+    /// Owns none of the pointers. All must outlive this, but the window may already be in its destructor. `nowMs`: a
+    /// clock, of which only differences are used.
     ClassroomMode(const Program& program, ui::Classroom classroom, ClassPaths paths,
                   std::function<qint64()> nowMs = monotonicMs);
     ~ClassroomMode() override;
 
     static qint64 monotonicMs();
 
-    /// Once, when the window is there.
+    /// Starts the class. Called once, when the window is shown.
     void begin();
-    /// What the clock says is shown and said.
+    /// Updates the clocks and emits due notices. Called every second.
     void tick();
 
 Q_SIGNALS:
-    /// One sentence, for the window and the headset.
+    /// Emitted with one sentence to be shown in the window and the headset.
     void noticed(const QString& sentence);
 
 protected:
@@ -88,15 +88,15 @@ private:
     ui::PupilNamePanel* m_panel;
     ui::PinPrompt* m_pinPrompt;
     Stage m_stage = Stage::Recovering;
-    Stage m_before = Stage::Recovering; ///< of Saving
+    Stage m_before = Stage::Recovering; ///< the stage before Saving
     RecoveryOffer m_offer;
-    bool m_hasStartedRecovery = false; ///< for works that an earlier run left
+    bool m_hasStartedRecovery = false; ///< whether works left by an earlier run are being archived
     bool m_canLeave = false;
-    TurnRecord m_recordBefore;          ///< of what was done before the document's history begins
-    std::optional<EndedTurn> m_resumed; ///< the turn goes on from this work
-    TurnClock m_clock;                  ///< of Sculpting; else nobody's turn
-    std::function<void()> m_then;       ///< for the model that is being opened
-    bool m_isOpened = false;            ///< that model is there, and m_then comes next
+    TurnRecord m_recordBefore;          ///< steps made before the document's history begins
+    std::optional<EndedTurn> m_resumed; ///< work from which the present turn was resumed; none: it was not resumed
+    TurnClock m_clock;                  ///< the turn of stage Sculpting; empty in other stages
+    std::function<void()> m_then;       ///< to be called when the model being opened is there
+    bool m_isOpened = false;            ///< true: the model is open, and m_then is called next
     TurnNote m_note{m_paths.turnNote};
     ClassLesson m_lesson;
     ClassWork m_work;

@@ -12,21 +12,21 @@
 
 namespace app
 {
-/// What the hands did to a starter; nothing: it is not known.
+/// The strokes and commands made since the starter; nothing: unknown.
 using TurnRecord = std::optional<std::vector<core::FileEntry>>;
 
-/// The one after the other; nothing if one of them is not known.
+/// Returns `before` followed by `after`; nothing if one of them is unknown.
 TurnRecord joined(const TurnRecord& before, const TurnRecord& after);
 
-/// Whose turn it is.
+/// A pupil's turn.
 struct ClassTurn
 {
     QString id;
     QString pupil;
     QDateTime begun;
-    qint64 usedMs = 0;                      ///< before it was interrupted
-    QDateTime ended = {};                   ///< invalid: it goes on
-    bool isResumed = false;                 ///< it did not begin with a starter
-    std::optional<LessonPlace> lesson = {}; ///< where it is in a lesson; none: it has none
+    qint64 usedMs = 0;                      ///< time used before the turn was interrupted
+    QDateTime ended = {};                   ///< invalid: the turn has not ended
+    bool isResumed = false;                 ///< whether the turn continues an earlier work instead of a starter
+    std::optional<LessonPlace> lesson = {}; ///< place in the lesson; none: the turn has no lesson
 };
 } // namespace app

@@ -68,7 +68,7 @@ LessonResult LessonResult::of(const LessonPlace& place, const core::TriangleMesh
         try {
             playback.goTo(place.step);
             target = playback.target();
-        } catch (const core::LessonError&) { // of a step that cannot be played: nothing can be judged
+        } catch (const core::LessonError&) { // if the step cannot be played, there is no target to compare with
             return result;
         }
     }

@@ -11,25 +11,25 @@
 
 namespace app
 {
-/// Progress of a turn in a lesson, which turn.json keeps. Any thread.
+/// A turn's progress in a lesson, as stored in turn.json. Thread: any.
 class LessonResult
 {
     Q_DECLARE_TR_FUNCTIONS(app::LessonResult)
 
 public:
-    QString lesson; ///< one of ours, or the name of its file
-    QString title;  ///< in the language of the class
-    int step = 0;   ///< from 1
+    QString lesson; ///< name of a bundled lesson, or name of the lesson's file
+    QString title;  ///< title in the language of the class
+    int step = 0;   ///< the step reached, counted from 1
     int steps = 0;
-    bool isTeachers = false;         ///< the model has strokes of the teacher's in this step
-    core::CheckpointVerdict verdict; ///< without distances
+    bool isTeachers = false;         ///< whether the model contains strokes of the lesson's demonstration in this step
+    core::CheckpointVerdict verdict; ///< verdict of the step's checkpoint, without distances
 
-    /// Judges a model by the checkpoint of the step.
+    /// Evaluates a model by the checkpoint of the present step.
     static LessonResult of(const LessonPlace& place, const core::TriangleMesh& model);
     QJsonObject toJson() const;
-    /// Returns nothing if this is no result, and leaves out goals that are not known.
+    /// Returns nothing if `json` is not a result. Unknown goals are left out.
     static std::optional<LessonResult> from(const QJsonObject& json);
-    /// Says it on one line.
+    /// Returns the result as one line of text.
     QString sentence() const;
 };
 } // namespace app

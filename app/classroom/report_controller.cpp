@@ -35,7 +35,7 @@ void ReportController::write(const QString& folder, const QString& path)
 {
     if (!ui::reportEndings().contains(QFileInfo(path).suffix().toLower()))
         return Q_EMIT refused(ui::ErrorMessages::notAReport(path));
-    if (m_job->isBusy()) // it began while the dialogs were open
+    if (m_job->isBusy()) // another job began while the dialogs were open
         return Q_EMIT noticed(tr("The class report has to wait until this is done; try again then."));
     const core::JobControl control =
         m_job->beginCancellable(tr("Looking at the models in %1").arg(QFileInfo(folder).fileName()));

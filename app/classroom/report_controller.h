@@ -7,25 +7,25 @@ namespace app
 {
 class BackgroundJob;
 
-/// The outcome of a report; neither if it was cancelled.
+/// Result of a report. If cancelled, there is no problem and isWritten is false.
 struct ReportOutcome
 {
     QString problem; ///< one sentence
     bool isWritten = false;
 };
 
-/// Writes class reports for the window, as the document's background job. Thread: gui.
+/// Writes class reports for the window as the document's long job. Thread: gui.
 class ReportController : public QObject
 {
     Q_OBJECT
 
 public:
-    /// Not owned: it must outlive this.
+    /// Does not own `job`, which must outlive this.
     explicit ReportController(BackgroundJob* job, QObject* parent = nullptr);
 
 public Q_SLOTS:
-    /// Writes a report on the models in `folder` to `path`, whose ending gives the format. If it is cancelled, there is
-    /// no file.
+    /// Writes a report on the models in `folder` to `path`, whose extension determines the format. Cancelling leaves no
+    /// file.
     void write(const QString& folder, const QString& path);
 
 Q_SIGNALS:

@@ -17,9 +17,9 @@ namespace app
 {
 namespace
 {
-constexpr int picturePixels = 192; ///< on paper 18 mm: some 270 an inch
+constexpr int picturePixels = 192; ///< 18 mm on paper, about 270 pixels per inch
 
-/// Also of "." and "..".
+/// Returns the folder's name, also for the paths "." and "..".
 QString folderName(const std::filesystem::path& folder)
 {
     std::error_code problem;
@@ -31,7 +31,7 @@ QString folderName(const std::filesystem::path& folder)
 
 QStringList ReportWriter::run(const ReportRequest& request, const core::JobControl& control)
 {
-    core::AtomicFile file(request.file); // where nothing can be written, nothing is looked at
+    core::AtomicFile file(request.file); // made first, so that nothing is checked if the report cannot be written
     const QList<FoundModel> models = modelsAndWorks(request.folder);
     ui::ClassReport report{folderName(request.folder), QDate::currentDate(), {}};
     QStringList unreadable;
@@ -58,7 +58,7 @@ QStringList ReportWriter::run(const ReportRequest& request, const core::JobContr
     return unreadable;
 }
 
-/// In its sentence a file is called by its name alone: that is what the row is called, too.
+/// Returns the row of a file. Its error sentence names the file without its folder, as the row does.
 ui::ReportRow ReportWriter::rowOf(const std::filesystem::path& file, double unit, const core::JobControl& control)
 {
     ui::ReportRow row{file, {}, {}, {}, {}};

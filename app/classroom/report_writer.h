@@ -10,21 +10,21 @@ namespace app
 struct ReportRequest
 {
     std::filesystem::path folder;
-    std::filesystem::path file; ///< its ending is one of ui::reportEndings()
-    double unit = 1;            ///< that the models are measured in, mm
+    std::filesystem::path file; ///< the extension must be in ui::reportEndings()
+    double unit = 1;            ///< unit of the models' coordinates, mm
 };
 
-/// Looks at every model of a folder and writes the class report. The works of a class's turns in it count, too; their
-/// pupils' answers are summed. Any thread; as long as `check` takes, and a picture for each. Needs a QGuiApplication,
-/// whose fonts a PDF uses.
+/// Checks every model of a folder and writes the class report. Works of a class in the folder are included, with the
+/// sums of the pupils' answers. Precondition: a QGuiApplication exists, because a PDF needs its fonts. Thread: any.
+/// Cost: as the check command, and one picture for each model.
 class ReportWriter
 {
     Q_DECLARE_TR_FUNCTIONS(app::ReportWriter)
 
 public:
-    /// A model that cannot be read has its row, too; returns a sentence about each of these. Throws core::FileError if
-    /// the folder cannot be read or the report not be written, and core::ReadingCancelled if it was stopped: then
-    /// nothing is written.
+    /// Writes the report. A model that cannot be read has a row, too. Returns one sentence for each such model. Throws
+    /// core::FileError if the folder cannot be read or the report cannot be written. Throws core::ReadingCancelled if
+    /// cancelled; no file is then written.
     static QStringList run(const ReportRequest& request, const core::JobControl& control = {});
 
 private:

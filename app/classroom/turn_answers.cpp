@@ -22,14 +22,14 @@ const QString answersFormatKey = QStringLiteral("format"), answersFormat = QStri
               answersVersionKey = QStringLiteral("version"), answersIdKey = QStringLiteral("id"),
               answersKey = QStringLiteral("answers");
 
-/// The keys of the file, in the order of ui::Question.
+/// Keys in the file, in the order of ui::Question.
 const std::array<QString, ui::questionCount> answerKeys{QStringLiteral("mastering"), QStringLiteral("functions"),
                                                         QStringLiteral("errors"),    QStringLiteral("details"),
                                                         QStringLiteral("topology"),  QStringLiteral("overall")};
 
 std::optional<int> answerOf(const QJsonValue& value)
 {
-    const double number = value.toDouble(0); // 0: no number
+    const double number = value.toDouble(0); // 0 if the value is not a number
     const bool isAnswer = number >= ui::minAnswer && number <= ui::maxAnswer && number == std::floor(number);
     return isAnswer ? std::optional(static_cast<int>(number)) : std::nullopt;
 }
@@ -41,7 +41,7 @@ TurnAnswers TurnAnswers::read(const QString& folder)
 {
     TurnAnswers read;
     const QFileInfo info(folder + u'/' + fileName);
-    if (!info.isFile()) { // a pipe would be waited for
+    if (!info.isFile()) { // opening a pipe would block
         if (info.exists())
             read.problem = ui::ErrorMessages::sentence({core::FileErrorKind::NotAFile, toPath(fileName)});
         else if (info.isSymLink())
@@ -51,7 +51,7 @@ TurnAnswers TurnAnswers::read(const QString& folder)
     QFile file(info.filePath());
     const QByteArray bytes = file.open(QIODevice::ReadOnly) ? file.read(maxAnswersBytes + 1) : QByteArray();
     const QJsonObject whole = QJsonDocument::fromJson(bytes).object();
-    const double version = whole.value(answersVersionKey).toDouble(0); // 0: no number
+    const double version = whole.value(answersVersionKey).toDouble(0); // 0 if the value is not a number
     const bool isRead = bytes.size() <= maxAnswersBytes && whole.value(answersFormatKey) == answersFormat;
     if (isRead && version > answersVersion) {
         read.problem = tr("%1 was made by a newer version of Fettle.").arg(fileName);
@@ -83,7 +83,7 @@ QString TurnAnswers::write(const QString& folder) const
             answers.insert(answerKeys[i], *questionnaire.answers[i]);
     try {
         if (answers.isEmpty()) {
-            std::error_code failure; // none if there is no file
+            std::error_code failure; // not set if the file does not exist
             std::filesystem::remove(toPath(path), failure);
             core::checkWritten(failure, toPath(path));
             return {};

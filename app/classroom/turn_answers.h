@@ -6,9 +6,8 @@
 
 namespace app
 {
-/// The answers of a pupil after a turn, kept beside the work: answers.json in its folder. This is a file of its own,
-/// because the work is kept before the questions are asked and is not written again for them. Never throws. Thread:
-/// any.
+/// A pupil's answers after a turn, in the file answers.json of the work's folder. They have a file of their own because
+/// the work is saved before the questions are asked, and is not written again. Never throws. Thread: any.
 class TurnAnswers
 {
     Q_DECLARE_TR_FUNCTIONS(app::TurnAnswers)
@@ -16,14 +15,14 @@ class TurnAnswers
 public:
     static const QString fileName;
 
-    QString turnId; ///< of ClassTurn; a turn that was resumed has left several works
+    QString turnId; ///< ClassTurn::id; a resumed turn has several works
     ui::Questionnaire questionnaire;
-    QString problem = {}; ///< one sentence about the first value that could not be read, or about the file
+    QString problem = {}; ///< one sentence about the first unreadable value or about the file; empty if there is none
 
-    /// Reads the answers in a folder; none if it has no such file. Leaves wrong values out.
+    /// Reads the answers in a folder; empty if there is no file. Invalid values are left out.
     static TurnAnswers read(const QString& folder);
-    /// Writes the file whole or not at all, down to the disk; removes it if there is no answer. Returns an empty text,
-    /// or a sentence that says what is wrong.
+    /// Writes the file completely or not at all, and flushes it to disk. Removes the file if there are no answers.
+    /// Returns an empty string, or one sentence about the error.
     QString write(const QString& folder) const;
 };
 } // namespace app

@@ -6,33 +6,33 @@
 
 namespace app
 {
-/// The present turn, and its time. Thread: gui.
+/// The present turn and its clock. Thread: gui.
 class TurnClock
 {
 public:
     enum class Notice { None, Warning, Over };
     struct Limits
     {
-        int turnMinutes = 0;    ///< 0: a turn has no end
-        int warningMinutes = 0; ///< before its end
+        int turnMinutes = 0;    ///< 0: unlimited
+        int warningMinutes = 0; ///< time before the end at which the pupil is warned
     };
 
-    /// Only differences of `nowMs` count.
+    /// `nowMs`: a clock, of which only differences are used.
     TurnClock(const Limits& limits, std::function<qint64()> nowMs) : m_limits(limits), m_nowMs(std::move(nowMs)) {}
 
     void start(const ClassTurn& turn);
-    /// Nobody's turn.
+    /// Ends the turn: it is nobody's turn.
     void clear() { m_turn = {}; }
-    /// The turn with the time that it has used by now.
+    /// Returns the turn, with the time used until now.
     ClassTurn turn() const;
     const QString& pupil() const { return m_turn.pupil; }
     bool hasEnd() const { return m_limits.turnMinutes > 0; }
-    /// Precondition: it has an end.
+    /// Returns the time left, 0 if the time is up. Precondition: hasEnd().
     qint64 remainingMs() const;
-    /// Returns the time since its end. Precondition: it has an end.
+    /// Returns the time since the end of the turn, 0 before it. Precondition: hasEnd().
     qint64 overMs() const;
     bool isWarned() const { return m_isWarned; }
-    /// Returns each notice once a turn, when it is due.
+    /// Returns a notice that is due; each one is returned once a turn.
     Notice takeNotice();
 
 private:

@@ -67,7 +67,7 @@ void TurnNote::update(const ClassTurn& turn)
         write(turn);
 }
 
-/// Notes of older versions have no time that is used: it began to run with the turn.
+/// Notes of older versions have no used time: for them, it is counted from the beginning of the turn.
 std::optional<ClassTurn> TurnNote::read(const QDateTime& interrupted) const
 {
     QFile file(m_path);

@@ -4,22 +4,23 @@
 
 namespace app
 {
-/// Note of the present turn that outlives the program, in a file beside its journal: the journal has the model, the
-/// note has who, when and where in the lesson. A file that cannot be written or read costs only these. Thread: gui.
+/// A file that keeps the present turn across a crash, beside its journal. The journal contains the model; the note
+/// contains pupil, time and place in the lesson. If the note cannot be written or read, only these are lost. Thread:
+/// gui.
 class TurnNote
 {
 public:
     explicit TurnNote(QString path) : m_path(std::move(path)) {}
 
     void write(const ClassTurn& turn);
-    /// Writes it again if the turn is somewhere else in its lesson by now.
+    /// Writes the note again if the turn's place in its lesson has changed.
     void update(const ClassTurn& turn);
-    /// Returns the noted turn as it was when it was interrupted; nothing if there is none. The place in its lesson has
-    /// no lesson, only the path of one.
+    /// Returns the noted turn, ended at the time `interrupted`; nothing if there is no note. Its place in the lesson
+    /// has only the path of the lesson.
     std::optional<ClassTurn> read(const QDateTime& interrupted) const;
 
 private:
     QString m_path;
-    std::optional<LessonPlace> m_place; ///< that was written last
+    std::optional<LessonPlace> m_place; ///< the place written last
 };
 } // namespace app

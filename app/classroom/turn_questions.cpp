@@ -25,7 +25,7 @@ void TurnQuestions::finish()
 {
     if (m_panel->isHidden())
         return;
-    m_work->keepAnswers(m_ended, m_panel->questionnaire()); // again: it may have failed, and be possible by now
+    m_work->keepAnswers(m_ended, m_panel->questionnaire()); // saved again, because an earlier attempt may have failed
     m_panel->close();
     m_work->setHeld(false);
 }

@@ -11,18 +11,18 @@ class QuestionnairePanel;
 
 namespace app
 {
-/// Asks the six questions after a turn whose work is kept, and keeps each answer with the work as soon as it is given:
-/// a program that ends in the form loses nothing. Meanwhile the work stays on this computer. Thread: gui.
+/// Asks the questionnaire after a turn, and saves each answer with the turn's work at once, so that a crash loses none.
+/// The work is held on this computer meanwhile. Thread: gui.
 class TurnQuestions : public QObject
 {
     Q_OBJECT
 
 public:
-    /// `work`: not owned; must outlive this. `over`: the widget that the form covers, which owns it.
+    /// `work` is not owned and must outlive this. `over`: the widget that the form covers and that owns the form.
     TurnQuestions(ClassWork* work, QWidget* over);
 
     void ask(const EndedTurn& ended);
-    /// Closes the form, if it is open, with the answers that are there; emits nothing.
+    /// Closes the form if it is open, and saves its answers. Does not emit done().
     void finish();
 
 Q_SIGNALS:
@@ -32,6 +32,6 @@ Q_SIGNALS:
 private:
     ClassWork* m_work;
     ui::QuestionnairePanel* m_panel;
-    EndedTurn m_ended; ///< the turn that is asked about
+    EndedTurn m_ended; ///< the turn that the questions are about
 };
 } // namespace app

@@ -1,5 +1,5 @@
-// A work is written into a hidden folder, file by file, each of them down to the disk; then the folder gets its name.
-// So a name that can be seen has a whole work behind it.
+// A work is written to a hidden folder, each file flushed to disk; then the folder is renamed. A visible folder thus
+// contains a complete work.
 
 #include "app/classroom/work_archive.h"
 
@@ -29,11 +29,11 @@ namespace app
 {
 namespace
 {
-constexpr int pictureSize = 512;  ///< pixels a side
-constexpr int maxNameLength = 40; ///< characters of a nickname in a folder's name
+constexpr int pictureSize = 512;  ///< width and height, pixels
+constexpr int maxNameLength = 40; ///< characters of the nickname used in a folder name
 constexpr int maxNumber = 10'000;
 constexpr int staleHours = 24;
-constexpr qint64 maxTurnBytes = 64 << 10; ///< of turn.json
+constexpr qint64 maxTurnBytes = 64 << 10; ///< limit of the size of turn.json
 const QString unfinished = QStringLiteral(".unfinished-");
 const QString turnFile = QStringLiteral("turn.json"), modelFile = QStringLiteral("model.glb");
 const QString turnIdKey = QStringLiteral("id"), turnNameKey = QStringLiteral("name"),
@@ -117,7 +117,7 @@ void copyWork(const QString& from, const QString& to)
         writeFile(to + u'/' + name, readFile(from + u'/' + name));
 }
 
-/// A folder that is being filled, and goes again with all in it if it gets no name.
+/// A hidden folder that is being filled. It is deleted with its content unless renameTo() succeeds.
 class HiddenFolder
 {
 public:
@@ -138,7 +138,7 @@ public:
 
     const QString& path() const { return m_path; }
 
-    /// This one, or with the first free number behind it.
+    /// Renames the folder to `name`, or to `name` with the first free number. Returns the new path.
     QString renameTo(const QString& name)
     {
         for (int number = 1; number < maxNumber; ++number) {
@@ -160,7 +160,8 @@ private:
     QString m_root, m_path;
 };
 
-/// `fill` writes into it. What is wrong is told of the name that it would have had.
+/// Makes a folder called `name`, filled by `fill` while it is hidden. Errors name the final folder instead of the
+/// hidden one.
 template <class Fill> QString makeFolder(const QString& root, const QString& name, Fill fill)
 {
     try {
@@ -184,7 +185,7 @@ ArchivedWork addTo(const QString& root, const QString& name, const TurnWork& wor
     }
 }
 
-/// Where the work of that turn is, by what its turn.json holds, under whatever number; empty: nowhere.
+/// Returns the folder called `name`, perhaps with a number, whose turn.json is accepted by `isTurn`; empty: none.
 template <class IsTurn> QString findWork(const QString& root, const QString& name, IsTurn isTurn)
 {
     for (int number = 1; number < maxNumber; ++number) {
@@ -198,7 +199,7 @@ template <class IsTurn> QString findWork(const QString& root, const QString& nam
     return {};
 }
 
-/// Hidden first: should this end half-way, nobody takes the rest for a work.
+/// Deletes a work. It is renamed to a hidden name first, so that an interrupted deletion leaves no incomplete work.
 void removeWork(const QString& root, const QString& name)
 {
     const QString hidden = root + u'/' + unfinished + name;
@@ -206,19 +207,19 @@ void removeWork(const QString& root, const QString& name)
         QDir(hidden).removeRecursively();
 }
 
-/// Brings answers that were given, or taken back, after the work had come there.
+/// Copies or deletes the answers of a work that was delivered before its answers were changed.
 void bringAnswers(const QString& from, const QString& to)
 {
     if (QFileInfo::exists(from)) {
         writeFile(to, readFile(from));
         return;
     }
-    std::error_code problem; // none if there is no file
+    std::error_code problem; // not set if the file does not exist
     std::filesystem::remove(toPath(to), problem);
     core::checkWritten(problem, toPath(to));
 }
 
-/// Returns where it is.
+/// Copies a work of the outbox to `folder`. Returns the folder of the copy.
 QString copyOne(const QString& outbox, const QString& folder, const QString& name)
 {
     const QString from = outbox + u'/' + name;
@@ -231,7 +232,7 @@ QString copyOne(const QString& outbox, const QString& folder, const QString& nam
     return to;
 }
 
-/// Calls `handle` with the name of each work in the outbox, until it is paused; it returns where the work is.
+/// Calls `handle` with the name of each work in the outbox, until paused. `handle` returns the folder of the result.
 template <class Handle>
 Delivery forEachWork(const QString& outbox, const std::function<bool()>& isPaused, Handle handle)
 {
@@ -329,7 +330,7 @@ TurnFacts WorkArchive::turnOf(const QString& work)
     const auto time = [&turn](const QString& key) {
         return QDateTime::fromString(turn.value(key).toString(), Qt::ISODate);
     };
-    const double used = turn.value(turnUsedKey).toDouble(-1); // works of older versions have none
+    const double used = turn.value(turnUsedKey).toDouble(-1); // works of older versions have no used time
     return {turn.value(turnIdKey).toString(),
             turn.value(turnNameKey).toString(),
             time(turnBegunKey),

@@ -20,9 +20,9 @@ namespace app
 {
 struct MeshFacts;
 
-/// The model that is open: its name, its facts and its notes. Each kind of work on it is a part of its own. A change
-/// comes to the undo stack when it is done and would survive the program. Thread: gui; long work is done on other
-/// threads.
+/// The open model: its name, facts and metadata. Each kind of work on it is done by one of its parts. A change is added
+/// to the undo stack once it is done and recorded, so that it would survive a crash. Thread: gui; long work is done on
+/// other threads.
 class Document : public QObject
 {
     Q_OBJECT
@@ -30,7 +30,7 @@ class Document : public QObject
 public:
     /// The worker is not owned and must outlive the document.
     explicit Document(SculptWorker* worker, QObject* parent = nullptr);
-    /// Stops the worker, whose jobs know the document.
+    /// Stops the worker, because its jobs refer to the document.
     ~Document() override;
 
     SculptWorker& worker() const { return *m_worker; }
@@ -43,42 +43,42 @@ public:
     ModelChanger& changer() { return m_changer; }
     ModelOpener& opener() { return m_opener; }
     ModelSaver& saver() { return m_saver; }
-    /// The long job that is going on. Work outside the document may use it, too.
+    /// Returns the long job of the document. Code outside of the document may use it, too.
     BackgroundJob& job() { return m_job; }
 
     const ui::ModelInfo& modelInfo() const { return m_modelInfo; }
-    /// Notes for a file that is written now.
+    /// Returns the metadata for a file written now.
     core::DocumentMetadata metadata() const;
-    /// Called when a file is about to be written: adds what is known outside the document.
+    /// Sets a callback that adds metadata from outside of the document whenever a file is written.
     void setCompleteMetadata(std::function<void(core::DocumentMetadata&)> complete);
 
-    // For the parts.
+    // Used by the document's parts.
     void setModel(const LoadedModel& model);
     void takeFacts(const MeshFacts& facts);
     void setFile(const QString& path);
-    /// One more stroke has ended.
+    /// Counts a finished stroke in the metadata.
     void countStroke();
     void notifyStateChanged();
 
 public Q_SLOTS:
-    /// The palette of its files. Does not modify the document.
+    /// Sets the palette that is saved with the document. Does not mark the document as modified.
     void setPalette(std::vector<core::Rgb> palette);
-    /// Its file was renamed.
+    /// Sets the path after the document's file was renamed.
     void setPath(const QString& path);
-    /// Its name while it has no file.
+    /// Sets the name of a document that has no file.
     void setName(const QString& name);
-    /// Cancels the long job and what was to be opened after it. The model stays as it is.
+    /// Cancels the long job, and forgets the model to be opened after it. The present model does not change.
     void cancelJob();
 
 Q_SIGNALS:
     void opened(const ui::ModelInfo& info);
     void modelInfoChanged(const ui::ModelInfo& info);
     void historyChanged();
-    /// A step was done by hand. It is the last of the history now. Not emitted for undo and redo.
+    /// Emitted when the user has made a step, now the last one of the history. Not emitted for undo and redo.
     void stepped(const core::FileEntry& entry);
     void refused(const QString& sentence);
     void noticed(const QString& sentence);
-    /// A repair did not keep the model that was to be opened or inserted: accept() takes it all the same.
+    /// Emitted if repairing changed a model to be opened or inserted too much. accept() uses the repaired model.
     void repairDoubted(const ui::RepairDoubt& doubt, const std::function<void()>& accept);
 
 private:
@@ -97,6 +97,6 @@ private:
     ModelChanger m_changer;
     ModelOpener m_opener;
     ModelSaver m_saver;
-    BackgroundJob m_job; ///< last: its thread uses the others
+    BackgroundJob m_job; ///< last member: its destructor waits for jobs that use the other members
 };
 } // namespace app

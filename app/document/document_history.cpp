@@ -89,7 +89,7 @@ void DocumentHistory::clear(bool isWhole)
 void DocumentHistory::restore(const core::JournalHistory& history,
                               const std::vector<std::shared_ptr<core::MeshDelta>>& deltas)
 {
-    const QSignalBlocker quiet(m_stack); // nobody takes these steps
+    const QSignalBlocker quiet(m_stack); // these steps are not made by the user
     for (int i = 0; i < static_cast<int>(history.steps.size()); ++i) {
         const StepDescription step = StrokeStep::fromJournal(history.steps[static_cast<std::size_t>(i)]);
         m_stack.push(new StrokeCommand(step.text, step.marks, &m_store, i));

@@ -10,35 +10,35 @@ namespace app
 class DocumentQueue;
 class SculptWorker;
 
-/// The steps of a document: the undo stack and the changes behind it. Undo, redo and jumps are requests: they wait for
-/// the strokes before them. Thread: gui.
+/// The undo stack of a document and the mesh changes behind it. Undo, redo and jumps are requests that wait for earlier
+/// strokes. Thread: gui.
 class DocumentHistory : public QObject
 {
     Q_OBJECT
 
 public:
-    /// None is owned; both must outlive the history.
+    /// Owns neither object; both must outlive the history.
     DocumentHistory(SculptWorker* worker, DocumentQueue* queue);
 
     const QUndoStack& stack() const { return m_stack; }
     HistoryStore& store() { return m_store; }
-    /// The answer for actions, wands and the history panel: there is a step back, and its change is still kept.
+    /// Returns whether the last step can be undone: there is one, and its change has not expired.
     bool canUndo() const;
     bool canRedo() const;
-    QString undoText() const; ///< empty if there is none
+    QString undoText() const; ///< empty if nothing can be undone
     QString redoText() const;
-    /// The first step was done to the model as it was opened.
+    /// Returns whether the stack contains every step since the model was opened.
     bool isWhole() const { return m_isWhole; }
 
-    /// The name of the stroke that began last: what undo() would take back before it is reported.
+    /// Sets the name of the latest stroke, which undo() would undo before the stroke is reported.
     void setStrokeText(const QString& text) { m_strokeText = text; }
-    /// Adds a change that is already done.
+    /// Adds a step whose change is already applied.
     void push(const StepDescription& step, const std::shared_ptr<core::MeshDelta>& delta);
-    /// Precondition: the worker is held, and the index is kept.
+    /// Moves to a step. Precondition: strokes are held, and the step at `index` is still stored.
     void moveTo(int index);
     void setClean() { m_stack.setClean(); }
     void clear(bool isWhole);
-    /// Steps of a document that was recovered, with their changes.
+    /// Restores the steps and changes of a recovered document.
     void restore(const core::JournalHistory& history, const std::vector<std::shared_ptr<core::MeshDelta>>& deltas);
 
 public Q_SLOTS:
@@ -47,7 +47,7 @@ public Q_SLOTS:
     void goTo(int index);
 
 Q_SIGNALS:
-    /// A move is confirmed.
+    /// Emitted when a move along the undo stack is confirmed.
     void moved();
 
 private:

@@ -45,7 +45,7 @@ void DocumentJournal::restore()
     m_document->lastStroke().restore();
 }
 
-/// Nothing is recorded of the present model, and that may be possible again.
+/// Looks for disk space to record the present model again, if nothing is recorded of it.
 void DocumentJournal::retryRecording()
 {
     const quint64 faces = m_document->modelInfo().faces;
@@ -53,7 +53,7 @@ void DocumentJournal::retryRecording()
         m_recoveryStore->findSpace(faces);
 }
 
-/// Records from here on, on top of the model as it is. Nobody waits until that is written.
+/// Begins a new journal with the present model as its base. Does not wait until it is written.
 void DocumentJournal::startRecording(const std::shared_ptr<core::JournalFolder>& folder)
 {
     m_document->queue().enqueue([this, folder] {
@@ -98,7 +98,7 @@ core::JournalHistory DocumentJournal::history() const
 
 void DocumentJournal::describe()
 {
-    if (m_journal && !m_recovered) // that journal describes already what is to come
+    if (m_journal && !m_recovered) // the recovered journal already contains the description
         m_journal->describe(document());
 }
 

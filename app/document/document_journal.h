@@ -19,7 +19,7 @@ class Document;
 class RecoveryStore;
 struct LoadedModel;
 
-/// Records the document's changes, so that they survive the program. Thread: gui; nobody waits for the disk.
+/// Records the document's changes so that they survive a crash. Thread: gui; no function waits for the disk.
 class DocumentJournal : public QObject
 {
     Q_OBJECT
@@ -27,20 +27,20 @@ class DocumentJournal : public QObject
 public:
     explicit DocumentJournal(Document* document) : m_document(document) {}
 
-    /// Models opened from now on are recorded there. The store must outlive the document.
+    /// Sets the store that records models opened from now on. It must outlive the document.
     void setRecoveryStore(RecoveryStore* recoveryStore);
     RecoveryStore* recoveryStore() const { return m_recoveryStore; } ///< may be null
-    /// The journal of the present model. Null: nothing is recorded.
+    /// Returns the journal of the present model; null: nothing is recorded.
     const std::shared_ptr<core::Journal>& journal() const { return m_journal; }
 
-    /// Gives the worker the model, with its journal. The journal of the model before is discarded once nobody writes to
-    /// it.
+    /// Gives the model and its journal to the worker. The previous model's journal is discarded once nothing is written
+    /// to it.
     void begin(LoadedModel& model);
-    /// The model is installed: if it was recovered, restores its history.
+    /// Restores the history of a recovered model. Called when the model is installed.
     void restore();
-    /// Name, path or notes changed.
+    /// Records the changed name, path or metadata.
     void describe();
-    /// The steps before the present are lost.
+    /// Records that the steps before the present one are lost.
     void forget();
 
 private:
@@ -52,6 +52,6 @@ private:
     Document* m_document;
     RecoveryStore* m_recoveryStore = nullptr;
     std::shared_ptr<core::Journal> m_journal;
-    std::shared_ptr<core::RecoveredDocument> m_recovered; ///< of the model that is being installed
+    std::shared_ptr<core::RecoveredDocument> m_recovered; ///< data of the recovered model that is being installed
 };
 } // namespace app

@@ -9,9 +9,8 @@ namespace app
 {
 class SculptWorker;
 
-/// The order of what is asked of a document. Each request sees the model as everything before it left it: it waits
-/// until every stroke begun before has been reported, and while the model is replaced or changed as a whole. Strokes
-/// wait for the requests before them. Nobody waits by blocking. Thread: gui.
+/// Orders the requests to a document. A request waits until all earlier strokes are reported, and while the whole model
+/// is replaced or changed. Strokes wait for earlier requests. No function blocks. Thread: gui.
 class DocumentQueue : public QObject
 {
     Q_OBJECT
@@ -19,46 +18,47 @@ class DocumentQueue : public QObject
 public:
     enum class Pause {
         None,
-        Installing, ///< the worker has another model than the undo stack knows
-        Changing    ///< the whole model is worked on in another thread
+        Installing, ///< the worker has a new model, and the undo stack still describes the old one
+        Changing    ///< another thread is changing the whole model
     };
 
     /// The worker is not owned and must outlive the queue.
     explicit DocumentQueue(SculptWorker* worker);
 
-    /// Runs it after everything requested before. While a stroke is open, it waits for the end of that stroke.
+    /// Queues a request after all earlier ones. While a stroke is open, the request waits for its end.
     void enqueue(std::function<void()> run);
-    /// Runs a part of a stroke after the requests before it, without waiting for reports.
+    /// Queues a part of a stroke after all earlier requests. It does not wait for the reports of strokes.
     void enqueueStroke(std::function<void()> run);
-    /// From here to endStroke(), requests wait.
+    /// Marks a stroke as open: requests wait until endStroke().
     void beginStroke() { m_isStrokeOpen = true; }
     void endStroke();
-    /// The worker has reported one more stroke.
+    /// Counts a stroke reported by the worker.
     void countReport() { ++m_reported; }
-    /// Runs what does not have to wait any more.
+    /// Runs the requests that no longer have to wait.
     void run();
 
-    /// Requests wait until the pause is None again and run() is called.
+    /// Sets the pause. Requests wait until it is None again and run() is called.
     void setPause(Pause pause) { m_pause = pause; }
-    /// Holds the worker. Returns false if another source's stroke is open: then `retry` is enqueued.
+    /// Makes the worker refuse strokes. Returns false if another source's stroke is open, and enqueues `retry`.
     bool hold(std::function<void()> retry);
-    /// Calls `tell` once everything posted to the worker before is done and would survive the program.
+    /// Calls `done` once everything posted to the worker before is done and recorded, so that it would survive a crash.
     void whenRecorded(std::function<void()> done);
-    /// Runs `move`, a move along the undo stack, and calls `tell` as whenRecorded() does.
+    /// Runs `move`, which moves along the undo stack. Calls `done` once the move is recorded.
     void move(const std::function<void()>& move, std::function<void()> done);
 
-    bool isStrokeOpen() const { return m_isStrokeOpen; } ///< as the user sees it: perhaps not yet posted
+    /// as the user sees it; the worker may not know of the stroke yet
+    bool isStrokeOpen() const { return m_isStrokeOpen; }
     bool hasUnreported() const;
     bool isMoving() const { return m_moves > 0; }
     bool isPaused(Pause pause) const { return m_pause == pause; }
-    /// No request waits, and every stroke has ended and been reported. Document::historyChanged() follows each change
-    /// of this.
+    /// Returns whether no request waits, and every stroke has ended and been reported. Document::historyChanged()
+    /// follows each change of this value.
     bool isSettled() const;
 
 private:
     struct Request
     {
-        bool waitsForReports; ///< of all strokes begun before
+        bool waitsForReports; ///< whether it waits until all earlier strokes are reported
         std::function<void()> run;
     };
 
@@ -66,10 +66,10 @@ private:
 
     SculptWorker* m_worker;
     std::deque<Request> m_requests;
-    std::deque<Request> m_afterStroke;               ///< requested while a stroke is open
-    std::deque<std::function<void()>> m_unconfirmed; ///< in the order of SculptWorker::confirm()
-    quint64 m_reported = 0;                          ///< strokes
-    int m_moves = 0;                                 ///< not confirmed yet
+    std::deque<Request> m_afterStroke;               ///< requests made while a stroke is open
+    std::deque<std::function<void()>> m_unconfirmed; ///< callbacks in the order of the calls of SculptWorker::confirm()
+    quint64 m_reported = 0;                          ///< number of strokes reported
+    int m_moves = 0;                                 ///< number of moves not confirmed yet
     bool m_isStrokeOpen = false;
     Pause m_pause = Pause::None;
 };

@@ -69,7 +69,8 @@ void DocumentStrokes::addStep(const StrokeReport& report)
 
 void DocumentStrokes::reportShortfall(const StrokeReport& report)
 {
-    const bool isSeen = report.shortfall == core::Shortfall::Blocked && report.delta; // other dabs did something
+    // other dabs of the stroke had an effect, so nothing needs to be reported
+    const bool isSeen = report.shortfall == core::Shortfall::Blocked && report.delta;
     if (report.shortfall != core::Shortfall::None && !isSeen)
         Q_EMIT m_document->noticed(ui::ErrorMessages::shortfall(report.shortfall));
     else if (report.asymmetric)

@@ -14,8 +14,7 @@ namespace app
 class Document;
 struct StrokeReport;
 
-/// The strokes of a document: those at the desktop on their way to the worker, and what the worker reports of any.
-/// Thread: gui.
+/// Sends the strokes of the desktop to the worker, and processes the worker's reports of all strokes. Thread: gui.
 class DocumentStrokes : public QObject
 {
     Q_OBJECT
@@ -27,7 +26,7 @@ public Q_SLOTS:
     void beginStroke(const core::StrokeSettings& settings);
     void addSample(const core::StrokeSample& sample);
     void endStroke(core::StrokeEnd how = {});
-    /// A step of its own: adds a ball, or a notice says why not.
+    /// Adds a ball as a separate step. A message says why if that is not possible.
     void addSphere(const core::StrokeSettings& settings, const core::StrokeSample& sample);
 
 private:

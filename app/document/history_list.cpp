@@ -12,7 +12,7 @@ ui::History historyOf(Document& document)
     ui::History history;
     history.steps.reserve(stack.count());
     for (int i = 0; i < stack.count(); ++i) {
-        const auto* command = static_cast<const StrokeCommand*>(stack.command(i)); // nothing else is pushed
+        const auto* command = static_cast<const StrokeCommand*>(stack.command(i)); // only StrokeCommands are pushed
         history.steps.append({command->text(), command->marks().icon, command->marks().dabs, command->marks().fusions});
     }
     history.present = stack.index();

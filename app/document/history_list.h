@@ -6,6 +6,6 @@ namespace app
 {
 class Document;
 
-/// The document's undo stack as the panel shows it. Cost: its steps.
+/// Returns the document's undo stack in the form that the History panel shows. Cost: linear in the number of steps.
 ui::History historyOf(Document& document);
 } // namespace app

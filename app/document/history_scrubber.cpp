@@ -8,7 +8,7 @@ namespace app
 {
 namespace
 {
-constexpr int stepsPerMove = 8; ///< of strokes, some ms
+constexpr int stepsPerMove = 8; ///< takes a few milliseconds for strokes
 } // namespace
 
 HistoryScrubber::HistoryScrubber(Document* document) : QObject(document), m_document(document)
@@ -32,7 +32,7 @@ void HistoryScrubber::proceed()
     const int present = m_document->history().stack().index();
     const int target =
         std::clamp(*m_target, m_document->history().store().firstIndex(), m_document->history().store().lastIndex());
-    if (present != m_from || present == target) // there, or somebody else went elsewhere
+    if (present != m_from || present == target) // arrived, or something else moved along the undo stack
         return m_target.reset();
     m_from = std::clamp(target, present - stepsPerMove, present + stepsPerMove);
     m_document->history().goTo(m_from);

@@ -8,8 +8,8 @@ namespace app
 {
 class Document;
 
-/// Takes the document to the state that was requested last, a few steps at a time, so that a drag that turns back does
-/// not wait for steps that are no longer requested. Thread: gui.
+/// Moves the document to the latest requested state, a few steps at a time. A drag that changes direction thus does not
+/// wait for steps that are no longer wanted. Thread: gui.
 class HistoryScrubber : public QObject
 {
     Q_OBJECT
@@ -18,7 +18,7 @@ public:
     /// A child of the document.
     explicit HistoryScrubber(Document* document);
 
-    /// Goes to that state of the undo stack, or to the nearest one that is kept.
+    /// Moves to the undo state `state`, or to the nearest state that is still stored.
     void scrubTo(int state);
 
 private:
@@ -26,6 +26,6 @@ private:
 
     Document* m_document;
     std::optional<int> m_target;
-    int m_from = 0; ///< where the last steps lead
+    int m_from = 0; ///< expected undo index after the moves requested so far
 };
 } // namespace app

@@ -190,7 +190,7 @@ void HistoryStore::enforceCap()
     }
 }
 
-/// The entry in memory that takes most steps to reach, or -1. The next undo and redo are never spilled.
+/// Returns the index of the entry in memory that is the most steps away; -1: none. The next undo and redo do not count.
 int HistoryStore::farthestInMemory() const
 {
     int farthest = -1, steps = 1;
@@ -216,7 +216,7 @@ void HistoryStore::spill(int position)
     });
 }
 
-/// In the cache, for the system's temporary folder is often in memory itself.
+/// Makes a folder in the user's cache: the system's temporary folder is often in memory.
 void HistoryStore::makeOwnFolder()
 {
     const QString cache = QStandardPaths::writableLocation(QStandardPaths::CacheLocation);

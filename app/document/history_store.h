@@ -18,32 +18,32 @@ class Sculptor;
 
 namespace app
 {
-/// One finished change of the mesh, in memory or in a file. All but the constructor: mesh thread only.
+/// A finished change of the mesh, stored in memory or in a file. Thread: mesh, except the constructor.
 class StoredDelta
 {
 public:
     explicit StoredDelta(std::shared_ptr<core::MeshDelta> delta);
     ~StoredDelta();
 
-    /// Undoes it, or does it again. Null if its file cannot be read; the mesh is untouched then.
+    /// Undoes or redoes the change. Returns null if its file cannot be read; the mesh is then unchanged.
     std::shared_ptr<core::MeshDelta> swap(core::Sculptor& sculptor);
-    /// Moves it from memory into a file of that folder. False if that is impossible; it stays in memory then.
+    /// Moves the change from memory to a file in `folder`. Returns false if that fails; it then stays in memory.
     bool spill(const QString& folder);
     void drop();
-    /// Nothing if its file cannot be read, or there is not enough memory.
+    /// Returns a copy of the change; nothing if its file cannot be read or there is not enough memory.
     std::optional<core::MeshDelta> copy() const;
     std::size_t bytesInMemory() const;
 
 private:
     bool load();
 
-    std::shared_ptr<core::MeshDelta> m_delta; ///< null: in m_file, or dropped
+    std::shared_ptr<core::MeshDelta> m_delta; ///< null: the change is in m_file, or dropped
     std::string m_file;
 };
 
-/// Keeps the deltas of the undo stack within a number of bytes: those farthest from the present are spilled to disk,
-/// and if that is impossible they expire, from the far end on. Thread: gui; the deltas themselves are touched by jobs
-/// that it posts to the mesh thread, in order with the strokes.
+/// Keeps the deltas of the undo stack within a limit of memory. The deltas farthest from the present state are moved to
+/// disk; if that fails they expire, with all deltas beyond them. Thread: gui; the deltas are accessed only by jobs
+/// posted to the mesh thread, in order with the strokes.
 class HistoryStore : public QObject
 {
     Q_OBJECT
@@ -51,54 +51,55 @@ class HistoryStore : public QObject
 public:
     static constexpr std::size_t defaultCap = std::size_t(512) << 20;
 
-    /// How a job reaches the mesh thread. Must keep order and never wait.
+    /// Posts a job to the mesh thread. It must keep the order of jobs and must not block.
     using Post = std::function<void(std::function<void(core::Sculptor&)>)>;
 
     explicit HistoryStore(Post post, QObject* parent = nullptr);
     ~HistoryStore() override;
 
     void setCap(std::size_t bytes);
-    /// The folder of the spilled deltas; by default a temporary one of our own.
+    /// Sets the folder for deltas moved to disk; the default is a temporary folder.
     void setFolder(const QString& folder);
 
-    /// The change made at `index` of the undo stack; what was undone there and after it is forgotten.
+    /// Stores the change of step `index`, and forgets the undone changes from `index` on.
     void add(int index, std::shared_ptr<core::MeshDelta> delta);
-    /// Undoes or redoes the change at `index`; where none is kept nothing happens.
+    /// Undoes or redoes the change at `index`. Does nothing if that change is not stored.
     void swap(int index);
-    /// The change at `index`, which has not expired; it outlives its place here.
+    /// Returns the change at `index`. Precondition: it has not expired.
     std::shared_ptr<StoredDelta> at(int index) const { return m_entries.at(static_cast<std::size_t>(index)).delta; }
-    /// Hears of each of them, on the mesh thread. May be null.
+    /// Sets the journal that records each undo and redo, on the mesh thread. May be null.
     void setJournal(std::shared_ptr<core::Journal> journal);
-    /// Begins with these, of which so many are done; those that are null cannot be gone past.
+    /// Replaces all changes by `deltas`, of which the first `present` are in effect. Null deltas cannot be undone or
+    /// redone.
     void restore(const std::vector<std::shared_ptr<core::MeshDelta>>& deltas, int present);
-    /// Forgets all, another model is there.
+    /// Forgets all changes, because another model is opened.
     void clear();
 
-    /// Whether the change below, or above, the present `index` of the undo stack is still there.
+    /// Return whether the change before or after undo state `index` is still stored.
     bool canUndo(int index) const { return index > m_first; }
     bool canRedo(int index) const { return index < m_end; }
-    /// The range of steps that the undo stack can go to.
+    /// Return the range of undo states that can be reached.
     int firstIndex() const { return m_first; }
     int lastIndex() const { return m_end; }
     std::size_t bytesInMemory() const;
 
 Q_SIGNALS:
-    /// canUndo() or canRedo() may answer otherwise now.
+    /// Emitted when a change has expired, so that canUndo() or canRedo() may have changed.
     void expired();
-    /// bytesInMemory() is another.
+    /// Emitted when bytesInMemory() has changed.
     void bytesChanged();
-    /// A spilled change could not be read back: the undo stack is of no use any more. The model is in order.
+    /// Emitted when a change on disk could not be read: the undo stack is unusable now. The present model is intact.
     void lost();
 
 private:
     struct Entry
     {
         std::shared_ptr<StoredDelta> delta;
-        std::size_t bytes = 0; ///< in memory, as far as the gui thread knows
+        std::size_t bytes = 0; ///< bytes in memory, as known to the gui thread
     };
     struct MeshSide
     {
-        bool broken = false; ///< a swap failed: those that follow would not fit the mesh
+        bool broken = false; ///< an undo or redo failed, so further ones would not match the mesh
     };
 
     void enforceCap();
@@ -110,15 +111,15 @@ private:
     void noteBytes(const std::shared_ptr<StoredDelta>& delta, std::size_t bytes);
 
     Post m_post;
-    ui::ThreadMailbox m_mailbox; ///< from the jobs
+    ui::ThreadMailbox m_mailbox; ///< for messages from jobs on the mesh thread
     std::shared_ptr<MeshSide> m_meshSide;
     std::shared_ptr<core::Journal> m_journal;
     std::unique_ptr<QTemporaryDir> m_ownFolder;
     QString m_folder;
     std::size_t m_cap = defaultCap;
-    std::vector<Entry> m_entries; ///< by position in the undo stack
+    std::vector<Entry> m_entries; ///< in the order of the undo stack
     int m_present = 0;
-    int m_first = 0; ///< entries before it have expired
-    int m_end = 0;   ///< entries from it on have expired, or do not exist
+    int m_first = 0; ///< entries before this index have expired
+    int m_end = 0;   ///< entries from this index on have expired or do not exist
 };
 } // namespace app

@@ -15,7 +15,7 @@ namespace app
 {
 namespace
 {
-constexpr std::chrono::milliseconds pollInterval(50); ///< between two looks whether the visit was cancelled
+constexpr std::chrono::milliseconds pollInterval(50); ///< interval for checking whether the visit was cancelled
 
 struct VisitRequest
 {
@@ -25,7 +25,8 @@ struct VisitRequest
     core::JobControl control;
 };
 
-/// The history without its mesh. Its changes are copied on the mesh thread, one at a time.
+/// Returns the history without its mesh. Its changes are copied on the mesh thread when they are requested, one at a
+/// time.
 ModelHistory modelHistoryOf(Document& document, const std::stop_token& stop)
 {
     HistoryStore& store = document.history().store();

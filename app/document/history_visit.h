@@ -14,11 +14,11 @@ namespace app
 class Document;
 struct ModelHistory;
 
-/// Sees the states of the model, from the first that is kept to the present. Thread: another. Cancelling the document's
-/// job reaches it.
+/// A callback that receives the stored states of the model. It runs on a background thread. Cancelling the document's
+/// job cancels it.
 using Visit = std::function<void(const ModelHistory& history, const core::JobControl& control)>;
 
-/// Goes through the document's history on a copy; `done` is called afterwards. Nobody sculpts meanwhile, and the model
-/// stays as it is. Returns false if another job goes on: then nothing is done. Thread: gui.
+/// Runs `visit` on a copy of the document's history, then calls `done`. Sculpting is paused meanwhile, and the model
+/// does not change. Returns false and does nothing if another job is running. Thread: gui.
 bool visitHistory(Document& document, const QString& what, Visit visit, std::function<void()> done);
 } // namespace app

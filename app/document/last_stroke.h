@@ -12,40 +12,40 @@ namespace app
 class Document;
 class StoredDelta;
 
-/// The last step of a document, while it is a stroke: another stroke may replace it. Thread: gui.
+/// The last step of a document if it is a stroke. Another stroke may replace it. Thread: gui.
 class LastStroke
 {
 public:
     struct Step
     {
-        StrokeReport report; ///< without its change
+        StrokeReport report; ///< report of the stroke, without its delta
         std::shared_ptr<StoredDelta> change;
         int index = 0;
-        std::optional<quint64> saving; ///< the count of savings, if nothing was changed since
+        std::optional<quint64> saving; ///< SavedState::count() if the model is unmodified; nothing otherwise
     };
-    /// Gets the report of the new stroke; nothing if the stroke is not the last step any more, or another source
-    /// sculpts.
+    /// A callback that receives the report of the new stroke; nothing if the stroke is no longer the last step or
+    /// another source is sculpting.
     using Done = std::function<void(const std::optional<StrokeReport>& report)>;
 
     explicit LastStroke(Document* document) : m_document(document) {}
 
-    /// Nothing if the last step is no stroke, was done before the model was opened, or is undone.
+    /// Returns the last step; nothing if it is not a stroke, was made before the model was opened, or is undone.
     std::optional<Step> step() const;
-    /// Does another stroke in place of the last, or of what replaced it already: one step, as before. If the new one
-    /// changes nothing, the step stays undone. If it is null, or stopped before it is done, the last stroke comes back,
-    /// bit for bit. Nobody sculpts meanwhile, and nobody sees the model without either.
+    /// Replaces the last stroke, or its earlier replacement, by another stroke, still as one step. If the new stroke
+    /// changes nothing, the step stays undone. If `stroke` is null or the replacement is stopped, the last stroke is
+    /// restored, bit for bit. Sculpting is refused meanwhile, and viewers never see the state between the strokes.
     void replace(const Step& last, std::shared_ptr<const core::Stroke> stroke, const std::stop_token& stop, Done done);
 
-    /// That stroke became the last step.
+    /// Sets the report of the stroke that is now the last step.
     void setReport(const StrokeReport& report);
-    /// A stroke was reported. `isOther`: the worker has another model.
+    /// Ends a replacement when its stroke is reported. `isOther`: another model is being installed.
     void onReport(const StrokeReport& report, bool isOther);
-    /// The history was recovered.
+    /// Reads the last stroke from a recovered history.
     void restore();
 
 private:
     Document* m_document;
-    std::optional<StrokeReport> m_report; ///< of the last stroke, without its change
-    Done m_done;                          ///< while a stroke is replaced
+    std::optional<StrokeReport> m_report; ///< report of the last stroke, without its delta
+    Done m_done;                          ///< callback of the replacement in progress; null: none
 };
 } // namespace app

@@ -13,8 +13,8 @@ class Document;
 struct ModelChangeRequest;
 struct ModelChangeOutcome;
 
-/// Changes the whole model of a document, as one step. The change is worked out on a copy in another thread; meanwhile
-/// strokes are refused and requests wait, so that the mesh stays the one that was copied. Thread: gui.
+/// Changes the whole model of a document as one step. The change is computed on a copy in another thread. Strokes are
+/// refused and requests wait meanwhile, so that the mesh stays equal to the copy. Thread: gui.
 class ModelChanger : public QObject
 {
     Q_OBJECT
@@ -22,19 +22,19 @@ class ModelChanger : public QObject
 public:
     explicit ModelChanger(Document* document) : m_document(document) {}
 
-    /// The model as it was opened, for core::Reset.
+    /// Returns the model as it was opened, for core::Reset.
     const std::shared_ptr<const core::Snapshot>& start() const { return m_start; }
     void setStart(std::shared_ptr<const core::Snapshot> start) { m_start = std::move(start); }
 
 public Q_SLOTS:
-    /// A core::Reset needs no start.
+    /// Applies a command. The `start` of a core::Reset is filled in.
     void apply(const core::ModelCommand& command);
     void insert(const ui::InsertRequest& insertion);
 
 Q_SIGNALS:
-    /// The model to be inserted is not sound: insert() with InsertRequest::repair may take it.
+    /// Emitted if the model to insert is not sound. insert() with InsertRequest::repair may succeed.
     void insertionRepairable(const ui::InsertRequest& insertion, const QString& problem);
-    /// What was done to the inserted model, step by step.
+    /// Emitted with the repairs made to the inserted model, one sentence each.
     void insertedRepaired(const QString& name, const QStringList& steps);
 
 private:

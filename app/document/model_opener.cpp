@@ -13,7 +13,7 @@ namespace app
 {
 namespace
 {
-/// Opens a model as it was worked out.
+/// Returns a choice that opens the repaired model, whose losses the user has accepted.
 ModelOpener::Choice acceptedChoice(LoadedModel model)
 {
     model.doubt.reset();
@@ -93,8 +93,8 @@ void ModelOpener::recover(quint64 offer, const QString& name)
               }});
 }
 
-/// All strokes are reported before the prompt. A user who agreed to lose changes for a model that does not come is not
-/// asked again.
+/// Waits until all strokes are reported, then asks about unsaved changes. A user who has agreed to lose changes is not
+/// asked again if that model cannot be opened.
 void ModelOpener::openMade(const Choice& choice)
 {
     if (m_document->job().isBusy() && !m_isLoading)
@@ -115,7 +115,7 @@ void ModelOpener::chooseNext(const Choice& choice)
     if (!m_isLoading)
         return;
     m_document->job().cancel();
-    Q_EMIT m_document->job().cancellable(true); // the choice can still be taken back
+    Q_EMIT m_document->job().cancellable(true); // the new choice can still be cancelled
 }
 
 void ModelOpener::openNext()
@@ -160,7 +160,7 @@ void ModelOpener::refuse(const LoadedModel& model, bool isStopped)
         Q_EMIT repairable(model.path, model.problem);
     else if (!isStopped)
         Q_EMIT m_document->refused(model.problem);
-    if (m_document->modelInfo().faces == 0 && !m_next) // never without a model
+    if (m_document->modelInfo().faces == 0 && !m_next) // there must always be a model
         openBall();
 }
 
@@ -179,7 +179,7 @@ void ModelOpener::install(LoadedModel& model, const std::shared_ptr<const void>&
         Q_EMIT repaired(model.name, model.repairs);
 }
 
-/// The worker has the model.
+/// Called when the worker has the model.
 void ModelOpener::finish(const MeshFacts& facts)
 {
     m_document->queue().setPause(DocumentQueue::Pause::None);

@@ -21,8 +21,8 @@ class Document;
 struct LoadedModel;
 struct MeshFacts;
 
-/// Opens other models in place of the present one. The latest choice wins: what is being opened is given up for it,
-/// what is being written or changed is finished first. Thread: gui; models are made on another.
+/// Opens another model in place of the present one. The latest choice wins: a model still being loaded is abandoned,
+/// but a save or change in progress is finished first. Thread: gui; models are loaded on a background thread.
 class ModelOpener : public QObject
 {
     Q_OBJECT
@@ -30,48 +30,48 @@ class ModelOpener : public QObject
 public:
     explicit ModelOpener(Document* document);
 
-    /// Called before changes are lost. False keeps the present model; `proceed` may be called later, when they are
-    /// saved.
+    /// A callback that asks the user before changes are lost. It returns false to keep the present model; it may then
+    /// call `proceed` later, once the changes are saved.
     using DiscardPrompt = std::function<bool(const std::function<void()>& proceed)>;
     void setDiscardPrompt(DiscardPrompt prompt);
     bool canDiscard(const std::function<void()>& proceed) const;
 
-    /// Makes a model that may be sculpted, or says why not. Thread: another.
+    /// Makes a model that can be sculpted, or sets the reason why not. Thread: background.
     using Make = std::function<LoadedModel(const core::JobControl& control)>;
     struct Choice
     {
-        QString what; ///< the busy text
+        QString what; ///< text shown while the model is loading
         Make make;
-        std::shared_ptr<const void> mark = {}; ///< by which the caller knows the model
-        bool discardsChanges = false;          ///< the user knows it: no prompt
-        QString path = {};                     ///< of the file; empty: it comes from none
+        std::shared_ptr<const void> mark = {}; ///< any object by which the caller recognises the model
+        bool discardsChanges = false;          ///< true: the user has agreed to lose changes, so there is no prompt
+        QString path = {};                     ///< path of the model's file; empty: none
     };
     void openMade(const Choice& choice);
-    /// The mark of the present model; null: a file's, or a starter.
+    /// Returns the mark of the present model; null if it was opened without one, such as a file or starter.
     const std::shared_ptr<const void>& mark() const { return m_mark; }
-    /// Another model is loaded. What is done to the present one now is lost if that one comes.
+    /// Returns whether another model is being loaded. Changes made to the present model meanwhile will be lost.
     bool isOpening() const { return m_isLoading; }
 
-    /// Opens what was chosen while something else went on.
+    /// Opens the model that was chosen while another job was running.
     void openNext();
     void forgetNext() { m_next.reset(); }
 
 public Q_SLOTS:
     void open(const QString& path);
-    /// As open(), without a prompt.
+    /// Opens a file without asking about unsaved changes.
     void openDiscardingChanges(const QString& path);
-    /// As open(); a model that is not sound is repaired. It has no file then.
+    /// Opens a file and repairs its model if it is not sound. A repaired model has no file.
     void openRepaired(const QString& path, const core::RepairOptions& options);
-    /// Opens the ball that the program begins with.
+    /// Opens the ball with which the program starts.
     void openBall();
     void openStarter(core::Starter starter);
     /// Opens a document that the recovery store offers, with its history.
     void recover(quint64 offer, const QString& name);
 
 Q_SIGNALS:
-    /// The model of a file is not sound: openRepaired() may take it.
+    /// Emitted if the model of a file is not sound. openRepaired() may succeed.
     void repairable(const QString& path, const QString& problem);
-    /// What was done to the model that is opened, step by step.
+    /// Emitted with the repairs made to the opened model, one sentence each.
     void repaired(const QString& name, const QStringList& steps);
 
 private:
@@ -87,7 +87,9 @@ private:
     std::shared_ptr<const void> m_mark;
     std::optional<Choice> m_next; ///< to be opened when the present job has ended
     bool m_isLoading = false;
-    bool m_isDiscardAgreed = false; ///< for what is being opened; the user made no change since
-    QString m_discardAgreedFor;     ///< a file that was not opened but may be repaired: the same holds for it
+    /// the user agreed to lose changes for the model being loaded, and has changed nothing since
+    bool m_isDiscardAgreed = false;
+    /// file that was not opened but may be repaired; the agreement to lose changes also holds for it
+    QString m_discardAgreedFor;
 };
 } // namespace app

@@ -53,7 +53,7 @@ void ModelSaver::saveBy(const QString& name, const Write& write)
     });
 }
 
-/// The file holds the model as it was at that step. If others followed, the model has changes that no file holds.
+/// Marks undo state `index` as saved. If further steps were made meanwhile, the model stays modified.
 void ModelSaver::finishSaving(int index, const SavedFile& file)
 {
     m_document->job().end();
@@ -171,7 +171,7 @@ void ModelSaver::finishExternally(int index, bool isSaved, const std::function<v
     m_document->queue().run();
 }
 
-/// Returns nothing if one step is not known.
+/// Returns the steps up to the present state; nothing if one of them is unknown.
 std::optional<std::vector<core::FileEntry>> ModelSaver::recordedSteps() const
 {
     const DocumentHistory& history = m_document->history();

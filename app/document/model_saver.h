@@ -21,7 +21,8 @@ struct ExportOutcome;
 struct ExportedBrush;
 struct SavedFile;
 
-/// Writes the model of a document, as everything requested before left it. Thread: gui; files are written on another.
+/// Saves and exports the model of a document, with the effect of all earlier requests. Thread: gui; files are written
+/// on a background thread.
 class ModelSaver : public QObject
 {
     Q_OBJECT
@@ -35,34 +36,34 @@ public:
         quint64 hash = 0;
         core::DocumentMetadata metadata;
         int step = 0;
-        /// What was done to the model since it was opened; nothing: not known.
+        /// steps from the opened model to the present one; nothing: unknown
         std::optional<std::vector<core::FileEntry>> steps;
     };
-    /// Saves somewhere else than to a file of the document. Returns whether the model is safe there; then it counts as
-    /// saved. Thread: another.
+    /// A callback that saves the model to a place that is not the document's file. Returns whether it succeeded; the
+    /// model then counts as saved. Thread: background.
     using Save = std::function<bool(const Present& present)>;
-    /// Nobody sculpts from the copy on until `done`, which gets the answer of `save`, has returned. False: another job
-    /// goes on, and nothing is done.
+    /// Runs `save` on a copy of the model, then calls `done` with its result. Sculpting is paused from the copy until
+    /// `done` returns. Returns false and does nothing if another job is running.
     bool saveExternally(const QString& what, Save save, std::function<void(bool isSaved)> done);
 
 public Q_SLOTS:
-    /// To a file that from now on is the model's own.
+    /// Saves the model to a file, which becomes the document's file.
     void save(const QString& path);
-    /// Beside that path, numbered after all that are there: a GLB, which from now on is the model's own, and an STL.
-    /// Overwrites nothing.
+    /// Saves a GLB, which becomes the document's file, and an STL beside `path`. Their number follows all numbers in
+    /// use, so nothing is overwritten.
     void saveNumbered(const QString& path);
-    /// To another file, with at most `maxTriangles` (0: all). The file is read back and checked, with `slices` also by
-    /// an installed slicer. Changes stay unsaved.
+    /// Exports to another file, with at most `maxTriangles` triangles (0: no limit). The file is read back and
+    /// verified; with `slices` it is also tested by an installed slicer. The document stays modified.
     void exportTo(const QString& path, quint64 maxTriangles = 0, bool slices = false);
-    /// To a file that brushes are read from: brushExported(). The model and its own file stay as they are.
+    /// Exports the model as a brush file and emits brushExported(). The document and its file do not change.
     void exportBrush();
 
 Q_SIGNALS:
     void saved(const QString& path);
-    /// The verdict: one line on the file as it was read back.
+    /// Emitted after an export. `verdict`: one line about the file as read back.
     void exported(const QString& path, const QString& verdict);
     void brushExported(const QString& path);
-    /// The model could not be written there, as Document::refused() has said.
+    /// Emitted if the model could not be saved, after Document::refused() with the reason.
     void saveFailed(const QString& path);
     void exportFailed(const QString& path);
 

@@ -6,7 +6,7 @@ namespace app
 {
 class Document;
 
-/// Whether a file holds the document's model as it is. Thread: gui.
+/// Tracks whether a file contains the document's present model. Thread: gui.
 class SavedState : public QObject
 {
     Q_OBJECT
@@ -15,14 +15,14 @@ public:
     explicit SavedState(Document* document) : m_document(document) {}
 
     bool isModified() const;
-    /// Changes that are not in the undo stack are in no file.
+    /// Returns whether there are unsaved changes that are not in the undo stack.
     bool isModifiedBeyondHistory() const { return m_isModifiedBeyondHistory; }
     void setModifiedBeyondHistory(bool isModified) { m_isModifiedBeyondHistory = isModified; }
-    /// A file holds the model as it was at that index of the undo stack. No effect if that is not the present state.
+    /// Records that a file contains undo state `index`. Has no effect if that is not the present state.
     void setSaved(int index);
-    /// The number of calls of setSaved() that had an effect.
+    /// Returns the number of calls of setSaved() that had an effect.
     quint64 count() const { return m_count; }
-    /// Emits modifiedChanged() if it changed and no move along the undo stack is under way.
+    /// Emits modifiedChanged() if the value has changed, except during a move along the undo stack.
     void emitIfChanged();
 
 public Q_SLOTS:
@@ -35,6 +35,6 @@ private:
     Document* m_document;
     quint64 m_count = 0;
     bool m_isModifiedBeyondHistory = false;
-    bool m_wasModified = false; ///< as it was last told
+    bool m_wasModified = false; ///< value of the last modifiedChanged()
 };
 } // namespace app

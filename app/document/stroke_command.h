@@ -8,12 +8,13 @@ namespace app
 {
 class HistoryStore;
 
-/// A stroke, or another finished change of the mesh, in the undo stack. It is already done when it is pushed: the first
-/// redo() does nothing.
+/// An undo step: a stroke or another finished change of the mesh. The change is already applied when the command is
+/// pushed, so the first redo() does nothing.
 class StrokeCommand : public QUndoCommand
 {
 public:
-    /// `text` names the step. `index`: its place in the undo stack, and in the store, which must outlive it.
+    /// `text`: name of the step. `index`: its index in the undo stack and in the store. The store must outlive the
+    /// command.
     StrokeCommand(const QString& text, StepMarks marks, HistoryStore* store, int index);
 
     const StepMarks& marks() const { return m_marks; }

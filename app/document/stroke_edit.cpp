@@ -12,8 +12,8 @@ namespace app
 {
 namespace
 {
-/// A replacement that takes longer is cancelled for a newer one; a faster one is shown, so that dragging has visible
-/// steps.
+/// Time after which a newer request cancels a replacement, ms. A faster replacement is finished and shown, so that
+/// dragging a slider shows intermediate results.
 constexpr int maxReplaceMs = 250;
 } // namespace
 
@@ -117,13 +117,13 @@ void StrokeEdit::onReplaced(const std::optional<StrokeReport>& report)
         return end();
     m_index = m_document->history().stack().index();
     if (report->delta)
-        m_present = core::brushOf(report->stroke()->settings); // it may have been stopped
+        m_present = core::brushOf(report->stroke()->settings); // the replacement may have been stopped
     else if (m_bar)
         m_bar->setHint(tr("With this brush it does nothing."));
     proceed();
 }
 
-/// The next stroke begins: the requested change of this one comes before it.
+/// Ends the edit when the next stroke begins, and applies a pending change first.
 void StrokeEdit::finish()
 {
     if (m_stroke && m_requested && *m_requested != m_present)
@@ -131,7 +131,7 @@ void StrokeEdit::finish()
     end();
 }
 
-/// Ends the edit if somebody else changed the history.
+/// Ends the edit if something else changed the history.
 void StrokeEdit::checkHistory()
 {
     if (m_stroke && !m_isReplacing && m_document->history().stack().index() != m_index)

@@ -15,15 +15,15 @@ class MainWindow;
 
 namespace app
 {
-/// Changes the brush of the last stroke after the fact: Edit > Edit Last Stroke. Each change replaces the stroke, as
-/// one step; of the changes made meanwhile only the newest is applied. Any other change of the model ends the edit.
-/// Thread: gui.
+/// Changes the brush of the last stroke afterwards (Edit > Edit Last Stroke). Each change replaces the stroke, still as
+/// one step. If several changes are made during a replacement, only the newest is applied. Any other change of the
+/// model ends the edit. Thread: gui.
 class StrokeEdit : public QObject
 {
     Q_OBJECT
 
 public:
-    /// Both must outlive it but for the window: a child of the document.
+    /// A child of the document. The document must outlive it; the window need not.
     StrokeEdit(ui::MainWindow& window, Document& document);
 
 private:
@@ -42,12 +42,12 @@ private:
     QPointer<ui::MainWindow> m_window;
     QPointer<ui::StrokeEditBar> m_bar;
     Document* m_document;
-    std::optional<LastStroke::Step> m_stroke;     ///< before the edit; none: no stroke is edited
-    std::optional<core::BrushChange> m_requested; ///< not applied yet
-    core::BrushChange m_present;                  ///< what the model shows, or will after the present replacement
-    int m_index = 0;                              ///< of the undo stack, between replacements
+    std::optional<LastStroke::Step> m_stroke;     ///< the stroke before the edit; none: no edit in progress
+    std::optional<core::BrushChange> m_requested; ///< requested brush that is not applied yet
+    core::BrushChange m_present;                  ///< brush of the model, or of the replacement in progress
+    int m_index = 0;                              ///< undo index between replacements
     bool m_isReplacing = false, m_isClosing = false;
-    std::stop_source m_stop; ///< of the present replacement
+    std::stop_source m_stop; ///< cancels the replacement in progress
     QElapsedTimer m_sinceBegin;
 };
 } // namespace app

@@ -1,5 +1,5 @@
-// From the present back to the first state: draw it where a frame is due -> take the next step back. The frames'
-// numbers are known before.
+// Goes from the present state back to the first: draws each state that needs a frame, then undoes a step. The number of
+// frames is known in advance, so each frame gets its final number.
 
 #include "app/document/time_lapse.h"
 
@@ -23,7 +23,7 @@ namespace app
 namespace
 {
 constexpr int minDigits = 4;
-constexpr int behind[] = {236, 238, 241}; ///< sRGB
+constexpr int behind[] = {236, 238, 241}; ///< background colour, sRGB
 
 int framesBetween(int first, int last, int every)
 {
@@ -98,7 +98,7 @@ TimeLapseOutcome TimeLapse::run(const TimeLapseRequest& request, const ModelHist
                     break;
                 const QString path =
                     QDir(request.folder).filePath(names[framesBetween(history.first, state, request.every) - 1]);
-                if (QFileInfo::exists(path)) // since it began
+                if (QFileInfo::exists(path)) // created since the time-lapse began
                     return without(obstacle(request.folder, {QFileInfo(path).fileName()}));
                 write(path, pngOf(*picture));
                 written << path;

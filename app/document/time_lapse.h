@@ -13,31 +13,31 @@ namespace app
 {
 struct TimeLapseRequest
 {
-    QString folder; ///< that is there
-    int every = 1;  ///< steps from one picture to the next; the last state is always among them
+    QString folder; ///< existing folder
+    int every = 1;  ///< steps between two pictures; the last state always has a picture
     core::ThumbnailView view;
 };
 
-/// What became of it: no frames and no problem if it was stopped.
+/// Result of a time-lapse. Without frames and problem it was cancelled.
 struct TimeLapseOutcome
 {
-    QString problem; ///< one sentence; none of its frames is left then
+    QString problem; ///< one sentence; all its frames are then deleted again
     int frames = 0;
 };
 
-/// The states of a model as numbered PNG files, frame-0001.png and so on: opaque, the model on a light grey. A file
-/// that is there is never written over. Any thread.
+/// Writes the states of a model as numbered PNG files: frame-0001.png and so on. The pictures are opaque, with a light
+/// grey background. Existing files are never overwritten. Thread: any.
 class TimeLapse
 {
     Q_DECLARE_TR_FUNCTIONS(app::TimeLapse)
 
 public:
-    /// From `first` to `last`, which are both among them.
+    /// Returns the file names for the states from `first` to `last`, inclusive.
     static QStringList frameNames(int first, int last, int every);
-    /// One sentence if the frames cannot be written there: there is no such folder, or one of them is there already.
-    /// Else empty.
+    /// Returns one sentence if the frames cannot be written: the folder or a free file name is missing. Returns an
+    /// empty string otherwise.
     static QString obstacle(const QString& folder, const QStringList& frames);
-    /// Consumes the history's mesh.
+    /// Writes the frames. Consumes the mesh of `history`.
     static TimeLapseOutcome run(const TimeLapseRequest& request, const ModelHistory& history,
                                 const core::JobControl& control);
 };

@@ -19,7 +19,7 @@ namespace app
 {
 namespace
 {
-/// All that the window shows of the model is in the picture.
+/// Returns a view whose picture contains everything visible in the window.
 core::ThumbnailView viewOf(const ui::OrbitCamera& camera, const ui::TimeLapseSettings& settings)
 {
     core::ThumbnailView view;

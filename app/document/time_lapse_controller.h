@@ -15,14 +15,14 @@ namespace app
 {
 class Document;
 
-/// File > Export Time-Lapse: the steps of the document as pictures, seen as the window sees the model. Nobody sculpts
-/// meanwhile. Thread: gui.
+/// Exports the steps of the document as pictures, in the window's present view (File > Export Time-Lapse). Sculpting is
+/// paused meanwhile. Thread: gui.
 class TimeLapseController : public QObject
 {
     Q_OBJECT
 
 public:
-    /// All must outlive it but for the window: a child of the document.
+    /// A child of the document. The document must outlive it; the window need not.
     TimeLapseController(ui::MainWindow& window, Document& document);
 
 private:

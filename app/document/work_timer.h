@@ -7,15 +7,14 @@
 
 namespace app
 {
-/// Counts what is done by hand: each finished stroke, and the time from one to the next. A pause of more than
-/// `maxPause` does not count at all, nor does the time before the first stroke. A value of one document; any clock that
-/// never goes back.
+/// Measures the work done by hand: finished strokes, and the time between them. A pause of more than `maxPause` and the
+/// time before the first stroke do not count. Belongs to one document; any clock that never goes back will do.
 class WorkTimer
 {
 public:
     static constexpr std::chrono::nanoseconds maxPause = std::chrono::minutes(3);
 
-    /// A stroke ended now, ns.
+    /// Counts a stroke that ends at `now`, ns.
     void count(core::WorkDone& work, std::int64_t now)
     {
         const std::chrono::nanoseconds pause(now - m_last.value_or(now));
@@ -26,6 +25,6 @@ public:
     }
 
 private:
-    std::optional<std::int64_t> m_last; ///< end of a stroke, ns
+    std::optional<std::int64_t> m_last; ///< end of the last stroke, ns
 };
 } // namespace app

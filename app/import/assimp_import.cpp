@@ -107,7 +107,8 @@ std::string wordsOf(const Assimp::Importer& importer, const fs::path& path)
 class ErrorLog : public Assimp::LogStream
 {
 public:
-    /// Attaches a new log to Assimp's logger and returns it. The logger owns it and is never removed.
+    /// Attaches a new log to Assimp's logger and returns it. The logger owns the log; it stays attached until the
+    /// process ends.
     static ErrorLog& attached()
     {
         Assimp::DefaultLogger::create("", Assimp::Logger::NORMAL, 0); // 0: to no file and no console

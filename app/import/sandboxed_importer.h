@@ -6,9 +6,9 @@
 
 namespace app
 {
-/// Reads the formats that Assimp reads and we do not, and glTF that Draco packed. Each file is read by a process of its
-/// own, `program` with importWord, so that whatever a file does to Assimp or Draco it does not do to us; what it
-/// answers is checked as a file would be. `program` is fettle.
+/// Returns a reader for the formats that only Assimp reads, and for glTF with Draco compression. Each file is read in a
+/// process of its own, so that a malicious file can harm only that process; its output is checked like a file.
+/// `program`: path of fettle, which is run with importWord.
 core::ExternalReader sandboxedImporter(const std::string& program);
 /// Registers sandboxedImporter() of this program with core.
 void installSandboxedImporter();

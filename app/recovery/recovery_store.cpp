@@ -30,9 +30,10 @@ std::string text(const QString& string)
 
 constexpr std::chrono::milliseconds defaultRetryInterval = std::chrono::seconds(10),
                                     maxRetryInterval = std::chrono::minutes(5);
-constexpr std::uintmax_t bytesPerFace = 128; ///< of a start and a base, with some free slots
+/// estimated size of a journal's start and base records, including unused slots
+constexpr std::uintmax_t bytesPerFace = 128;
 
-/// Null if there is no room, or it may not be.
+/// Returns a new journal folder; null if the disk has too little space or the folder cannot be made.
 std::shared_ptr<core::JournalFolder> makeFolderIfRoom(const std::filesystem::path& root, std::uintmax_t bytes)
 {
     try {
@@ -45,7 +46,7 @@ std::shared_ptr<core::JournalFolder> makeFolderIfRoom(const std::filesystem::pat
     }
 }
 
-constexpr std::size_t maxDamaged = 4; ///< that are kept
+constexpr std::size_t maxDamaged = 4; ///< number of damaged journals that are kept
 
 QDateTime toDateTime(std::filesystem::file_time_type time)
 {
@@ -59,7 +60,7 @@ QString text(const std::filesystem::path& path)
     return QDir::toNativeSeparators(QString::fromStdU16String(path.u16string()));
 }
 
-/// Returns whether the folder has a record of a change, whole or not.
+/// Returns whether the folder contains a record of a change, complete or not.
 bool holdsChanges(const core::JournalFolder& folder)
 {
     const core::JournalFiles files = core::filesIn(folder.path());
@@ -70,7 +71,7 @@ bool holdsChanges(const core::JournalFolder& folder)
 
 RecoveryStore* RecoveryStore::s_present = nullptr;
 
-/// Of the XDG base directories; where there are none, beside the program's other data.
+/// Returns the state directory of the XDG specification; on other systems, a folder in the program's local data.
 std::filesystem::path RecoveryStore::defaultRoot()
 {
     QString state = qEnvironmentVariable("XDG_STATE_HOME");
@@ -119,7 +120,7 @@ void RecoveryStore::atExit()
     }
 }
 
-// --- journals of documents that are open
+// --- journals of open documents
 
 std::shared_ptr<core::Journal> RecoveryStore::begin(const LoadedModel& model)
 {
@@ -157,7 +158,7 @@ void RecoveryStore::discard(std::shared_ptr<core::Journal> journal)
     m_background.run([journal = std::move(journal)] { journal->remove(); });
 }
 
-// --- the present one, and when it fails
+// --- the present document's journal, and its failures
 
 void RecoveryStore::setRetryInterval(std::chrono::milliseconds interval)
 {
@@ -196,7 +197,8 @@ std::shared_ptr<core::Journal> RecoveryStore::beginDeferred(const std::shared_pt
     return journal;
 }
 
-/// A failure of another journal than the present one is noticed by the receiver of retryDue().
+/// Reports a failure once, and starts the retry timer. The failed journal may not be the present one; the receiver of
+/// retryDue() checks that.
 void RecoveryStore::reportFailure(const core::FileError& error)
 {
     if (!std::exchange(m_isFailing, true))
@@ -232,7 +234,7 @@ void RecoveryStore::onJournalBegun()
     reportRecording();
 }
 
-// --- the journals that programs before left
+// --- journals that earlier runs left behind
 
 void RecoveryStore::findAbandoned()
 {
@@ -248,7 +250,8 @@ void RecoveryStore::findAbandoned()
                      });
 }
 
-/// Removes the journals of documents that were saved or never changed, and sets damaged ones aside.
+/// Reads the journals left by earlier runs. Removes those of documents that were saved or never changed, and sets
+/// damaged ones aside.
 RecoveryStore::ScanResult RecoveryStore::scan(const std::filesystem::path& root)
 {
     ScanResult found;
@@ -257,7 +260,7 @@ RecoveryStore::ScanResult RecoveryStore::scan(const std::filesystem::path& root)
         try {
             document = core::recoverJournal(folder->path(), {.mesh = false});
         } catch (const std::bad_alloc&) {
-            continue; // it stays
+            continue; // not removed: a later run may have enough memory
         }
         const QString name = document ? QString::fromStdString(document->document.name) : QString();
         if (document && document->isUnsaved())
@@ -272,7 +275,7 @@ RecoveryStore::ScanResult RecoveryStore::scan(const std::filesystem::path& root)
     return found;
 }
 
-/// Returns the folder of damaged journals: it is beside the root, where no scan looks.
+/// Returns the folder for damaged journals. It is beside `root`, because scan() reads everything inside `root`.
 std::filesystem::path RecoveryStore::damagedRoot(const std::filesystem::path& root)
 {
     std::filesystem::path damaged = root;

@@ -21,16 +21,15 @@ struct RecoveryOffer
     quint64 id = 0; ///< 0: none
     QString name;
     QDateTime changed;
-    int steps = 0; ///< number of steps that are done
+    int steps = 0; ///< number of steps in effect (not undone)
 };
 
-/// The journals of this program, and those that earlier runs left. The destructor removes the journals of this
-/// program's documents, since the program then ends as the user wished. If it ends by exit() instead, because the
-/// display is gone, they stay, and stderr says so. One object at a time. Thread: gui, except where a function says
-/// otherwise.
-///
-/// A failure to record is reported once, by noticed(), and recording is retried from time to time: retryDue(),
-/// findSpace(), spaceFound(), beginDeferred().
+/// The journals of this program, and those that earlier runs left behind. The destructor removes the journals of this
+/// program's documents, because a regular end means that the user has saved or discarded them. If the program ends by
+/// exit() instead, because the display is gone, the journals are kept and a message on stderr says so. Precondition:
+/// one object at a time. Thread: gui, unless a function says otherwise.
+/// A failure to record is reported once, by noticed(). Recording is then retried by retryDue(), findSpace(),
+/// spaceFound() and beginDeferred().
 class RecoveryStore : public QObject
 {
     Q_OBJECT
@@ -48,39 +47,39 @@ public:
     /// Begins the journal of a model that is about to be opened. Returns null if that is impossible. Thread: any. Cost:
     /// writing the model.
     std::shared_ptr<core::Journal> begin(const LoadedModel& model);
-    /// Removes a journal whose content is of no use any more, in the background. May be null. Precondition: nobody
-    /// writes to it. Thread: any.
+    /// Removes a journal that is no longer needed, in the background. `journal` may be null. Precondition: nobody
+    /// writes to the journal. Thread: any.
     void discard(std::shared_ptr<core::Journal> journal);
 
     /// Sets the journal of the document that is open. Null: nothing is recorded.
     void setPresent(std::shared_ptr<core::Journal> journal);
-    /// Looks for disk space for the journal of a model with so many faces. Emits spaceFound(), or retryDue() after a
-    /// while.
+    /// Looks for disk space for the journal of a model with `faces` faces. Emits spaceFound(), or retryDue() after the
+    /// retry interval.
     void findSpace(quint64 faces);
-    /// Begins a journal in place of the present one, which is removed once the new one has begun. `present`: number of
-    /// steps that are done.
+    /// Begins a journal that replaces the present one. The present journal is removed once the new one is written.
+    /// `present`: number of steps in effect.
     std::shared_ptr<core::Journal> beginDeferred(const std::shared_ptr<core::JournalFolder>& folder, quint32 present);
 
     /// Looks for journals that earlier runs left, in the background. Emits offered(), and noticed() for damaged ones.
     void findAbandoned();
-    /// Returns a model with its history; without a sculptor if that is impossible, or if it was stopped. Thread: any.
+    /// Returns a recovered model with its history. It has no sculptor if recovery failed or was cancelled. Thread: any.
     /// Cost: reading and applying the whole journal.
     LoadedModel recover(quint64 offer, const core::JobControl& control);
     /// Resumes the journal of a recovered document that is open again, and withdraws the offer. Returns null if the
-    /// journal is damaged: it is then set aside once another one has begun.
+    /// journal is damaged; it is then set aside once a new journal has begun.
     std::shared_ptr<core::Journal> resume(quint64 offer, const core::RecoveredDocument& document);
     /// Removes the journal of an offer that the user does not want.
     void discard(quint64 offer);
 
 Q_SIGNALS:
-    /// Emitted with the latest document that can be recovered; id 0: there is none, or none any more.
+    /// Emitted with the latest document that can be recovered; id 0: none is left.
     void offered(const app::RecoveryOffer& offer);
-    /// Emitted with a sentence for the user: changes are not recorded any more, are recorded again, or are recorded
-    /// late; or a journal that an earlier run left is damaged.
+    /// Emitted with a message for the user: changes are not recorded, are recorded again, or are recorded late; or a
+    /// journal of an earlier run is damaged.
     void noticed(const QString& sentence);
-    /// Emitted when it is time to retry, if nothing is recorded of the document.
+    /// Emitted when recording of the present document has failed and it is time to retry.
     void retryDue();
-    /// Emitted with a folder on a disk that has the space which findSpace() looked for.
+    /// Emitted with a folder on a disk that has the space requested by findSpace().
     void spaceFound(const std::shared_ptr<core::JournalFolder>& folder);
 
 private:
@@ -113,15 +112,15 @@ private:
     std::mutex m_mutex; ///< guards m_open and m_abandoned
     std::vector<std::shared_ptr<core::Journal>> m_open;
     std::vector<AbandonedJournal> m_abandoned;
-    std::shared_ptr<core::Journal> m_journal; ///< the present one
-    /// Broken journals before m_journal: until that has begun, they alone hold the document.
+    std::shared_ptr<core::Journal> m_journal; ///< journal of the present document; null: nothing is recorded
+    /// Broken journals that m_journal replaces. Only they contain the document until m_journal is written.
     std::vector<std::shared_ptr<core::Journal>> m_superseded;
-    /// Damaged journals that were recovered in part. They are set aside once m_journal has begun.
+    /// Damaged journals that were partly recovered. They are set aside once m_journal is written.
     std::vector<std::shared_ptr<core::JournalFolder>> m_damaged;
     std::chrono::milliseconds m_retryInterval, m_nextRetryInterval;
     QTimer m_retryTimer;
     bool m_isFailing = false, m_hasBeenLate = false;
     ui::ThreadMailbox m_mailbox;
-    ui::BackgroundThread m_background; ///< last: its jobs use the others
+    ui::BackgroundThread m_background; ///< last member: its destructor waits for jobs that use the other members
 };
 } // namespace app

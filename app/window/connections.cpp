@@ -110,7 +110,8 @@ void connectRepairs(ui::MainWindow& window, Document& document)
                      });
 }
 
-/// The doubt lasts until the model is another one, by whatever means.
+/// Shows a bar that asks for the unit of a model whose file has none. The bar is dismissed when the model changes in
+/// any way.
 void connectUnits(ui::MainWindow& window, Document& document)
 {
     using ui::UnitBar;
@@ -133,8 +134,8 @@ void connectUnits(ui::MainWindow& window, Document& document)
     });
 }
 
-/// What the hand did last counts among the changes, though it may not have come to the document yet. A window that
-/// closes leaves VR, which takes until that has ended or is given up.
+/// Finishes pending input before a file is opened or the window closes, so that a stroke not yet sent to the document
+/// counts as a change. Closing also leaves VR first, and continues when VR has ended or was given up.
 void connectClosing(ui::MainWindow& window, Document& document, Headset* headset)
 {
     using ui::MainWindow;
@@ -196,7 +197,7 @@ void connectHistoryPanel(ui::MainWindow& window, Document& document)
     QObject::connect(&document.history().store(), &HistoryStore::bytesChanged, panel, show);
 }
 
-/// The swatches belong to the document where its file has some; else they are the person's.
+/// Uses the swatches of an opened file; if it has none, the document gets the user's present swatches.
 void connectPalette(ui::MainWindow& window, Document& document)
 {
     using ui::ColorPanel;
@@ -213,7 +214,7 @@ void connectPalette(ui::MainWindow& window, Document& document)
     });
 }
 
-/// View and brush go with the document, too.
+/// Stores view, brush and reference images in the document's metadata, and applies them when a file is opened.
 void connectMetadata(ui::MainWindow& window, Document& document)
 {
     document.setCompleteMetadata([&window](core::DocumentMetadata& metadata) { ui::addMetadata(window, metadata); });
@@ -237,7 +238,8 @@ void connectModelPanel(ui::MainWindow& window, Document& document, SculptWorker&
     QObject::connect(analysis, &ModelAnalysis::finished, panel, &ModelPanel::setReport);
 }
 
-/// The model shows what was measured while the panel is visible and the result is of the present model.
+/// Shows the measured values as colours on the model while the panel is visible and the result describes the present
+/// model.
 void connectPrintPanel(ui::MainWindow& window, Document& document, SculptWorker& worker)
 {
     using ui::PrintPanel;
@@ -311,7 +313,8 @@ void connectReports(ui::MainWindow& window, Document& document)
     QObject::connect(controller, &ReportController::refused, &window, &ui::MainWindow::showProblem);
 }
 
-/// A window that closes leaves the lesson before it stores the brush, which is then the pupil's own.
+/// Connects lessons. On closing, the lesson is left before the window stores its brush, so that the pupil's own brush
+/// is stored.
 void connectLessons(ui::MainWindow& window, Document& document)
 {
     auto* const lessons = new LessonController(window, document);
@@ -337,8 +340,10 @@ void connectAll(ui::MainWindow& window, Document& document, SculptWorker& worker
     connectMetadata(window, document);
     connectModelPanel(window, document, worker);
     connectPrintPanel(window, document, worker);
-    connectLessons(window, document); // before the strokes: the teacher's ends where the hand's begins
-    new StrokeEdit(window, document); // the same: requested changes of the last stroke come before the next
+    // before connectStrokes(): the user's stroke first ends the lesson's demonstration
+    connectLessons(window, document);
+    // before connectStrokes(): pending changes of the last stroke are applied before the next stroke
+    new StrokeEdit(window, document);
     new LessonEditorController(window, document);
     connectStrokes(window.viewport()->input(), document);
     connectWorker(*window.viewport(), worker, inbox);

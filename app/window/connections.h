@@ -16,19 +16,19 @@ class RecoveryStore;
 class PatchInbox;
 class SculptWorker;
 
-/// Connects window, document and worker. All must outlive the event loop; the window is destroyed before the document,
-/// and that before the worker.
+/// Connects window, document and worker. All three must outlive the event loop. The window must be destroyed before the
+/// document, and the document before the worker.
 void connectAll(ui::MainWindow& window, Document& document, SculptWorker& worker,
                 const std::shared_ptr<PatchInbox>& inbox);
 
-/// Changes are recorded in the store, and what it has from before is offered in the window. The store must outlive the
-/// document.
+/// Records the document's changes in the store, and offers documents of earlier runs for recovery in the window. The
+/// store must outlive the document.
 void connectRecovery(ui::MainWindow& window, Document& document, RecoveryStore& recoveryStore);
 
-/// Autosaves unsaved lessons there, and offers those of earlier runs in the window. connectAll() comes
-/// first.
+/// Autosaves unsaved lessons to `root`, and offers lessons autosaved by earlier runs in the window. Precondition:
+/// connectAll() was called.
 void connectLessonAutosave(Document& document, const std::filesystem::path& root);
 
-/// What a class says is read in the window and in the headset. connectAll() comes first.
+/// Shows the messages of a class in the window and in the headset. Precondition: connectAll() was called.
 void connectClassroom(ui::MainWindow& window, ClassroomMode& mode);
 } // namespace app

@@ -10,8 +10,8 @@
 
 namespace app
 {
-/// The one long job that may run at a time: its name, its progress, its cancellation, and a thread for its background
-/// part. Thread: gui, except where stated.
+/// The long job of the document: its name, progress, cancellation and background thread. Only one job runs at a time.
+/// Thread: gui, except where stated.
 class BackgroundJob : public QObject
 {
     Q_OBJECT
@@ -22,11 +22,11 @@ public:
     bool isBusy() const { return m_isBusy; }
 
     void begin(const QString& what);
-    /// As begin(), for a job that cancel() can end. Returns its progress and cancellation.
+    /// Begins a job that cancel() can stop. Returns the control for its progress and cancellation.
     core::JobControl beginCancellable(const QString& what);
-    /// Changes the name that is shown. Thread: any.
+    /// Changes the displayed name of the job. Thread: any.
     void rename(const QString& what);
-    /// The job is as good as done: cancel() has no effect any more.
+    /// Declares the job completed: cancel() has no effect from now on.
     void commit();
     void end();
 
@@ -42,14 +42,14 @@ public:
 Q_SIGNALS:
     void busy(const QString& what);
     void cancellable(bool canStop);
-    /// 0 to 1.
+    /// Progress, 0 to 1.
     void progressed(double share);
     void idle();
 
 private:
     bool m_isBusy = false;
-    std::stop_source m_stop; ///< of the present job
+    std::stop_source m_stop; ///< cancels the present job
     ui::ThreadMailbox m_mailbox;
-    ui::BackgroundThread m_background; ///< last
+    ui::BackgroundThread m_background; ///< last member: its destructor waits for jobs that use the other members
 };
 } // namespace app

@@ -16,9 +16,9 @@ namespace app
 {
 namespace
 {
-constexpr auto idleDelay = std::chrono::milliseconds(250); ///< without a change: the fine drawing is made
+constexpr auto idleDelay = std::chrono::milliseconds(250); ///< time without changes before the fine drawing is made
 constexpr std::size_t maxEdges = 300'000, maxInterimEdges = 40'000;
-constexpr int finePixels = 2048, shadedPixels = 1024, interimPixels = 640; ///< along the longest side
+constexpr int finePixels = 2048, shadedPixels = 1024, interimPixels = 640; ///< size of the drawing's longer side
 
 double msSince(std::int64_t start)
 {
@@ -90,7 +90,7 @@ void DrawingWorker::exportTo(const QString& path, const QString& modelName, bool
         });
 }
 
-/// On the mesh thread.
+/// Called on the mesh thread.
 void DrawingWorker::onPatch(const std::weak_ptr<SharedState>& weak)
 {
     if (const auto shared = weak.lock()) {
@@ -119,7 +119,7 @@ void DrawingWorker::run()
     }
 }
 
-/// For something to do, or for a coarse drawing's finer one; false when all ends.
+/// Waits until there is work, or until a fine drawing is due. Returns false when the thread has to end.
 bool DrawingWorker::wait(std::unique_lock<std::mutex>& lock)
 {
     const auto isAwake = [this] {
@@ -175,7 +175,7 @@ DrawingWorker::Assignment DrawingWorker::takeAssignment()
             m_shared->stopFine.get_token()};
 }
 
-/// If it was stopped, something newer is to be drawn.
+/// Emits the drawing. An empty `drawing` was cancelled, because something newer has to be drawn.
 void DrawingWorker::show(std::optional<core::LineDrawing> drawing, bool isFine)
 {
     m_isFine = drawing && isFine;

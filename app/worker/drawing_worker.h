@@ -17,10 +17,10 @@ namespace app
 {
 class SculptWorker;
 
-/// Makes drawings of the model on a thread of its own: for the 2D preview while it can be seen, and for sheets. A
-/// viewer of the mesh like others: it is fed by patches, and the mesh thread never waits for it. While changes keep
-/// coming, drawings are interim ones whose cost goes with the change; a fine one follows when the strokes pause. While
-/// nobody looks it needs no memory and no time. Thread: gui; all functions return at once.
+/// Makes line drawings of the model on its own thread: for the visible 2D preview, and for drawing sheets. It receives
+/// patches like any viewer, and the mesh thread never waits for it. While changes arrive, it makes interim drawings
+/// whose cost depends on the size of the change; a fine drawing follows when strokes pause. While the preview is
+/// hidden, it uses no memory and no time. Thread: gui; all functions return at once.
 class DrawingWorker : public QObject
 {
     Q_OBJECT
@@ -30,12 +30,14 @@ public:
     explicit DrawingWorker(SculptWorker* worker, QObject* parent = nullptr);
     ~DrawingWorker() override;
 
-    /// From a stroke's change of the mesh to the drawing that shows it, ms: the last, 0 if there was none. Any thread.
+    /// Returns the time from the last stroke's change of the mesh to the drawing that shows it, ms; 0: no such drawing
+    /// yet. Thread: any.
     double latencyMs() const;
 
 public Q_SLOTS:
     void watch(bool isSeen, bool shaded);
-    /// A sheet of the model as it is after what was asked for before. The ending says the format.
+    /// Writes a drawing sheet of the model as all earlier requests leave it. The extension of `path` determines the
+    /// format.
     void exportTo(const QString& path, const QString& modelName, bool shaded);
 
 Q_SIGNALS:
@@ -48,7 +50,7 @@ private:
     {
         QString path, modelName;
         bool shaded = false;
-        core::MeshPatch model; ///< whole
+        core::MeshPatch model; ///< the whole mesh
     };
     /// State that the mesh thread may still access after this object is destroyed.
     struct SharedState
@@ -58,14 +60,15 @@ private:
         bool hasPatch = false, hasChanged = false, isStopping = false;
         bool isSeen = false, shaded = false;
         double latencyMs = 0;
-        std::int64_t changedNs = 0;        ///< when the oldest patch came that waits
-        std::shared_ptr<PatchInbox> inbox; ///< null while nobody looks
+        /// time when the oldest waiting patch arrived, ns of the steady clock; 0: none waits
+        std::int64_t changedNs = 0;
+        std::shared_ptr<PatchInbox> inbox; ///< null while the preview is hidden
         std::deque<Request> requests;
-        std::stop_source stop;     ///< of the drawing at hand: what it shows is not wanted any more
-        std::stop_source stopFine; ///< of a fine one: there is something newer to be shown
+        std::stop_source stop;     ///< cancels the present drawing: the view has changed
+        std::stop_source stopFine; ///< cancels a fine drawing: a newer patch is waiting
     };
 
-    /// What the gui thread wants drawn.
+    /// A snapshot of SharedState for one drawing.
     struct Assignment
     {
         std::shared_ptr<PatchInbox> inbox;
@@ -86,12 +89,13 @@ private:
     ui::ThreadMailbox m_mailbox;
     std::shared_ptr<SharedState> m_shared = std::make_shared<SharedState>();
 
-    // The drawing thread's own.
-    std::optional<core::IncrementalLineDrawing> m_incremental; ///< while somebody looks
-    std::shared_ptr<PatchInbox> m_inbox;                       ///< whose patches it is made of
-    bool m_isFine = true;         ///< the last drawing was, or there is none to be made finer
-    std::int64_t m_changedNs = 0; ///< of the oldest change by a stroke that no drawing shows yet
+    // State of the drawing thread.
+    std::optional<core::IncrementalLineDrawing> m_incremental; ///< exists while the preview is visible
+    std::shared_ptr<PatchInbox> m_inbox;                       ///< the inbox whose patches m_incremental contains
+    bool m_isFine = true; ///< false: the last drawing was interim, so a fine one is due
+    /// time of the oldest stroke change not shown in a drawing, ns of the steady clock; 0: none
+    std::int64_t m_changedNs = 0;
 
-    std::thread m_thread; ///< last: it uses the others
+    std::thread m_thread; ///< last member: the thread uses the other members
 };
 } // namespace app

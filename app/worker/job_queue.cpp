@@ -33,7 +33,8 @@ void JobQueue::thinSamples()
 {
     const std::size_t begin = m_jobs.size() - m_waitingSamples;
     std::size_t kept = begin;
-    for (std::size_t i = begin; i < m_jobs.size(); ++i) // the last so far may go when others have followed
+    // the sample kept as the last one may be dropped next time, when more have followed
+    for (std::size_t i = begin; i < m_jobs.size(); ++i)
         if (!isThinnedOut(i - begin, m_waitingSamples, std::get<Sample>(m_jobs[i]).first))
             std::swap(m_jobs[kept++], m_jobs[i]);
     m_dropped += m_jobs.size() - kept;

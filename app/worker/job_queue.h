@@ -13,8 +13,8 @@
 
 namespace app
 {
-/// Whose hand strokes, and whose eyes look: mouse and pen at the window, wands and headset. The drawings only look, and
-/// so does the mouse over the VR simulator's picture.
+/// The sources of strokes and questions: desktop (mouse and pen) and headset (wands). Drawings and the mouse over the
+/// VR simulator's picture only view the model and never sculpt.
 enum class Source { Desktop, Headset, Drawings, Simulator };
 inline constexpr std::size_t sourceCount = 4;
 
@@ -22,25 +22,25 @@ struct BeginStroke
 {
     core::StrokeSettings settings;
     Source source = Source::Desktop;
-    bool onlyAdds = false; ///< a sphere, or nothing
+    bool onlyAdds = false; ///< the stroke may add a sphere and does nothing else
 };
 struct Sample
 {
     core::StrokeSample sample;
-    std::int64_t postedNs = 0; ///< steady clock
-    bool first = false;        ///< of its stroke; set by the queue
+    std::int64_t postedNs = 0; ///< time of posting, ns of the steady clock
+    bool first = false;        ///< whether it is the stroke's first sample; set by the queue
 };
 struct EndStroke
 {
     core::StrokeEnd how = core::StrokeEnd::Kept;
 };
-/// Anything else that needs the mesh.
+/// Any other job that needs the mesh.
 using Task = std::function<void()>;
 using Job = std::variant<BeginStroke, Sample, EndStroke, Task>;
 
-/// A ray of which a viewer wants to know where it meets the surface, and what a brush would take there; of a spherical
-/// brush that stands where the hand is (core::Placement::Point), which of the surface's points within it is nearest to
-/// the ray's origin.
+/// A viewer's question where a ray meets the surface, and which vertices a brush would select there. For a spherical
+/// brush placed at the input's position (core::Placement::Point), the question is which surface point within the brush
+/// is nearest to the ray's origin.
 struct Question
 {
     Source source;
@@ -50,32 +50,31 @@ struct Question
 
 std::int64_t steadyNs();
 
-/// Of `count` samples that pile up, whether the one at `i` is dropped: every other one, but not a stroke's first nor
-/// the last.
+/// Returns whether sample `i` of `count` waiting samples is dropped: every second one, except the stroke's first sample
+/// and the last one.
 constexpr bool isThinnedOut(std::size_t i, std::size_t count, bool isFirst)
 {
     return !isFirst && i + 1 != count && i % 2 == 0;
 }
 
-/// What the mesh thread has to do: jobs in order, and the newest question of each viewer. One of each goes before the
-/// next job; those that come meanwhile wait for it, or a viewer that asks without end would let nobody work. Any
-/// thread.
+/// The work of the mesh thread: jobs in order, and the newest question of each viewer. At most one question of each
+/// viewer is answered before the next job, so that frequent questions cannot delay jobs forever. Thread: any.
 class JobQueue
 {
 public:
-    /// More samples than this never wait: then every other one of those that wait is dropped, but for the stroke's
-    /// first and its last.
+    /// Limit of waiting samples. Beyond it every second waiting sample is dropped, except the stroke's first sample and
+    /// the last one.
     static constexpr std::size_t maxWaitingSamples = 16;
 
     void push(Job job);
-    /// Takes the place of the viewer's question before, if that is not answered yet.
+    /// Sets the viewer's question. Replaces an earlier question that is not answered yet.
     void ask(const Question& question);
-    /// No job is given out any more.
+    /// Drops all jobs; next() returns nothing from now on.
     void stop();
 
-    /// Waits for a question or a job; nothing after stop().
+    /// Waits for a question or a job and returns it; nothing after stop().
     std::optional<std::variant<Question, Job>> next();
-    /// All that wait now, by Source.
+    /// Returns all waiting questions, by Source, and removes them.
     std::array<std::optional<Question>, sourceCount> takeQuestions();
     bool hasSample() const;
     std::uint64_t droppedSamples() const;
@@ -87,11 +86,11 @@ private:
     mutable std::mutex m_mutex;
     std::condition_variable m_wake;
     std::deque<Job> m_jobs;
-    std::size_t m_waitingSamples = 0; ///< at the end of m_jobs
-    bool m_strokeBegan = false;       ///< and no sample followed yet
+    std::size_t m_waitingSamples = 0; ///< number of samples at the end of m_jobs
+    bool m_strokeBegan = false;       ///< a stroke has begun and no sample of it has been posted yet
     std::uint64_t m_dropped = 0;
     std::array<std::optional<Question>, sourceCount> m_questions;
-    std::array<bool, sourceCount> m_hasAsked{}; ///< since the last job was given out
+    std::array<bool, sourceCount> m_hasAsked{}; ///< viewers whose question was returned since the last job
     bool m_stopped = false;
 };
 } // namespace app

@@ -11,9 +11,9 @@ namespace app
 {
 namespace
 {
-constexpr core::Slot slotsPerJob = 1 << 16; ///< well below a millisecond
+constexpr core::Slot slotsPerJob = 1 << 16; ///< takes well below 1 ms
 
-/// 0 for a free face: its corners are one.
+/// Returns the area of a face, mm^2; 0 for a free face, since its corners are equal.
 double areaOf(const core::Mesh& mesh, core::Slot f)
 {
     const core::Triangle& t = mesh.corners(f);

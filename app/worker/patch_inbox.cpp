@@ -19,7 +19,7 @@ void PatchInbox::put(core::MeshPatch patch)
     bool announce = false;
     {
         const std::lock_guard lock(m_mutex);
-        std::swap(m_patch, older); // an outdated one is freed after the lock
+        std::swap(m_patch, older); // an outdated patch is freed after the lock is released
         announce = !std::exchange(m_announced, true);
     }
     if (announce)

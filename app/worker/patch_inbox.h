@@ -9,8 +9,8 @@
 
 namespace app
 {
-/// The place where one viewer finds what it must draw anew: at most one patch, newer ones merge into it. One thread
-/// puts, one takes; neither waits for the other longer than a move, for merging is done outside the lock.
+/// Holds the changes that one viewer has not drawn yet. It has at most one patch; newer patches are merged into it. One
+/// thread calls put(), another take(). Merging is done outside the lock, so neither waits for it.
 class PatchInbox : public QObject
 {
     Q_OBJECT
@@ -18,13 +18,14 @@ class PatchInbox : public QObject
 public:
     using QObject::QObject;
 
-    /// Emits filled() if the viewer has taken since the last one.
+    /// Adds a patch. Emits filled() if the viewer has called take() since the last filled().
     void put(core::MeshPatch patch);
-    /// Nothing while the inbox is empty; also for the moment in which put() merges, then filled() follows.
+    /// Returns the patch and removes it; nothing if the inbox is empty. Also returns nothing while put() is merging;
+    /// filled() follows.
     std::optional<core::MeshPatch> take();
 
 Q_SIGNALS:
-    /// Once per fill, on the thread that put: connect it queued.
+    /// Emitted once per fill, on the thread that calls put(): use a queued connection.
     void filled();
 
 private:

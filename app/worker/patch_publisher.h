@@ -14,34 +14,34 @@ namespace app
 {
 struct WorkerStats
 {
-    quint64 samples = 0; ///< that the engine consumed
+    quint64 samples = 0; ///< samples consumed by the engine
     quint64 droppedSamples = 0;
     quint64 patches = 0;
-    double latencyMs = 0; ///< from a sample's post to its patch in the inbox, the last
+    double latencyMs = 0; ///< time from posting the latest sample to its patch in the inboxes, ms
     double worstLatencyMs = 0;
 };
 
-/// Puts what changed in the mesh into the viewers' inboxes, and measures how late. Thread: mesh, except stats().
+/// Puts changes of the mesh into the viewers' inboxes, and measures the latency. Thread: mesh, except stats().
 class PatchPublisher
 {
 public:
     void setInbox(Source source, std::shared_ptr<PatchInbox> inbox);
     void putWhole(const core::MeshPatch& whole);
-    /// Takes the sculptor's patch and puts it into every inbox. Returns the patch; nothing if it is empty, or patches
-    /// are hidden.
+    /// Puts the sculptor's patch into every inbox and returns it. Returns nothing if the patch is empty or patches are
+    /// hidden.
     std::optional<core::MeshPatch> flush(core::Sculptor& sculptor);
-    /// The last flush was so long ago that viewers should see something new.
+    /// Returns whether the last flush was more than half a frame ago.
     bool isDue() const;
-    /// While hidden, nothing is flushed.
+    /// Sets whether patches are hidden: then flush() does nothing.
     void setHidden(bool isHidden) { m_isHidden = isHidden; }
     void beginSample(std::int64_t postedNs) { m_sampledNs = postedNs; }
     void endSample() { m_sampledNs = 0; }
-    /// One more sample was consumed.
+    /// Counts a consumed sample.
     void countSample();
-    /// The epoch of the last patch.
+    /// Returns the epoch of the last patch.
     quint64 epoch() const { return m_epoch; }
 
-    /// Without dropped samples. Thread: any.
+    /// Returns the statistics, except for dropped samples. Thread: any.
     WorkerStats stats() const;
 
 private:
@@ -51,9 +51,9 @@ private:
     std::array<std::shared_ptr<PatchInbox>, sourceCount> m_inboxes;
     bool m_isHidden = false;
     quint64 m_epoch = 0;
-    std::int64_t m_sampledNs = 0; ///< when the sample in work was posted; 0: none is
+    std::int64_t m_sampledNs = 0; ///< time of posting of the present sample, ns; 0: none
     std::int64_t m_flushedNs = 0;
-    mutable std::mutex m_mutex; ///< guards the next
+    mutable std::mutex m_mutex; ///< guards m_stats
     WorkerStats m_stats;
 };
 } // namespace app

@@ -1,6 +1,6 @@
-// The thread's loop: each viewer's newest question, then the next job. A stroke's jobs are BeginStroke, Sample...,
-// EndStroke; what the engine changed goes to the viewers' inboxes at a sub-step's end, at most once a frame while
-// samples wait.
+// The thread's loop answers each viewer's newest question, then runs the next job. A stroke consists of the jobs
+// BeginStroke, Sample..., EndStroke. Changes are sent to the viewers' inboxes at the end of a sub-step, at most once
+// per half frame while samples are waiting.
 #include "app/worker/sculpt_worker.h"
 
 #include "app/worker/stroke_step.h"
@@ -170,7 +170,7 @@ void SculptWorker::finish(StrokeReport report)
     notify([this, report = std::move(report)] { Q_EMIT strokeFinished(report); });
 }
 
-/// Runs notifications in order, once the changes before them are recorded.
+/// Posts the notification to the gui thread, after all earlier changes have been recorded in the journal.
 void SculptWorker::notify(std::function<void()> notification)
 {
     auto post = [this, notification = std::move(notification)]() mutable { m_mailbox.post(std::move(notification)); };
@@ -199,7 +199,7 @@ void SculptWorker::replaceJournal(std::shared_ptr<core::Journal> journal)
         before->drain();
 }
 
-/// Precondition: the mesh is valid and its index up to date, so that viewers may see it and ask.
+/// Answers questions and sends changes to the viewers. Precondition: the mesh is valid and its octree is up to date.
 void SculptWorker::betweenSubsteps()
 {
     for (const std::optional<Question>& question : m_queue.takeQuestions())

@@ -31,7 +31,7 @@ public:
     explicit SculptWorker(QObject* parent = nullptr);
     ~SculptWorker() override;
 
-    /// Ends the thread after the present job, and drops the others.
+    /// Ends the thread after the present job, and drops all other jobs.
     void stop();
 
     /// Sets the inbox from which viewer `source` draws. It gets the whole mesh first, then the changes. Null: none.
@@ -54,7 +54,7 @@ public:
     /// Runs a job on the mesh thread, between strokes and samples. Viewers get its changes. Without a model the job is
     /// dropped.
     void post(std::function<void(core::Sculptor&)> job);
-    /// Emits confirmed() once everything posted before is done, and is recorded so that it would survive the program.
+    /// Emits confirmed() once everything posted before is done and recorded, so that it would survive a crash.
     void confirm();
 
     WorkerStats stats() const;
@@ -66,19 +66,19 @@ Q_SIGNALS:
     void strokeFinished(const app::StrokeReport& report);
     /// Answers confirm().
     void confirmed();
-    /// Answers ask(Source::Desktop, ...). `footprint`: the brush's, if the question has a brush that follows the
-    /// surface and the ray hits; else null. `epoch`: of the last patch that viewers got before the answer.
+    /// Answers ask(Source::Desktop, ...). `footprint`: footprint of the question's brush if it follows the surface and
+    /// the ray hits; null otherwise. `epoch`: epoch of the last patch that viewers got before the answer.
     void answeredDesktop(const std::optional<core::SurfaceHit>& hit,
                          const std::shared_ptr<const core::Footprint>& footprint, quint64 epoch);
-    /// Answers ask(Source::Headset, ...). Thread: mesh, so that no window delays it; connect it directly.
+    /// Answers ask(Source::Headset, ...). Thread: mesh, so that the window cannot delay it; use a direct connection.
     void answeredHeadset(const std::optional<core::SurfaceHit>& hit,
                          const std::shared_ptr<const core::Footprint>& footprint, quint64 epoch);
     /// Answers ask(Source::Simulator, ...).
     void answeredSimulator(const std::optional<core::SurfaceHit>& hit);
     /// Emitted after each sample of the headset. `fusions`: number of surfaces joined or parted. `shortfall`: the most
-    /// important one of its dabs. Thread: mesh; connect it directly.
+    /// important shortfall of the sample's dabs. Thread: mesh; use a direct connection.
     void sampledHeadset(quint64 fusions, core::Shortfall shortfall);
-    /// Emitted with exact facts some time after the last change.
+    /// Emitted with the exact facts some time after the last change.
     void factsChanged(const app::MeshFacts& facts);
 
 private:
@@ -99,13 +99,13 @@ private:
     JobQueue m_queue;
     StrokeGate m_gate;
 
-    // The mesh thread's own.
+    // State of the mesh thread.
     std::shared_ptr<core::Sculptor> m_sculptor;
     std::shared_ptr<core::Journal> m_journal;
     StrokeRunner m_runner;
     PatchPublisher m_publisher;
     MeshFactsScan m_scan;
 
-    std::thread m_thread; ///< last: it uses the others
+    std::thread m_thread; ///< last member: the thread uses the other members
 };
 } // namespace app

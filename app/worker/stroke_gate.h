@@ -8,7 +8,8 @@
 
 namespace app
 {
-/// Lets one source at a time sculpt, and posts its stroke to the mesh thread. Thread: any; returns at once.
+/// Lets one source at a time sculpt, and posts its stroke to the mesh thread. Thread: any; all functions return at
+/// once.
 class StrokeGate : public QObject
 {
     Q_OBJECT
@@ -17,28 +18,28 @@ public:
     /// The queue is not owned.
     explicit StrokeGate(JobQueue* queue) : m_queue(queue) {}
 
-    /// False, and refused() from here, if another source's stroke is open, or the gate is held. Each stroke that was
-    /// begun is reported once by SculptWorker::strokeFinished(). A pull that may add a sphere (settings.add) does so
-    /// by its first dab, where nothing is under the brush, and goes on as a pull. With settings.join only the first
-    /// sample counts.
+    /// Begins a stroke. Returns false and emits refused() if another source's stroke is open or the gate is held. Each
+    /// stroke that begins is reported once by SculptWorker::strokeFinished().
+    /// A pull with settings.add adds a sphere by its first dab if nothing is under the brush, and continues as a pull.
+    /// With settings.join only the first sample counts.
     bool beginStroke(Source source, const core::StrokeSettings& settings);
     void addSample(Source source, const core::StrokeSample& sample);
     void endStroke(Source source, core::StrokeEnd how = core::StrokeEnd::Kept);
-    /// A stroke of one sample that adds a sphere at its position (settings.add) and does nothing else: where the brush
-    /// would touch the surface it is refused as too close, or with settings.join becomes part of the model. As
-    /// beginStroke().
+    /// Posts a stroke of one sample that only adds a sphere at its position (settings.add). If the brush would touch
+    /// the surface, the sphere is refused as too close, or with settings.join becomes part of the model. Returns false
+    /// as beginStroke() does.
     bool addSphere(Source source, const core::StrokeSettings& settings, const core::StrokeSample& sample);
 
-    /// From now on strokes are refused: the mesh stays as it is except for jobs. False if a stroke is open.
+    /// Refuses strokes until release(), so that only jobs change the mesh. Returns false if a stroke is open.
     bool hold();
     void release();
-    /// Ends the stroke that is open, and runs the task on the mesh thread before any other stroke.
+    /// Ends the open stroke, if there is one, and runs the task on the mesh thread before any other stroke.
     void pushAfterStroke(Task task);
-    /// One more stroke, which the worker does itself.
+    /// Counts a stroke that the worker begins itself.
     void countStroke() { ++m_begun; }
 
     bool isOpen() const;
-    /// The number of strokes ever begun.
+    /// Returns the number of strokes begun so far.
     quint64 begun() const { return m_begun; }
 
 Q_SIGNALS:
@@ -49,7 +50,7 @@ private:
 
     JobQueue* m_queue;
     std::atomic<quint64> m_begun = 0;
-    mutable std::mutex m_mutex; ///< guards the next two
+    mutable std::mutex m_mutex; ///< guards m_openSource and m_isHeld
     std::optional<Source> m_openSource;
     bool m_isHeld = false;
 };

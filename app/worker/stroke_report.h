@@ -16,45 +16,48 @@ class Sculptor;
 
 namespace app
 {
-/// What the window says of the mesh.
+/// Facts about the mesh that the window shows.
 struct MeshFacts
 {
     quint64 vertices = 0;
     quint64 faces = 0;
-    core::Box box;            ///< mm; right after a stroke it may still be larger than the mesh
-    double area = 0;          ///< mm^2; of the mesh some time ago, as the box
-    double uniformDetail = 0; ///< mm
-    double minDetail = 0;     ///< mm; the finest d_detail that the lattice holds
+    core::Box box;            ///< mm; larger than the mesh until a scan after the stroke has ended
+    double area = 0;          ///< mm^2; may be out of date until a scan after the stroke has ended
+    double uniformDetail = 0; ///< target edge length of uniform topology, mm
+    double minDetail = 0;     ///< finest d_detail that the lattice supports, mm
 };
 
-/// A stroke that has ended, in the order of the strokes' beginnings.
+/// The result of a finished stroke. Reports come in the order in which the strokes began.
 struct StrokeReport
 {
-    std::shared_ptr<core::MeshDelta> delta;              ///< already applied; null if nothing changed
-    std::shared_ptr<const core::FileEntry> recordedStep; ///< the core::Stroke that did it; null if nothing changed
+    std::shared_ptr<core::MeshDelta> delta; ///< change of the mesh, already applied; null if nothing changed
+    /// the core::Stroke that made the change; null if nothing changed
+    std::shared_ptr<const core::FileEntry> recordedStep;
     core::Tool tool = core::Tool::Pull;
     quint64 dabs = 0;
     quint64 fusions = 0;
-    core::Shortfall shortfall = core::Shortfall::None; ///< the one of its dabs that is most worth telling
-    bool added = false;                                ///< a sphere, or the brush's model
-    bool hasModel = false;                             ///< the brush
-    bool asymmetric = false; ///< mirrored where the model is not symmetric: some dabs were done as two
-    /// Radial where the model is not its own image by the turn, or over the axis: some dabs were done one by one.
+    core::Shortfall shortfall = core::Shortfall::None; ///< the most important shortfall of the stroke's dabs
+    bool added = false;                                ///< whether it added a sphere or the brush's model
+    bool hasModel = false;                             ///< whether the brush is a model
+    /// whether some mirrored dabs were done one after the other, because the model is not symmetric
+    bool asymmetric = false;
+    /// Whether some dabs of a radial stroke were done one after the other, because the model is not radially symmetric
+    /// or the brush reached over the axis.
     bool sequential = false;
-    bool isReplacement = false; ///< of SculptWorker::replaceLastStroke()
+    bool isReplacement = false; ///< whether it is from SculptWorker::replaceLastStroke()
     MeshFacts facts;
 
-    /// The stroke that was recorded; null if nothing changed.
+    /// Returns the recorded stroke; null if nothing changed.
     const core::Stroke* stroke() const { return std::get_if<core::Stroke>(recordedStep.get()); }
 };
 
-/// Another stroke in place of one that was undone.
+/// A request to replace an undone stroke by another one.
 struct StrokeReplacement
 {
-    StrokeReport before; ///< of the one that was undone
-    /// Applies its change again; thread: mesh.
+    StrokeReport before; ///< report of the undone stroke
+    /// Applies the change of the undone stroke again. Thread: mesh.
     std::function<std::shared_ptr<core::MeshDelta>(core::Sculptor&)> restoreReplaced;
-    std::shared_ptr<const core::Stroke> stroke; ///< null: the one that was undone comes back, bit for bit
-    std::stop_token stop;                       ///< before this is done, the one that was undone comes back as well
+    std::shared_ptr<const core::Stroke> stroke; ///< the new stroke; null: the undone stroke is restored, bit for bit
+    std::stop_token stop; ///< if it is requested before the new stroke is done, the undone stroke is restored
 };
 } // namespace app

@@ -15,7 +15,7 @@ bool canAdd(const core::StrokeSettings& settings)
     return settings.add && core::canAddSolid(settings.tool) && isFree(settings);
 }
 
-/// Returns whether it says why a solid was not added.
+/// Returns whether the shortfall is a reason why a solid was not added.
 bool isRefusal(core::Shortfall shortfall)
 {
     using enum core::Shortfall;
@@ -46,7 +46,7 @@ void StrokeRunner::begin(const BeginStroke& stroke)
         m_sculptor->beginStroke(stroke.settings);
 }
 
-/// Clears the report: what the dabs so far have done is taken back, or there are none.
+/// Clears the report. Called at the beginning of a stroke, or after its dabs were taken back.
 void StrokeRunner::forgetDabs()
 {
     m_report = {};
@@ -56,8 +56,8 @@ void StrokeRunner::forgetDabs()
         m_fusionsBefore = m_sculptor->totals().fusions;
 }
 
-/// Whether a pull here would move something instead of adding a sphere, at this place, in another sector or at a mirror
-/// image.
+/// Returns whether a pull would move vertices instead of adding a sphere, at this place or at any of its mirror and
+/// radial images.
 bool StrokeRunner::touches(const core::StrokeSample& sample) const
 {
     const core::Vec3 position = sample.rotation.conjugate() * sample.position;
@@ -66,8 +66,8 @@ bool StrokeRunner::touches(const core::StrokeSample& sample) const
     });
 }
 
-/// Returns whether the sample has no effect. A stroke that is only to add a solid does so at its first sample, unless
-/// that touches a surface which it may not join.
+/// Returns whether the sample has no effect. A stroke that only adds a solid does so at its first sample, and only if
+/// it is allowed to join any surface that it touches.
 bool StrokeRunner::isOver(const core::StrokeSample& sample)
 {
     const core::StrokeSettings& settings = m_stroke.settings;
@@ -96,8 +96,8 @@ std::optional<StrokeRunner::Effect> StrokeRunner::add(const core::StrokeSample& 
     return Effect{topologyChanges() - before, m_shortfall};
 }
 
-/// Adds the sample to the stroke. `isShown`: an anchored stroke shows the dab that it would be now. The report forgets
-/// the dab shown before, which is taken back.
+/// Adds the sample to the stroke. `isShown`: an anchored stroke shows its present dab. The dab shown before is taken
+/// back, so it is removed from the report.
 void StrokeRunner::apply(const core::StrokeSample& sample, bool isShown)
 {
     using core::Sculptor;
@@ -112,7 +112,7 @@ void StrokeRunner::note(const core::DabReport& dab)
 {
     const bool hasBegun = m_report.dabs++ > 0;
     if (hasBegun && dab.touchedVertices > 0 && isRefusal(m_report.shortfall))
-        m_report.shortfall = core::Shortfall::None; // the first dab found nothing to pull, and this one does
+        m_report.shortfall = core::Shortfall::None; // the first dab found nothing to pull, but this one does
     m_report.added = m_report.added || dab.outcome == core::DabOutcome::Added;
     m_report.asymmetric = m_report.asymmetric || dab.asymmetric;
     m_report.sequential = m_report.sequential || dab.sequential;
@@ -139,7 +139,7 @@ StrokeReport StrokeRunner::end(core::StrokeEnd how)
     return std::exchange(m_report, {});
 }
 
-/// Makes the mesh what it was before the stroke in work.
+/// Restores the mesh to its state before the present stroke.
 void StrokeRunner::takeBack()
 {
     if (m_sculptor && m_sculptor->strokeOpen())

@@ -5,31 +5,32 @@
 
 namespace app
 {
-/// A spherical brush whose centre is the input's own position, not a place on the surface.
+/// Returns whether the brush is a sphere centred at the input's position instead of a point on the surface.
 bool isFree(const core::StrokeSettings& brush);
 
-/// Does one stroke after the other on the sculptor, from its settings and samples to its report. Thread: mesh.
+/// Performs strokes on the sculptor, one after the other, from their settings and samples to their reports. Thread:
+/// mesh.
 class StrokeRunner
 {
 public:
-    /// The effect of one sample.
+    /// Result of one sample.
     struct Effect
     {
-        quint64 topologyChanges = 0; ///< surfaces joined or parted
+        quint64 topologyChanges = 0; ///< number of times that surfaces joined or parted
         core::Shortfall shortfall = core::Shortfall::None;
     };
 
-    /// The sculptor must outlive the next call; its hook after dabs is this object's. Without one, strokes do nothing.
+    /// Sets the sculptor and its after-dab hook. It must stay valid until the next call. Null: strokes do nothing.
     void setSculptor(core::Sculptor* sculptor);
 
     void begin(const BeginStroke& stroke);
-    /// Returns nothing if the stroke has nothing more to do. `isNewest`: no other sample waits, so an anchored stroke
-    /// shows what it would be now.
+    /// Adds a sample. Returns nothing if the sample has no effect. `isNewest`: no other sample waits, so an anchored
+    /// stroke shows its present result.
     std::optional<Effect> add(const core::StrokeSample& sample, bool isNewest);
-    /// Returns the report without facts; of a stroke that is taken back, without a step.
+    /// Ends the stroke and returns its report, without facts. The report of a stroke that is taken back has no step.
     StrokeReport end(core::StrokeEnd how = core::StrokeEnd::Kept);
-    /// Runs begin(), add() and end(). A replacement that is stopped leaves the mesh as it was, and the stroke before
-    /// comes back.
+    /// Performs the replacement from begin() to end(). If it is stopped, the mesh is restored, and the undone stroke is
+    /// applied again.
     StrokeReport replace(const StrokeReplacement& replacement);
 
     Source source() const { return m_stroke.source; }
@@ -44,11 +45,11 @@ private:
     quint64 topologyChanges() const;
 
     core::Sculptor* m_sculptor = nullptr;
-    BeginStroke m_stroke;                      ///< in work
-    bool m_isOver = false;                     ///< the stroke was only to add a solid, and its first sample has come
-    std::vector<core::StrokeSample> m_samples; ///< of the stroke in work, for its record
-    core::Shortfall m_shortfall{};             ///< of the last sample's dabs
+    BeginStroke m_stroke;                      ///< the present stroke
+    bool m_isOver = false;                     ///< true once a stroke that only adds a solid has got its first sample
+    std::vector<core::StrokeSample> m_samples; ///< samples of the present stroke, for its record
+    core::Shortfall m_shortfall{};             ///< shortfall of the last sample's dabs
     StrokeReport m_report;
-    quint64 m_fusionsBefore = 0; ///< the stroke
+    quint64 m_fusionsBefore = 0; ///< number of fusions before the present stroke
 };
 } // namespace app

@@ -12,13 +12,13 @@ namespace app
 {
 struct StrokeReport;
 
-/// What History shows of a step besides its name, and what did it.
+/// Details of an undo step that the History panel shows besides its name, and the recorded step.
 struct StepMarks
 {
-    QString icon;     ///< of those in resources/icons
-    quint64 dabs = 0; ///< 0: it was no stroke
+    QString icon;     ///< name of an icon in resources/icons
+    quint64 dabs = 0; ///< number of dabs; 0: the step is not a stroke
     quint64 fusions = 0;
-    std::shared_ptr<const core::FileEntry> recordedStep; ///< null: not known
+    std::shared_ptr<const core::FileEntry> recordedStep; ///< the stroke or command that made the step; null: unknown
 };
 
 struct StepDescription
@@ -27,7 +27,7 @@ struct StepDescription
     StepMarks marks;
 };
 
-/// Names and icons of finished strokes, and their form in the journal.
+/// Names and icons of finished strokes, and their conversion to and from the journal's form.
 class StrokeStep
 {
     Q_DECLARE_TR_FUNCTIONS(app::StrokeStep)
@@ -35,11 +35,12 @@ class StrokeStep
 public:
     static QString textOf(core::Tool tool);
     static QString iconOf(core::Tool tool);
-    /// Of the brush's model, or of a ball.
+    /// Returns the name of a step that adds the brush's model (`isModel`) or a ball.
     static QString textOfAdding(bool isModel);
-    /// Any thread.
+    /// Returns the name and details of a reported stroke. Thread: any.
     static StepDescription descriptionOf(const StrokeReport& report);
-    /// What descriptionOf() was made of; nothing if it was no stroke, or cannot be done again without its files.
+    /// Returns the report that descriptionOf() was called with; nothing if the step is not a stroke, or if repeating it
+    /// needs an alpha or model file.
     static std::optional<StrokeReport> reportOf(const StepMarks& marks);
     static core::JournalStep forJournal(const QString& text, const StepMarks& marks);
     static StepDescription fromJournal(const core::JournalStep& step);
