@@ -23,8 +23,9 @@ struct ClassPaths
     QString outbox;
     QString turnNote;
 
-    /// Returns those of a class that begins, and brings to its outbox what waits for its folder in others: older
-    /// versions had one for each class file, and a folder that is not there is only known by one of its names.
+    /// Returns the folders of a class that begins. Works that wait for the same class folder in other outboxes are
+    /// moved to its outbox: older versions had an outbox for each class file, and a folder that does not exist is known
+    /// only by one of its paths.
     static ClassPaths prepare(const QString& classFile, const QString& folder);
     /// Returns the works that wait on this computer, for all classes.
     static QList<WaitingWorks> waiting();

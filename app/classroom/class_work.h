@@ -43,8 +43,9 @@ public:
     void begin();
     /// A callback for the end of saving. `problem`: one sentence; empty if the work is safe.
     using Done = std::function<void(const EndedTurn& ended, const QString& problem)>;
-    /// Keeps the model as the turn's work, and then delivers it, unless `done` has it held. `before`: what was done
-    /// before the document's history begins. False: other work on the model goes on, and nothing is done.
+    /// Saves the model as the turn's work, then delivers it unless `done` holds works by setHeld(). `before`: steps
+    /// made before the document's history begins. Returns false and does nothing if another job is running on the
+    /// model.
     bool save(const QString& what, const ClassTurn& turn, const TurnRecord& before, Done done);
     /// Delivers waiting works, and retries until none waits. Does nothing while works are held. Calls `then` after the
     /// first attempt.

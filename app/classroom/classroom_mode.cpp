@@ -247,7 +247,7 @@ void ClassroomMode::resume()
     const auto make = [archive = m_work.archive(), ended](const core::JobControl& control) {
         LoadedModel model;
         for (int attempt = 0; attempt < 2 && !model.sculptor && !control.isCancelled();
-             ++attempt) // between look and reading it may be delivered
+             ++attempt) // a second attempt, in case the work is delivered between locate() and load()
             model = ModelLoader::load(archive.locate(ended.folder, ended.turn.id) + QStringLiteral("/model.glb"), {},
                                       control);
         model.path.clear();

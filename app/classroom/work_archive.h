@@ -66,13 +66,14 @@ public:
 
     /// Adds the work to the outbox. If that fails, adds it to the class's folder.
     ArchivedWork add(const TurnWork& work) const;
-    /// Moves all works from the outbox to the class's folder; those that cannot be moved stay. A work that is there
-    /// already is not added twice. `isPaused`: asked before each work; true: the rest stays.
+    /// Moves all works from the outbox to the class's folder. Works that cannot be moved stay in the outbox. A work
+    /// already in the class's folder is not added twice. `isPaused` is called before each work; if it returns true, the
+    /// remaining works stay.
     Delivery deliver(const std::function<bool()>& isPaused = {}) const;
     /// Copies all works of the outbox to another folder. A work already in that folder is not added twice.
     Delivery copy(const QString& folder) const;
-    /// Adds the answers to a work that was kept in that folder, in the place of those that are there. Returns an empty
-    /// text, or a sentence that says what is wrong. Precondition: this work is not being delivered.
+    /// Saves the answers with the work in `folder`, replacing earlier answers. Returns an empty string, or one sentence
+    /// about the error. Precondition: the work is not being delivered.
     QString addAnswers(const QString& folder, const TurnAnswers& answers) const;
     /// Removes incomplete works left by a power cut: all of them in the outbox, but only those older than a day in the
     /// class's folder, where other computers may be writing.

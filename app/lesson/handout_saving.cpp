@@ -24,7 +24,7 @@ void HandoutSaving::write(const std::shared_ptr<const core::Lesson>& lesson, con
 {
     const auto write = [lesson, path] {
         try {
-            core::AtomicFile file(toPath(path)); // where nothing can be written, nothing is drawn
+            core::AtomicFile file(toPath(path)); // made first, so that nothing is drawn if the file cannot be written
             file.write(lessonHandout(*lesson, QLocale().name()).toStdString());
             file.commit();
         } catch (const core::FileError& error) {

@@ -15,7 +15,8 @@ class MainWindow;
 
 namespace app
 {
-/// Writes the handout of a lesson to a file that the window asks for. Thread: gui; the file is written on another.
+/// Writes the handout of a lesson to a file that the user chooses. Thread: gui; the file is written on a background
+/// thread.
 class HandoutSaving : public QObject
 {
     Q_OBJECT
@@ -29,6 +30,6 @@ private:
     void write(const std::shared_ptr<const core::Lesson>& lesson, const QString& path);
 
     QPointer<ui::MainWindow> m_window;
-    ui::BackgroundThread m_background; ///< last
+    ui::BackgroundThread m_background; ///< last member: its destructor waits for jobs that use the other members
 };
 } // namespace app

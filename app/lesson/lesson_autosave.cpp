@@ -13,7 +13,7 @@ namespace
 {
 constexpr int saveIntervalMs = 2000;
 constexpr char fileName[] = "lesson.zip";
-/// In the place of words that a lesson must have and has not yet: a reader takes no lesson without.
+/// Placeholder for a required text that is still missing: a lesson without it could not be read.
 constexpr char standIn[] = "\u2026", standInLanguage[] = "en";
 
 core::LessonDraft filled(core::LessonDraft draft)
@@ -45,7 +45,7 @@ void dropStandIn(core::LessonText& text)
 }
 } // namespace
 
-/// After construction used by the background thread only.
+/// Used only by the background thread after construction.
 struct LessonAutosave::Target
 {
     std::unique_ptr<core::JournalFolder> folder;
@@ -71,7 +71,7 @@ LessonAutosave::LessonAutosave(const std::filesystem::path& root, Unsaved unsave
     m_timer.start(saveIntervalMs);
 }
 
-/// A regular end: unsaved changes were discarded.
+/// Removes the file. After a regular end, unsaved changes have been discarded.
 LessonAutosave::~LessonAutosave()
 {
     m_background.run([target = m_target] {
@@ -130,7 +130,7 @@ void LessonAutosave::saveIfChanged()
             if (!target->folder)
                 target->folder = core::JournalFolder::make(root);
             core::writeLesson(target->folder->path() / fileName, filled(draft).complete({}));
-        } catch (const core::FileError&) { // what was kept before stays
+        } catch (const core::FileError&) { // the earlier file remains
         } catch (const std::bad_alloc&) {
         }
     });

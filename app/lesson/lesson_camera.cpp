@@ -9,12 +9,14 @@ namespace app
 namespace
 {
 constexpr double degree = std::numbers::pi / 180;
-constexpr double lowest = -30 * degree, highest = 60 * degree; ///< that the view goes to by itself
-constexpr double border = 0.05;                                ///< of the picture: what is there is hardly seen
-constexpr double behind = 0.3;      ///< of the way to the brush, away from the eye: the model is before it
-constexpr int betweenFlights = 800; ///< ms
+/// limits of the pitch that the view is turned to, radians
+constexpr double lowest = -30 * degree, highest = 60 * degree;
+constexpr double border = 0.05; ///< share of the picture at each edge that counts as hidden
+/// largest share of the brush's distance from the model's centre that it may lie behind the centre
+constexpr double behind = 0.3;
+constexpr int betweenFlights = 800; ///< shortest time between two camera movements, ms
 
-/// Box of the model and of the places where the teacher's brush is: what rays meet is the model itself.
+/// Returns the box of the model and of the demonstration's brushes. Brushes placed by a ray are on the model itself.
 core::Box reachOf(const core::LessonStep& step, core::Box box)
 {
     for (const core::FileEntry& entry : step.strokes)
@@ -50,7 +52,8 @@ bool LessonCamera::isInSight(const core::Sphere& shown) const
            at.y() < (1 - border) * size.y() && outward.dot(camera.viewDirection()) < behind * outward.norm();
 }
 
-/// Turns with the turntable, so that the brush stands still; else flies to where the brush is, if that is hidden.
+/// Turns the view together with the turntable, so that the brush stands still in the picture. Otherwise moves the
+/// camera to the brush if it is hidden.
 void LessonCamera::follow(const core::GhostBrush& ghost, const core::Sphere& shown)
 {
     if (!m_viewport)

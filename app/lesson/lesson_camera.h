@@ -10,25 +10,26 @@
 
 namespace app
 {
-/// Turns the view to where a step works, and keeps the teacher's brush in sight. Thread: gui.
+/// Turns the view to the working area of a step, and keeps the demonstration's brush visible. Thread: gui.
 class LessonCamera
 {
 public:
-    /// Takes no ownership.
+    /// Does not own the viewport.
     explicit LessonCamera(ui::Viewport* viewport) : m_viewport(viewport) {}
 
-    /// Flies to the step's view, where it has one, so that the model and all that the teacher does are in the picture.
+    /// Moves the camera to the step's view, if it has one, so that the model and the whole demonstration are visible.
     void show(const core::LessonStep& step);
-    /// Follows the teacher's brush, which has moved. `shown`: where it meets the model.
+    /// Follows the moving brush of the demonstration. `shown`: the brush at the place where it meets the model, mm.
     void follow(const core::GhostBrush& ghost, const core::Sphere& shown);
-    /// Forgets the last brush: the teacher begins, or is done.
+    /// Forgets the last brush. Called when the demonstration begins or ends.
     void rest() { m_turned.reset(); }
 
 private:
     bool isInSight(const core::Sphere& shown) const;
 
     QPointer<ui::Viewport> m_viewport;
-    std::optional<double> m_turned; ///< radians: the model on the turntable, when the brush moved last
+    /// rotation of the model on the turntable at the last movement of the brush, radians
+    std::optional<double> m_turned;
     QElapsedTimer m_sinceFlight;
 };
 } // namespace app

@@ -5,10 +5,10 @@
 
 namespace app
 {
-/// Returns a picture of the lesson by its name there; null if it has none.
+/// Returns the lesson's picture with this name; null if there is none.
 QImage pictureOf(const core::Lesson& lesson, const std::string& picture);
-/// Returns what a lesson is chosen by: its words in the person's language, and the picture of its end.
+/// Returns the card shown when choosing a lesson: texts in the user's language, and the picture of the last step.
 ui::LessonCard cardOf(const QString& name, const core::Lesson& lesson);
-/// Returns the cards of the lessons that come with the program.
+/// Returns the cards of the bundled lessons.
 QList<ui::LessonCard> bundledLessonCards();
 } // namespace app

@@ -10,7 +10,8 @@ namespace app
 {
 namespace
 {
-/// 128 at the tolerance, as a fault begins.
+/// Returns the distances as shades. A distance equal to the tolerance becomes 128, the value at which faults are
+/// coloured.
 std::shared_ptr<const core::Footprint> shadesOf(std::vector<core::Slot> slots, const core::TargetVerdict& target)
 {
     auto shades = std::make_shared<core::Footprint>();
@@ -66,7 +67,7 @@ LessonChecker::Result LessonChecker::evaluate(const ModelCopy& copy, const Lesso
         try {
             playback.goTo(position.step);
             target = playback.target();
-        } catch (const core::LessonError&) { // of a step that cannot be played: who plays it is told
+        } catch (const core::LessonError&) { // the step cannot be played; the code that plays it reports the error
             return {};
         }
     }

@@ -9,7 +9,7 @@
 
 namespace app
 {
-/// Checks whether the model meets a lesson step's checkpoint, whenever it has been idle for a moment.
+/// Checks whether the model meets the checkpoint of a lesson step, when it has not changed for 0.7 s.
 class LessonChecker : public IdleAnalysis
 {
     Q_OBJECT
@@ -21,8 +21,8 @@ public:
     void setPosition(const LessonPlace& position);
 
 Q_SIGNALS:
-    /// `shades`: of the model's vertices as ui::PrintScale has them, 128 at the tolerance; null where there is no
-    /// target.
+    /// `shades`: one value per vertex for drawing by ui::PrintScale, 128 at the tolerance; null if the checkpoint has
+    /// no target.
     void finished(const core::CheckpointVerdict& verdict, const std::shared_ptr<const core::Footprint>& shades);
 
 private:
@@ -34,8 +34,8 @@ private:
     static Result evaluate(const ModelCopy& copy, const LessonPlace& position, const std::stop_token& stop);
     void analyse(const std::shared_ptr<ModelCopy>& copy, const std::stop_token& stop) override;
 
-    std::mutex m_mutex; ///< of the next one, which the mesh thread reads
+    std::mutex m_mutex; ///< guards m_position, which the mesh thread reads
     LessonPlace m_position;
-    ui::BackgroundThread m_background; ///< last
+    ui::BackgroundThread m_background; ///< last member: its destructor waits for jobs that use the other members
 };
 } // namespace app

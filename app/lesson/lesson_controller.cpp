@@ -18,7 +18,7 @@ namespace app
 {
 namespace
 {
-/// Returns what the step's tools come with: "Pull 42 mm, Smooth 26 mm".
+/// Returns the brushes of the step as text: "Pull 42 mm, Smooth 26 mm".
 QString brushText(const core::LessonStep& step)
 {
     QStringList brushes;
@@ -41,7 +41,7 @@ ui::LessonPage pageOf(const core::Lesson& lesson, std::size_t index)
             brushText(step)};
 }
 
-/// Returns what a step asks for, before anything is measured.
+/// Returns the goals of a step, none of them met, before anything is measured.
 QList<ui::LessonMark> askedMarks(const core::LessonStep& step)
 {
     QList<ui::LessonMark> marks;
@@ -122,7 +122,7 @@ void LessonController::openLesson(std::shared_ptr<const core::Lesson> lesson, co
     m_document->opener().openMade({tr("Opening %1").arg(inOurLanguage(lesson->title)), make, lesson});
 }
 
-/// Another model is here: the lesson's start, or the end of the lesson.
+/// Called when a model was opened: begins the lesson if this is its start, otherwise ends the open lesson.
 void LessonController::begin()
 {
     leave();
@@ -139,7 +139,8 @@ void LessonController::start(const LessonPlace& place)
     m_path = place.path;
     m_teacher.setLesson(m_lesson);
     m_window->viewport()->navigation()->turnTo(ui::OrbitCamera::Side::Front);
-    for (std::size_t step = 0; step <= place.step; ++step) // Back leads to each of them
+    // enters all earlier steps, so that Back can return to each of them
+    for (std::size_t step = 0; step <= place.step; ++step)
         m_teacher.enter(step);
     show();
 }
@@ -183,7 +184,7 @@ void LessonController::show()
     m_checker->setPosition({m_lesson, m_path, step});
 }
 
-/// Lets the pupil go on with all tools. What is still to be measured is waited for; what comes after it does not count.
+/// Shows the end page and offers all tools. A measurement in progress still counts; later changes do not.
 void LessonController::showEnd()
 {
     m_isAtEnd = true;
@@ -194,8 +195,8 @@ void LessonController::showEnd()
     m_panel->showPage(m_progress.endOf(*m_lesson, canExport), m_progress.marksOf(*m_lesson));
 }
 
-/// Forward with the model as it is, or with all that the teacher does, never with half of it; back to the model as it
-/// was.
+/// Moves to a step. Going forward keeps the model, or first completes a demonstration in progress. Going back restores
+/// the model as it was in that step.
 void LessonController::goTo(int step)
 {
     const auto target = static_cast<std::size_t>(step);
@@ -239,7 +240,7 @@ void LessonController::showVerdict(const core::CheckpointVerdict& verdict,
     shade();
 }
 
-/// Leaves the marks of the model as it was until this one is measured.
+/// Shows the previous marks as out of date until the changed model is measured.
 void LessonController::keepMarks()
 {
     m_isMet.reset();
@@ -249,7 +250,7 @@ void LessonController::keepMarks()
     shade();
 }
 
-/// Ticks nothing in a model of the teacher's: the pupil has not done it.
+/// Returns the marks of the step. No goal counts as met in a model made by the demonstration.
 QList<ui::LessonMark> LessonController::marksOf(const core::CheckpointVerdict& verdict)
 {
     m_isMet.reset();

@@ -18,23 +18,23 @@ class MainWindow;
 
 namespace app
 {
-/// Gives lessons in the window: opens them with their start as the document, goes from step to step, and shows what the
-/// checkpoint finds. Thread: gui.
+/// Gives lessons in the window: opens a lesson's start as the document, moves from step to step, and shows the result
+/// of each checkpoint. Thread: gui.
 class LessonController : public QObject
 {
     Q_OBJECT
 
 public:
-    /// All must outlive it but for the window: a child of the document.
+    /// A child of the document. The document must outlive it; the window need not.
     LessonController(ui::MainWindow& window, Document& document);
 
-    /// Begins a lesson with the model that is open, or goes on with it at a later step.
+    /// Begins a lesson with the open model, or continues it at a later step.
     void start(const LessonPlace& place);
-    /// Returns where the lesson is; nothing if none is open.
+    /// Returns the present place in the lesson; nothing if no lesson is open.
     std::optional<LessonPlace> place() const;
-    /// Stops the teacher. Returns where the lesson is; nothing if none is open.
+    /// Stops the demonstration. Returns the present place in the lesson; nothing if no lesson is open.
     std::optional<LessonPlace> stop();
-    /// Ends the lesson, if there is one: the model stays, and the brush is the pupil's own.
+    /// Ends the open lesson, if there is one. The model stays, and the pupil's own brush settings are restored.
     void leave();
 
 private:
@@ -59,11 +59,12 @@ private:
     StepBrushes m_brushes;
     LessonProgress m_progress;
     HandoutSaving m_handout;
-    bool m_isAtEnd = false;      ///< the page after the last step is shown
-    std::optional<bool> m_isMet; ///< the step's checkpoint, by the model as it was last judged
-    std::shared_ptr<const core::Lesson> m_lesson, m_opening; ///< null: none
+    bool m_isAtEnd = false;      ///< whether the page after the last step is shown
+    std::optional<bool> m_isMet; ///< whether the model met the checkpoint when last measured; nothing: not measured
+    /// the open lesson, and the lesson whose model is being opened; null: none
+    std::shared_ptr<const core::Lesson> m_lesson, m_opening;
     std::filesystem::path m_path, m_openingPath;
     std::shared_ptr<const core::Footprint> m_shades;
-    ui::BackgroundThread m_background; ///< last
+    ui::BackgroundThread m_background; ///< last member: its destructor waits for jobs that use the other members
 };
 } // namespace app

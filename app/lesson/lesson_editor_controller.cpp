@@ -34,10 +34,10 @@ ui::LessonStroke describe(const core::FileEntry& entry)
             StrokeStep::iconOf(std::get<core::Stroke>(entry).settings.tool)};
 }
 
-/// Of no draft.
+/// a revision that no draft has
 constexpr std::uint64_t nothingWritten = ~std::uint64_t(0);
 
-/// By name and title alone.
+/// Returns cards of the bundled lessons with name and title only.
 QList<ui::LessonCard> titleCards()
 {
     QList<ui::LessonCard> all;
@@ -47,7 +47,7 @@ QList<ui::LessonCard> titleCards()
     return all;
 }
 
-/// What one is asked for most: a whole number of millimetres that the model itself has.
+/// Returns suggested goals that the model meets: genus, components, minimum height in whole mm, and printability.
 std::vector<core::FactBounds> factsOf(const core::TriangleMesh& mesh)
 {
     using core::Fact;
@@ -120,7 +120,7 @@ void LessonEditorController::enableAutosave(const std::filesystem::path& root)
         m_window->showNotice(tr("An unsaved lesson was kept: Sculpt > Record Lesson lists it."));
 }
 
-/// Lists the lessons, those that were not saved first.
+/// Lists the lessons, unsaved ones first.
 void LessonEditorController::showLessons()
 {
     QList<ui::LessonCard> cards;
@@ -131,7 +131,7 @@ void LessonEditorController::showLessons()
     m_panel->setLessons(cards + titleCards());
 }
 
-// --- what is worked on
+// --- opening and closing lessons
 
 void LessonEditorController::start(const std::optional<core::Starter>& starter)
 {
@@ -144,7 +144,8 @@ void LessonEditorController::start(const std::optional<core::Starter>& starter)
     openAtEnd(false);
 }
 
-/// Its file is made of the model as it is; and that becomes the document, as pupils will have it.
+/// Makes a new lesson whose start file is the present model. Opens that file as the document, so that the teacher has
+/// the same model as the pupils.
 void LessonEditorController::startFromModel()
 {
     const auto bytes = std::make_shared<std::string>();
@@ -188,7 +189,7 @@ void LessonEditorController::read(const QString& pathOrName)
                      });
 }
 
-/// Still not saved, and no file's.
+/// Opens an autosaved lesson. It still counts as unsaved and has no file of its own.
 void LessonEditorController::resumeUnsaved(const QString& unsaved)
 {
     const ReadLesson read = tryToReadLesson(unsaved);
@@ -200,7 +201,7 @@ void LessonEditorController::resumeUnsaved(const QString& unsaved)
     showLessons();
 }
 
-/// A lesson without steps gets one.
+/// Opens a lesson for editing. A lesson without steps gets one.
 void LessonEditorController::setLesson(core::Lesson lesson, const QString& path)
 {
     stopRecording();
@@ -229,12 +230,12 @@ void LessonEditorController::record(bool on)
     on ? openAtEnd(m_isAllRecorded) : m_document->queue().enqueue([this] { stopRecording(); });
 }
 
-/// The model that the steps leave, to the bit as the lesson will be played.
+/// Opens the model at the end of the lesson's steps, bit for bit as the lesson will be played.
 void LessonEditorController::openAtEnd(bool discardsChanges, bool isUnsaved)
 {
     m_opening = std::make_shared<const core::Lesson>(m_draft.complete({}));
     LessonModel model{m_opening, toPath(m_path), m_draft.steps()};
-    if (model.lesson->title.words.empty()) // of a lesson that has just begun
+    if (model.lesson->title.words.empty()) // a new lesson has no title yet
         model.name =
             std::holds_alternative<core::Starter>(m_opening->start) ? tr("New Lesson") : m_document->modelInfo().name;
     const auto make = [model, isUnsaved](const core::JobControl& control) {
@@ -287,7 +288,7 @@ void LessonEditorController::addFacts()
     });
 }
 
-// --- what would be lost
+// --- asking about unsaved changes
 
 bool LessonEditorController::hasChanges() const
 {

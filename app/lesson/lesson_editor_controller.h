@@ -21,16 +21,17 @@ namespace app
 {
 class Document;
 
-/// Edits a teacher's lesson in the window: records it from the document, changes, checks and writes it. Thread: gui.
+/// Edits a lesson in the window: records steps from the document, changes them, and checks and writes the lesson.
+/// Thread: gui.
 class LessonEditorController : public QObject
 {
     Q_OBJECT
 
 public:
-    /// All must outlive it but for the window: a child of the document.
+    /// A child of the document. The document must outlive it; the window need not.
     LessonEditorController(ui::MainWindow& window, Document& document);
 
-    /// Autosaves unsaved lessons there, and offers those that earlier runs left. To be called once.
+    /// Autosaves unsaved lessons to `root`, and offers those of earlier runs. Must be called once.
     void enableAutosave(const std::filesystem::path& root);
 
 private:
@@ -47,7 +48,8 @@ private:
     void addFacts();
     void leave();
     bool hasChanges() const;
-    /// Calls `then` at once, or when the user agrees to discard the changes; not if the user saves instead.
+    /// Calls `then` at once if nothing is unsaved, or when the user agrees to discard the changes. Does not call it if
+    /// the user saves or cancels.
     void confirmDiscard(std::function<void()> then);
 
     QPointer<ui::MainWindow> m_window;
@@ -56,12 +58,12 @@ private:
     core::LessonDraft m_draft;
     LessonRecorder m_recorder;
     LessonWriter m_writer;
-    QString m_path;              ///< of the lesson that was opened, or where it was written; empty: neither
-    std::uint64_t m_written = 0; ///< revision of the draft that is in a file
-    /// At whose end recording begins once its model is there; null: none.
+    QString m_path;              ///< file of the lesson that was opened or written last; empty: none
+    std::uint64_t m_written = 0; ///< revision of the draft that was written last
+    /// lesson whose end is being opened for recording; null: none
     std::shared_ptr<const core::Lesson> m_opening;
-    bool m_isAllRecorded = false;               ///< all steps of the document are in the lesson
-    std::unique_ptr<LessonAutosave> m_autosave; ///< null: off
-    ui::BackgroundThread m_background;          ///< last
+    bool m_isAllRecorded = false;               ///< whether the lesson contains all steps of the document
+    std::unique_ptr<LessonAutosave> m_autosave; ///< null: autosave is disabled
+    ui::BackgroundThread m_background; ///< last member: its destructor waits for jobs that use the other members
 };
 } // namespace app

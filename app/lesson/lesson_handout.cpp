@@ -19,11 +19,11 @@ namespace app
 namespace
 {
 constexpr int dotsPerInch = 300;
-constexpr double mm = dotsPerInch / 25.4; ///< in dots
+constexpr double mm = dotsPerInch / 25.4; ///< dots per mm
 constexpr double margin = 18, pictureSide = 38, distance = 6;
 constexpr double textPoints = 13, titlePoints = 15, headPoints = 22;
 
-/// Writes from the top to the bottom of a page, and then on the next.
+/// Lays out blocks from top to bottom, page after page.
 class HandoutPages
 {
 public:
@@ -32,8 +32,7 @@ public:
         m_painter.setRenderHint(QPainter::SmoothPixmapTransform);
     }
 
-    /// Adds a picture, which may be null, with text beside it. Both are on one page unless the text is longer than
-    /// that.
+    /// Adds a picture (may be null) with text beside it. A block that fits on one page is not split.
     void add(const QImage& picture, const QString& html)
     {
         const double side = picture.isNull() ? 0 : pictureSide * mm, gap = picture.isNull() ? 0 : distance * mm;
@@ -60,10 +59,11 @@ private:
         m_top = 0;
     }
 
-    /// Draws it line by line, on as many pages as it needs. The last one is taken up to `height` of the whole.
+    /// Draws the text line by line, over several pages if needed. On the last page it occupies the remainder of
+    /// `height` (dots).
     void draw(const QTextDocument& text, double left, double height)
     {
-        double before = 0; // what other pages have of the height
+        double before = 0; // part of the height drawn on earlier pages, dots
         for (QTextBlock block = text.begin(); block.isValid(); block = block.next()) {
             const QTextLayout& layout = *block.layout();
             for (int i = 0; i < layout.lineCount(); ++i) {
@@ -81,7 +81,7 @@ private:
 
     QPdfWriter* m_writer;
     QPainter m_painter;
-    double m_top = 0; ///< dots; of what comes next
+    double m_top = 0; ///< top of the next block, dots
 };
 
 QString paragraph(const QString& text, double points, bool isBold)

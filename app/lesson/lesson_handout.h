@@ -7,7 +7,7 @@
 
 namespace app
 {
-/// Returns a PDF of a lesson for pupils: its title, and of each step picture, title and text. A4, or Letter where that
-/// is the paper of the locale. Needs a QGuiApplication, whose fonts it uses.
+/// Returns a handout for pupils as PDF: the lesson's title, then picture, title and text of each step. The paper is A4,
+/// or Letter in locales that use it. Precondition: a QGuiApplication exists, because its fonts are used.
 QByteArray lessonHandout(const core::Lesson& lesson, const QString& language);
 } // namespace app

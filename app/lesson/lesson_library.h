@@ -7,13 +7,13 @@
 
 namespace app
 {
-/// The lessons that come with the program (resources/lessons), by the names of their folders, the easiest first.
+/// Returns the folder names of the bundled lessons (resources/lessons), the easiest first.
 QStringList bundledLessons();
 
-/// A lesson by its path, or by the name of one that comes with the program; a file or folder of that name goes first.
-/// Throws core::LessonError and core::FileError.
+/// Returns a lesson by its path or by the name of a bundled lesson. An existing file or folder takes precedence. Throws
+/// core::LessonError and core::FileError.
 core::Lesson readLesson(const QString& pathOrName);
-/// Reads a lesson as readLesson() does, but of two with one name that of the program: what lies in the folder that the
-/// program was started in does not count.
+/// Reads a lesson like readLesson(), but a bundled lesson takes precedence, so that files in the working directory
+/// cannot replace it.
 core::Lesson readLessonOfClass(const QString& pathOrName);
 } // namespace app

@@ -23,7 +23,7 @@ QString bytes(double count)
     return QLocale().formattedDataSize(static_cast<qint64>(count));
 }
 
-/// Shows no fraction where there is none.
+/// Returns a length in mm, without decimals if it is a whole number.
 QString millimetres(double length)
 {
     const bool isWhole = std::abs(length - std::round(length)) < 0.05;
@@ -61,7 +61,7 @@ QString LessonMessages::reason(const core::LessonError& error)
     return words.isEmpty() ? files(error) : words;
 }
 
-/// Of what lesson.json says.
+/// Returns the reason for an error in lesson.json; empty for other errors.
 QString LessonMessages::json(const core::LessonError& error)
 {
     const QString key = QString::fromStdString(error.key);
@@ -104,7 +104,7 @@ QString LessonMessages::json(const core::LessonError& error)
     }
 }
 
-/// Says what a key of lesson.json holds.
+/// Returns the type that a key of lesson.json must have.
 QString LessonMessages::wrongType(const std::string& key)
 {
     const auto isAmong = [&key](std::initializer_list<const char*> keys) {
@@ -135,7 +135,7 @@ QString LessonMessages::wrongType(const std::string& key)
                          : tr("\"%1\" must be a number, or bounds, as in {\"least\": 1, \"most\": 2}").arg(shown);
 }
 
-/// Of what it names.
+/// Returns the reason for an error in a file that lesson.json refers to; empty for other errors.
 QString LessonMessages::files(const core::LessonError& error)
 {
     switch (error.kind) {
@@ -171,7 +171,8 @@ QString LessonMessages::figure(core::Fact fact, double value)
     case core::Fact::Widest:
         return tr("%1 mm").arg(millimetres(value));
     case core::Fact::BaseArea:
-        return tr("%1 cm²").arg(QLocale().toString(value / 100, 'f', 1)); // none and much in one unit
+        // always cm², so that small and large areas have the same unit
+        return tr("%1 cm²").arg(QLocale().toString(value / 100, 'f', 1));
     case core::Fact::Volume:
         return ui::volumeText(std::abs(value));
     default:

@@ -7,25 +7,25 @@
 
 namespace app
 {
-/// Lessons in words for people.
+/// Translated texts about lessons.
 class LessonMessages
 {
     Q_DECLARE_TR_FUNCTIONS(app::LessonMessages)
 
 public:
-    /// What is wrong with a lesson: one sentence with file, place and reason.
+    /// Returns one sentence about an error in a lesson: file, place and reason.
     static QString sentence(const core::LessonError& error);
-    /// Says a goal and what the model has, in a child's words: "at least 60 mm tall (now 42.5 mm)".
+    /// Returns a goal with the measured value, in words for children: "at least 60 mm tall (now 42.5 mm)".
     static QString goal(const core::FactVerdict& verdict);
     static QString goal(const core::TargetVerdict& verdict);
-    /// Says a goal alone.
+    /// Returns a goal without a measured value.
     static QString asked(const core::FactBounds& bounds);
     static QString asked(const core::CheckpointTarget& target);
-    /// Says the goal of a step with strokes that its facts do not say.
+    /// Returns the goal that something was sculpted, for a step with strokes.
     static QString sculpted();
 
     static QString tool(core::Tool tool);
-    /// Says a tool and its size: "Pull 42 mm", or "Pull 42 mm (strength 0.7)".
+    /// Returns a tool and its radius: "Pull 42 mm", or "Pull 42 mm (strength 0.7)".
     static QString brush(const core::LessonBrush& brush);
 
 private:

@@ -22,7 +22,7 @@ QString sentenceOf(const core::LessonError& error)
     return sentence.endsWith(QLatin1Char('.')) ? sentence : sentence + QLatin1Char('.');
 }
 
-/// The first steps, stroke by stroke, so that it can be stopped between them.
+/// Plays the first `steps` steps one stroke at a time, so that it can be cancelled between strokes.
 void play(core::LessonPlayback& playback, std::size_t steps, const core::JobControl& control)
 {
     std::size_t all = 0, done = 0;
@@ -42,7 +42,7 @@ LoadedModel LessonModel::load(const core::JobControl& control) const
 {
     LoadedModel loaded;
     loaded.name = name.isEmpty() ? fileNameOf(*lesson) : name;
-    loaded.metadata.work.emplace(); // nobody did anything yet
+    loaded.metadata.work.emplace(); // a new model: its work counters start at zero
     try {
         core::LessonPlayback playback(lesson, path);
         play(playback, steps, control);

@@ -7,35 +7,35 @@
 
 namespace app
 {
-/// A lesson's model for the window, to the bit what core::LessonPlayback has: what its first `steps` steps leave, or
-/// its start. Like ModelLoader.
+/// Makes a lesson's model for the window, bit for bit as core::LessonPlayback does: the result of its first `steps`
+/// steps, or its start.
 struct LessonModel
 {
     std::shared_ptr<const core::Lesson> lesson;
-    std::filesystem::path path; ///< of the lesson, for errors
+    std::filesystem::path path; ///< path of the lesson, for error messages
     std::size_t steps = 0;
-    QString name = {}; ///< of the model; empty: the lesson's
+    QString name = {}; ///< name of the model; empty: the lesson's title
 
     LoadedModel load(const core::JobControl& control) const;
 };
 
-/// What the file holds that a lesson begins with, if it begins with this model: to be named lessonStart. Throws
-/// FileError.
+/// Returns the content of the start file of a lesson that begins with this model. The file must be called lessonStart.
+/// Throws FileError.
 std::string lessonStartOf(const core::TriangleMesh& mesh);
 inline constexpr char lessonStart[] = "start.glb";
 
 QString inOurLanguage(const core::LessonText& text);
-/// Returns the lesson's title, as files may be called; may be empty.
+/// Returns the lesson's title without characters that file names cannot have; may be empty.
 QString fileNameOf(const core::Lesson& lesson);
-/// What is chosen by its lesson.json is the folder.
+/// Returns the lesson's folder if `path` is a lesson.json, otherwise `path`.
 QString lessonOrItsFolder(const QString& path);
 
-/// A lesson, or why not: one sentence.
+/// A lesson, or one sentence why it cannot be read.
 struct ReadLesson
 {
     std::shared_ptr<const core::Lesson> lesson;
     QString problem;
 };
-/// Reads a lesson by `read`. Never throws; any thread.
+/// Reads a lesson by calling `read`. Never throws. Thread: any.
 ReadLesson tryToReadLesson(const QString& pathOrName, core::Lesson (*read)(const QString& pathOrName) = readLesson);
 } // namespace app

@@ -7,12 +7,12 @@
 
 namespace app
 {
-/// A step of a lesson.
+/// A place in a lesson: the lesson and its present step.
 struct LessonPlace
 {
-    std::shared_ptr<const core::Lesson> lesson; ///< null: none is open
-    std::filesystem::path path;                 ///< of the lesson, for errors
+    std::shared_ptr<const core::Lesson> lesson; ///< null: no lesson is open
+    std::filesystem::path path;                 ///< path of the lesson, for error messages
     std::size_t step = 0;
-    bool isTeachers = false; ///< the model there has strokes of the teacher's
+    bool isTeachers = false; ///< whether the model contains strokes of the demonstration
 };
 } // namespace app

@@ -9,17 +9,17 @@
 
 namespace app
 {
-/// Goals that a pupil has met in a lesson, and the page that says so at its end. Thread: gui.
+/// The goals that a pupil has met in a lesson, and the page that shows them at the end. Thread: gui.
 class LessonProgress
 {
     Q_DECLARE_TR_FUNCTIONS(app::LessonProgress)
 
 public:
     void clear() { m_goals.clear(); }
-    /// Takes what was last measured in the step, and forgets the steps after it.
+    /// Sets the latest result of a step, and forgets later steps.
     void set(std::size_t step, int met, int asked);
 
-    /// Returns the page after the last step. `canExport`: the pupil has ways to files.
+    /// Returns the page after the last step. `canExport`: whether the pupil may export files.
     ui::LessonPage endOf(const core::Lesson& lesson, bool canExport) const;
     /// Returns a mark for each step that has goals and was measured.
     QList<ui::LessonMark> marksOf(const core::Lesson& lesson) const;
@@ -30,6 +30,6 @@ private:
         int met = 0, asked = 0;
     };
 
-    std::map<std::size_t, Goals> m_goals; ///< by step
+    std::map<std::size_t, Goals> m_goals; ///< by step index
 };
 } // namespace app

@@ -9,7 +9,7 @@ namespace app
 {
 namespace
 {
-/// Whoever plays it has no more than the lesson.
+/// Returns whether the step needs a file besides the lesson, which pupils do not have.
 bool needsFile(const core::FileEntry& entry)
 {
     if (const auto* const command = std::get_if<core::FileCommand>(&entry))
@@ -40,7 +40,8 @@ void LessonRecorder::end()
     m_draft = nullptr;
 }
 
-/// A push tells of the longer stack first, and that may have looked like a redo.
+/// Adds a new stroke. The undo stack has already reported the new length, which onIndexChanged() may have taken for a
+/// redo.
 void LessonRecorder::add(const core::FileEntry& entry)
 {
     if (!isOn())
@@ -58,7 +59,7 @@ void LessonRecorder::onIndexChanged(int index)
 {
     if (!isOn())
         return;
-    if (m_document->history().stack().count() == 0) { // cleared: the strokes stay
+    if (m_document->history().stack().count() == 0) { // the history was cleared; the recorded strokes stay
         end();
         return Q_EMIT ended();
     }

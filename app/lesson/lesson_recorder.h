@@ -10,8 +10,8 @@ namespace app
 {
 class Document;
 
-/// Writes what is done to the document, by whatever hand, into the last step of a lesson, in step with the undo stack:
-/// what is undone is out of the lesson, what is redone in it again. Thread: gui.
+/// Records the strokes and commands made in the document into the last step of a lesson. It follows the undo stack:
+/// undoing removes a stroke from the lesson, redoing adds it again. Thread: gui.
 class LessonRecorder : public QObject
 {
     Q_OBJECT
@@ -21,18 +21,18 @@ public:
     explicit LessonRecorder(Document& document);
 
     bool isOn() const { return m_draft != nullptr; }
-    /// The document has just come, as the draft's steps leave it, of which there is one at least. What is done to the
-    /// draft meanwhile leaves the order of its steps and their strokes as they are; it must live until end(). `view`:
-    /// from where the teacher looks at the model.
+    /// Starts recording. Preconditions: the document has just been opened with the result of the draft's steps, the
+    /// draft has a step, and it lives until end(). Until then, the order of its steps and strokes must not be changed
+    /// otherwise. `view`: returns the teacher's present view of the model.
     void begin(core::LessonDraft* draft, std::function<std::optional<core::LessonView>()> view);
     void end();
 
 Q_SIGNALS:
-    /// The draft has other strokes.
+    /// Emitted when the draft's strokes have changed.
     void recorded();
-    /// Nothing is recorded any more: the history has gone, or the model.
+    /// Emitted when recording has ended, because the history was cleared or another model was opened.
     void ended();
-    /// A step that no lesson can hold was undone: it needs a file.
+    /// Emitted when a step was undone because it needs a file, which a lesson cannot contain.
     void refused();
 
 private:
@@ -48,9 +48,9 @@ private:
     void refuseUnfit();
 
     Document* m_document;
-    core::LessonDraft* m_draft = nullptr; ///< null: off
+    core::LessonDraft* m_draft = nullptr; ///< null: not recording
     std::function<std::optional<core::LessonView>()> m_view;
-    std::vector<std::size_t> m_steps; ///< of what is on the undo stack and done
-    std::vector<Undone> m_undone;     ///< the next one last
+    std::vector<std::size_t> m_steps; ///< lesson step of each entry of the undo stack in effect
+    std::vector<Undone> m_undone;     ///< undone strokes; the next one to redo is last
 };
 } // namespace app

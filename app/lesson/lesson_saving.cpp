@@ -22,7 +22,7 @@ namespace app
 namespace
 {
 constexpr int pictureSide = 160;      ///< pixels
-constexpr double afterPlaying = 0.95; ///< share of the time
+constexpr double afterPlaying = 0.95; ///< progress after playing the lesson, 0 to 1
 
 std::string pngOf(const QImage& image)
 {
@@ -33,7 +33,7 @@ std::string pngOf(const QImage& image)
     return bytes.toStdString();
 }
 
-/// Fits the whole model into the picture, whatever side it is seen from.
+/// Returns a view from this direction in which the whole model is visible.
 core::ThumbnailView seenFrom(const core::LessonView& from, const core::TriangleMesh& mesh)
 {
     core::Box box;
@@ -53,7 +53,7 @@ core::ThumbnailView seenFrom(const core::LessonView& from, const core::TriangleM
     return view;
 }
 
-/// As if it had been written and opened.
+/// Returns the lesson as it would be after writing and reading it.
 core::Lesson readAsWritten(const core::Lesson& lesson, const std::filesystem::path& path)
 {
     const std::map<std::string, std::string> files = core::filesOf(lesson);
@@ -147,7 +147,7 @@ CheckedLesson LessonSaving::check(const core::LessonDraft& draft, const std::fil
         if (hash && playback.mesh().meshHash() != *hash)
             checked.remarks << tr("Played again, the lesson does not end with the model in the window.");
         auto lesson = std::make_shared<const core::Lesson>(draft.complete(pictures));
-        readAsWritten(*lesson, path); // all together is not too large
+        readAsWritten(*lesson, path); // throws if the lesson is too large with its pictures
         checked.lesson = std::move(lesson);
     } catch (const core::LessonError& error) {
         checked.problem = LessonMessages::sentence(error);

@@ -18,36 +18,36 @@ struct StepCheck;
 
 namespace app
 {
-/// Draws the picture of a step: from the step's view, if it has one.
+/// Returns the picture of a step, drawn from the step's view if it has one.
 QImage lessonPicture(const core::TriangleMesh& mesh, const std::optional<core::LessonView>& from);
 
-/// A lesson that was played to its end.
+/// A lesson that was checked by playing it to its end.
 struct CheckedLesson
 {
-    /// As it is to be written, with its pictures; null: it cannot be written, or the check was cancelled.
+    /// the lesson to write, with its pictures; null: it cannot be written, or the check was cancelled
     std::shared_ptr<const core::Lesson> lesson;
-    QString problem;     ///< why not: one sentence; empty if it was cancelled
-    QStringList remarks; ///< what is not as it should be, step by step
+    QString problem;     ///< one sentence why the lesson cannot be written; empty if it can or the check was cancelled
+    QStringList remarks; ///< defects of the lesson that do not prevent writing, step by step
 };
 
-/// A teacher's lesson to its file, in words for people. Any thread. Never throws.
+/// Checks and writes a teacher's lesson, with messages for the user. Thread: any. Never throws.
 class LessonSaving
 {
     Q_DECLARE_TR_FUNCTIONS(app::LessonSaving)
 
 public:
-    /// What it lacks, one sentence; empty: it can be checked.
+    /// Returns one sentence about a missing part; empty if the draft is complete and can be checked.
     static QString missing(const core::LessonDraft& draft);
-    /// By the strict reader, on the very bytes that are to be written, and played. `hash`: of the model that its
-    /// strokes are to leave; nothing: any.
+    /// Checks the draft: reads the bytes to be written with the strict reader, and plays the lesson. `hash`: expected
+    /// hash of the final model; nothing: any.
     static CheckedLesson check(const core::LessonDraft& draft, const std::filesystem::path& path,
                                const std::optional<std::uint64_t>& hash, const core::JobControl& control);
-    /// Empty, or what is wrong; then nothing has changed on disk.
+    /// Returns an empty string, or one sentence about the error; nothing has then changed on disk.
     static QString write(const core::Lesson& lesson, const std::filesystem::path& path);
 
-    /// Of a stroke or command.
+    /// Returns the translated name of a stroke or command.
     static QString nameOf(const core::FileEntry& entry);
-    /// Its tool and radius.
+    /// Returns the stroke's tool and radius as text.
     static QString lineOf(const core::Stroke& stroke);
 
 private:

@@ -16,9 +16,9 @@ namespace app
 namespace
 {
 constexpr int tickMs = 16;
-constexpr quint64 maxSamplesBehind = 3; ///< samples that the mesh thread may be behind, so that none is ever dropped
+constexpr quint64 maxSamplesBehind = 3; ///< samples that may wait for the mesh thread, few enough that none is dropped
 constexpr int advancesPerTick = 20;
-constexpr double maxTick = 0.1; ///< s; a window that was held up does not catch up
+constexpr double maxTick = 0.1; ///< longest time step, seconds; after a delay the demonstration does not catch up
 } // namespace
 
 LessonTeacher::LessonTeacher(ui::MainWindow& window, Document& document)
@@ -36,13 +36,13 @@ LessonTeacher::LessonTeacher(ui::MainWindow& window, Document& document)
     connect(m_panel, &LessonPanel::tryRequested, this, &LessonTeacher::tryIt);
     connect(m_panel, &LessonPanel::speedChosen, this, &LessonTeacher::setSpeed);
     connect(&document.history().stack(), &QUndoStack::indexChanged, this, &LessonTeacher::onIndexChanged);
-    connect(&document, &Document::stepped, this, [this] { // a new step, and no redo
+    connect(&document, &Document::stepped, this, [this] { // a new step that is not a redo
         if (m_isUndone && !m_starts.empty() && m_document->history().stack().index() == m_starts.back() + 1)
             m_isUndone = m_hasShown = false;
     });
     connect(window.viewport()->input(), &ui::PointerInput::strokeBegan, this, &LessonTeacher::interrupt);
     connect(&document.worker().strokes(), &StrokeGate::refused, this, [this] {
-        if (m_timer.isActive()) // two strokes at once: whichever was refused, it is the pupil's turn
+        if (m_timer.isActive()) // demonstration and pupil began a stroke at once: the pupil takes precedence
             interrupt();
     });
 }
@@ -64,7 +64,7 @@ LessonTeacher::Hand LessonTeacher::changedBy() const
     return m_document->history().stack().index() > m_starts.back() ? Hand::Pupils : Hand::Nobodys;
 }
 
-/// Forgets the teacher when the step is undone to its start, and remembers when it is redone.
+/// Forgets the demonstration when the step is undone to its start, and restores that when it is redone.
 void LessonTeacher::onIndexChanged(int index)
 {
     if (!hasLesson() || m_starts.empty() || m_timer.isActive())
@@ -101,7 +101,7 @@ void LessonTeacher::setSpeed(double speed)
         m_player->setSpeed(speed);
 }
 
-/// From the step's start, unless the teacher is in the middle of it.
+/// Undoes the step and starts its demonstration, unless that is already in progress.
 void LessonTeacher::startStep()
 {
     if (m_isTaught)
@@ -128,7 +128,7 @@ void LessonTeacher::playOne()
     setPlaying(true);
 }
 
-/// Ends the hurry, if there is one: the teacher goes at its own pace again.
+/// Starts or pauses the demonstration at normal speed; ends playing at full speed.
 void LessonTeacher::setPlaying(bool isPlaying)
 {
     m_afterHurry = nullptr;
@@ -158,7 +158,7 @@ void LessonTeacher::interrupt()
     if (!m_player)
         return;
     m_player->pause();
-    if (const auto entered = std::exchange(m_entered, std::nullopt)) // half of the way to it
+    if (const auto entered = std::exchange(m_entered, std::nullopt)) // the teacher's model for the step is incomplete
         m_player->setStep(*entered);
     m_panel->setPlaying(false);
     showGhost({});
@@ -170,7 +170,7 @@ void LessonTeacher::endStroke()
         m_document->strokes().endStroke();
 }
 
-/// The mesh thread has not consumed too many of the teacher's samples yet.
+/// Returns whether the mesh thread still has too many unconsumed samples of the demonstration.
 bool LessonTeacher::isBehind() const
 {
     return m_isStrokeOpen && m_posted > m_document->worker().stats().samples - m_consumedBefore + maxSamplesBehind;
@@ -189,7 +189,7 @@ void LessonTeacher::finish(std::function<void()> done)
         done();
 }
 
-/// Keeps what the pupil did, to go back to.
+/// Keeps the pupil's work in the history, so that it can be restored by undo.
 void LessonTeacher::startFromOwn(std::function<void()> done)
 {
     interrupt();
@@ -197,7 +197,7 @@ void LessonTeacher::startFromOwn(std::function<void()> done)
     m_hasShown = true;
     m_isUndone = false;
     m_document->queue().enqueue([this] {
-        if (m_entered && m_document->history().stack().index() > 0) // at 0 the model is the lesson's start
+        if (m_entered && m_document->history().stack().index() > 0) // at 0 the model already is the lesson's start
             m_document->changer().apply(core::Reset{});
     });
     m_player->setStep(0);
@@ -212,7 +212,7 @@ void LessonTeacher::hurry(std::function<void()> done)
     m_timer.start();
 }
 
-/// Advances as fast as the mesh thread takes it: a few samples at a time.
+/// Advances as fast as the mesh thread consumes samples, a few at a time.
 void LessonTeacher::tickInHurry()
 {
     const auto isHeld = [this] {
@@ -226,7 +226,7 @@ void LessonTeacher::tickInHurry()
     }
 }
 
-/// Goes on to the next step that is to be done, or to whoever waits for it.
+/// Continues with the next step to be played, or calls m_afterHurry at the end.
 void LessonTeacher::goOnInHurry()
 {
     if (m_entered && m_player->stepIndex() != m_entered) {
@@ -278,7 +278,7 @@ void LessonTeacher::run(const core::LessonCue& cue)
     }
 }
 
-/// Asks the mesh thread where a ray meets the model, one question at a time.
+/// Shows the demonstration's brush. Asks the mesh thread where its ray meets the model, one question at a time.
 void LessonTeacher::placeGhost()
 {
     const std::optional<core::GhostBrush> ghost = m_player->ghost();

@@ -22,42 +22,43 @@ namespace app
 {
 class Document;
 
-/// Plays the teacher's part of a lesson: its strokes and commands go into the document as steps to undo. A stroke by
-/// hand stops it. Thread: gui.
+/// Plays the demonstration of a lesson: the teacher's strokes and commands become undo steps of the document. A stroke
+/// by the user stops it. Thread: gui.
 class LessonTeacher : public QObject
 {
     Q_OBJECT
 
 public:
-    /// All must outlive it, except the window.
+    /// All arguments must outlive this, except the window.
     LessonTeacher(ui::MainWindow& window, Document& document);
 
-    /// Null ends the lesson. The first step is still to be entered.
+    /// Sets the lesson; null ends it. The first step must then be entered by enter().
     void setLesson(std::shared_ptr<const core::Lesson> lesson);
     bool hasLesson() const { return m_player.has_value(); }
     const core::LessonStep& step() const { return m_player->lesson().steps[stepIndex()]; }
     std::size_t stepIndex() const { return m_entered.value_or(m_player->stepIndex()); }
     enum class Hand { Nobodys, Pupils, Teachers };
-    /// Returns whose changes the model has since the step was entered: the teacher's, if any stroke of it is.
+    /// Returns who has changed the model since the step was entered. Teachers if it contains any stroke of the
+    /// demonstration.
     Hand changedBy() const;
-    /// Does at once what is left of a step that the teacher is in the middle of, then calls `done`; not if a hand goes
-    /// between, or the teacher is paused or asked for a single stroke meanwhile.
+    /// Completes a demonstration in progress at full speed, then calls `done`. Does not call `done` if the user
+    /// sculpts, pauses, or asks for a single stroke meanwhile.
     void finish(std::function<void()> done);
-    /// Begins the step anew from the model that the teacher has there, as steps to undo; then calls `done`. If a hand
-    /// goes between, these steps belong to the step, as what the teacher has shown.
+    /// Begins the step with the teacher's model for it, made as undo steps at full speed; then calls `done`. If the
+    /// user sculpts meanwhile, these undo steps count as demonstration in this step.
     void startFromOwn(std::function<void()> done);
-    /// Enters the step with the model as it is.
+    /// Enters the step with the present model.
     void enter(std::size_t step);
-    /// Goes back to an earlier step and to the model as it was when that one was entered.
+    /// Returns to an earlier step, and to the model as it was when that step was entered.
     void goBack(std::size_t step);
 
 public Q_SLOTS:
     void play(bool on);
     void playOne();
     void setSpeed(double speed);
-    /// Takes back what was done in the step: it is the pupil's turn.
+    /// Undoes what was done in this step, for the pupil to try it.
     void tryIt();
-    /// Stops, in the middle of a stroke, too.
+    /// Stops the demonstration, even in the middle of a stroke.
     void interrupt();
 
 private:
@@ -77,17 +78,17 @@ private:
     QPointer<ui::MainWindow> m_window;
     QPointer<ui::LessonPanel> m_panel;
     Document* m_document;
-    std::optional<core::LessonPlayer> m_player; ///< while a lesson is open
-    std::vector<int> m_starts;                  ///< index of the undo stack where each step up to this one was entered
+    std::optional<core::LessonPlayer> m_player; ///< exists while a lesson is open
+    std::vector<int> m_starts;                  ///< undo index at which each step up to the present one was entered
     LessonCamera m_camera;
     double m_speed = 1;
-    bool m_isTaught = false;                    ///< the teacher is in the middle of the step
-    bool m_isUndone = false;                    ///< the teacher's strokes of the step were undone, and may come back
-    bool m_hasShown = false;                    ///< the model has strokes of the teacher's since the step was entered
-    std::function<void()> m_afterHurry;         ///< null: the teacher does not hurry
-    std::optional<std::size_t> m_entered;       ///< the step to begin with what the teacher does in a hurry
-    bool m_isStrokeOpen = false;                ///< the teacher's
-    quint64 m_posted = 0, m_consumedBefore = 0; ///< the stroke's samples
+    bool m_isTaught = false; ///< whether the demonstration of this step has begun and not ended
+    bool m_isUndone = false; ///< whether strokes of the demonstration in this step were undone and can be redone
+    bool m_hasShown = false; ///< whether the model contains strokes of the demonstration in this step
+    std::function<void()> m_afterHurry;   ///< to be called after playing at full speed; null: normal speed
+    std::optional<std::size_t> m_entered; ///< step to begin with the teacher's model, while that is made at full speed
+    bool m_isStrokeOpen = false;          ///< whether a stroke of the demonstration is open
+    quint64 m_posted = 0, m_consumedBefore = 0; ///< samples posted for the open stroke, and samples consumed before it
     bool m_isGhostAsked = false;
     QTimer m_timer;
     QElapsedTimer m_sinceTick;

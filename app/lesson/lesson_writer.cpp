@@ -22,7 +22,7 @@ namespace app
 {
 namespace
 {
-constexpr qsizetype maxRemarks = 8; ///< that are shown
+constexpr qsizetype maxRemarks = 8; ///< number of remarks shown
 } // namespace
 
 LessonWriter::LessonWriter(ui::MainWindow& window, Document& document, const core::LessonDraft* draft,

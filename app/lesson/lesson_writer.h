@@ -23,22 +23,22 @@ class Document;
 class LessonRecorder;
 struct CheckedLesson;
 
-/// Writes the lesson that is edited. Plays it to its end first, and asks the user if not everything is as the lesson
-/// asks for. Thread: gui; lessons are played and written on another.
+/// Writes the edited lesson. First plays it to its end, and asks the user if any of its goals is not met. Thread: gui;
+/// lessons are played and written on a background thread.
 class LessonWriter : public QObject
 {
     Q_OBJECT
 
 public:
-    /// None is owned; all must outlive this, except the window.
+    /// Owns none of the arguments; all must outlive this, except the window.
     LessonWriter(ui::MainWindow& window, Document& document, const core::LessonDraft* draft,
                  const LessonRecorder* recorder);
 
-    /// Asks for the file; `path`: where the lesson came from.
+    /// Asks for a file and saves the lesson. `path`: file that the lesson was read from or written to before.
     void save(const QString& path);
 
 Q_SIGNALS:
-    /// That revision of the draft is in the file.
+    /// Emitted when this revision of the draft was written to the file.
     void written(const QString& path, std::uint64_t revision);
 
 private:

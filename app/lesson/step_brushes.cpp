@@ -26,7 +26,7 @@ void StepBrushes::take(const core::LessonStep& step)
     setValues();
 }
 
-/// Sets them when another tool is taken up, and only then: the pupil may change them.
+/// Sets radius and strength only when the tool changes, so that the pupil may then change them.
 void StepBrushes::follow()
 {
     if (m_tool && std::exchange(m_tool, m_brush->tool()) != m_brush->tool())

@@ -9,27 +9,27 @@
 
 namespace app
 {
-/// Puts the teacher's brush into the pupil's hand: each tool of a step comes with the radius and strength of the
-/// teacher's first stroke with it. Thread: gui.
+/// Sets the pupil's brush for each lesson step: each tool gets the radius and strength of the teacher's first stroke
+/// with that tool. Thread: gui.
 class StepBrushes : public QObject
 {
     Q_OBJECT
 
 public:
-    /// Takes no ownership; the brush must outlive this.
+    /// Does not own the brush, which must outlive this.
     explicit StepBrushes(ui::BrushSettings* brush);
 
-    /// Offers the step's tools, with that of the teacher's first stroke in the hand; of a step that names none, those
-    /// that were offered before the first take().
+    /// Offers the step's tools and selects the tool of the teacher's first stroke. A step without a list of tools
+    /// offers the tools that were offered before the first take().
     void take(const core::LessonStep& step);
-    /// Offers the tools, and gives them and the hand back what they had, as before the first take().
+    /// Restores the offered tools, their settings and the selected tool to their state before the first take().
     void giveBack();
 
 private:
     struct Before
     {
-        core::Tool tool;    ///< in the hand
-        double radiusShare; ///< of that tool, or of all
+        core::Tool tool;    ///< the selected tool
+        double radiusShare; ///< radius share of the selected tool, or of all tools
         QList<core::Tool> offered;
         std::map<core::Tool, ui::ToolValues> values;
     };
@@ -38,8 +38,8 @@ private:
     void setValues();
 
     ui::BrushSettings* m_brush;
-    std::vector<core::LessonBrush> m_brushes; ///< of the step
-    std::optional<core::Tool> m_tool;         ///< in the hand; none: no step
-    std::optional<Before> m_before;           ///< none: no step
+    std::vector<core::LessonBrush> m_brushes; ///< brushes of the present step
+    std::optional<core::Tool> m_tool;         ///< the selected tool; none: no step is taken
+    std::optional<Before> m_before;           ///< state before the first take(); none: no step is taken
 };
 } // namespace app
