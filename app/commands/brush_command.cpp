@@ -1,4 +1,5 @@
-// brush: what a preset file says, or one sentence why it is none; and a picture of what its brush does.
+// brush: describes a preset file, or reports in one sentence why it is invalid. Optionally draws a picture of one
+// stroke.
 #include "app/commands/command_line.h"
 #include "app/commands/command_options.h"
 
@@ -21,7 +22,7 @@ class BrushCommandMessages
     Q_DECLARE_TR_FUNCTIONS(app::BrushCommand)
 };
 
-/// The name that a preset of the program has on the command line: that of its file.
+/// Returns the name of a bundled preset on the command line, which is the base name of its file.
 QString wordFor(const QString& path)
 {
     return path.section(QLatin1Char('/'), -1).section(QLatin1Char('.'), 0, 0);

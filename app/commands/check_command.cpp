@@ -1,5 +1,5 @@
-// check: is a model in order? One file: a few lines, or one JSON object. Several, or a folder: a table, or an object a
-// line.
+// check: tests whether models are sound. For one file it prints a few lines or a JSON object. For several files or a
+// folder it prints a table, or a JSON object for each file on its own line.
 #include "app/commands/command_models.h"
 #include "app/commands/command_unit.h"
 #include "app/commands/standard_files.h"
@@ -23,7 +23,7 @@ namespace
 using core::PrintBed; // lupdate would lose its place at a function that returns a core::PrintBed
 using Json = nlohmann::ordered_json;
 
-constexpr double minLength = 0.001, maxSide = 1e5; ///< mm, of what is typed
+constexpr double minLength = 0.001, maxSide = 1e5; ///< limits of lengths given as options, mm
 
 class CheckMessages
 {
@@ -34,22 +34,22 @@ struct CheckOptions
 {
     CommandModels models;
     bool json = false, csv = false;
-    bool table = false;                     ///< several files, or a folder
-    bool hasWorks = false;                  ///< of a class: then each has a pupil, or null
-    int nameColumns = 0;                    ///< of the table
-    double unit = 1;                        ///< of the files, in mm
-    std::optional<core::PrintLimits> print; ///< asked for
+    bool table = false;    ///< whether to print a table: for several files, or a folder
+    bool hasWorks = false; ///< whether some models are works of a class; then each object has pupil and turn, or null
+    int nameColumns = 0;   ///< width of the table's first column, characters
+    double unit = 1;       ///< unit of the files' coordinates, mm
+    std::optional<core::PrintLimits> print; ///< limits given by --print; nothing: printability is not checked
     bool hasBed = false;
 
     bool isPage() const { return !table && !json && !csv; }
 };
 
-/// What was found of a file.
+/// Results of checking one file.
 struct Checked
 {
     core::MeshReport report;
     std::optional<core::PrintReport> print;
-    std::optional<core::WorkDone> work; ///< none: the file does not say
+    std::optional<core::WorkDone> work; ///< strokes and time of work; nothing: not stored in the file
     core::ReadRemarks remarks;
 };
 
@@ -69,7 +69,7 @@ Json doubtOf(const core::MeshReport& report)
     return doubt == core::UnitDoubt::None ? Json(nullptr) : Json(nameOf(doubt));
 }
 
-/// After the keys that every check has.
+/// Appends the print results to the keys that every check has.
 void addPrint(Json& json, const CheckOptions& options, const Checked& checked)
 {
     const core::PrintReport& print = *checked.print;
@@ -109,7 +109,7 @@ Json toJson(const QString& file, const Checked& checked)
             {"time_spent_s", checked.work ? Json(std::llround(checked.work->seconds)) : Json(nullptr)}};
 }
 
-/// Puts a column after all others.
+/// Appends the facts about the turn that made the model.
 void addTurn(Json& json, const FoundModel& model)
 {
     const auto text = [](const QString& value) { return value.isEmpty() ? Json(nullptr) : Json(value.toStdString()); };
@@ -128,7 +128,7 @@ Json jsonOf(const CheckOptions& options, const QString& file, const FoundModel& 
     return json;
 }
 
-/// Of a file that cannot be read: nothing is known of it.
+/// Returns the object for a file that cannot be read: all values are null, except the file's name and turn.
 Json unknown(const CheckOptions& options, const QString& file, const FoundModel& model)
 {
     Checked nothing;
@@ -145,7 +145,7 @@ Json unknown(const CheckOptions& options, const QString& file, const FoundModel&
     return json;
 }
 
-/// Rounds to three decimals, and what is small to three digits: as exact as a person reads it.
+/// Rounds to three decimals, or to three significant digits if the value is below 0.1.
 QString rounded(double value)
 {
     return std::abs(value) < 0.1 ? QString::number(value, 'g', 3)
@@ -173,7 +173,7 @@ QString fieldOf(const Json& value)
     return value.is_null() ? QString() : QString::fromStdString(value.dump());
 }
 
-/// Numbers as in JSON; the three sides in a column each.
+/// Returns a line of CSV. Numbers are written as in JSON; the three sides of the size are separate columns.
 QString csvLine(const Json& report, bool isHeader)
 {
     QStringList fields;
@@ -192,7 +192,7 @@ QString percent(double share)
     return QString::number(100 * share, 'f', 1) + QStringLiteral(" %");
 }
 
-/// Lists the obstacles to a good print of a sound model.
+/// Lists the reasons why a sound model does not print well.
 QStringList obstacles(const CheckOptions& options, const core::PrintReport& print)
 {
     QStringList found;
@@ -224,7 +224,7 @@ bool isShare(const std::string& key)
     return key.ends_with("_share");
 }
 
-/// Says in words what the keys of the answer mean.
+/// Returns the translated label for a key of the JSON object.
 QString labelOf(const std::string& key)
 {
     static constexpr std::pair<std::string_view, const char*> labels[] = {
@@ -322,8 +322,8 @@ QString jsonLine(const Json& report, const QString& problem)
     return QString::fromStdString(line.dump(-1, ' ', false, Json::error_handler_t::replace)) + QLatin1Char('\n');
 }
 
-/// Writes what was found of one file; the first is preceded by the table's head. `name`: in the table. `problem`: why
-/// it cannot be read.
+/// Prints the result of one file; the first result is preceded by the table's head. `name`: shown in the table.
+/// `problem`: why the file cannot be read; empty if it can.
 void printReport(const CheckOptions& options, const QString& name, const Json& json, bool isFirst,
                  const QString& problem = {})
 {
@@ -409,13 +409,13 @@ void addOptions(QCommandLineParser& parser)
     StandardFiles::addFrom(parser);
 }
 
-/// Returns the words of a row in the table.
+/// Returns the name of the model shown in the table.
 QString shownName(const FoundModel& model)
 {
     return model.work.isEmpty() ? StandardFiles::named(ui::displayName(model.file)) : model.pupil;
 }
 
-/// As many as the longest name needs, but few enough that the rest is seen, too.
+/// Returns the width of the name column: that of the longest name, within limits that leave room for the other columns.
 int nameColumns(const QList<FoundModel>& models)
 {
     constexpr int minColumns = 32, maxColumns = 64;

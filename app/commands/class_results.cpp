@@ -39,7 +39,7 @@ void ClassResults::add(const FoundModel& model, const core::CheckpointVerdict& v
     m_rows.push_back(row);
 }
 
-/// Writes two columns for each goal: what was measured, and whether that is enough.
+/// Returns the CSV text. Each goal has two columns: the measured value, and whether the goal is met.
 QString ClassResults::csv() const
 {
     Json rows = Json::array();

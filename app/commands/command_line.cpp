@@ -50,7 +50,7 @@ constexpr CommandRow commandTable[] = {
      QT_TRANSLATE_NOOP("app::CommandLine", "show what a brush preset contains, or why it is invalid")},
 };
 
-/// Null if there is no such command.
+/// Returns null if there is no such command.
 const CommandRow* commandNamed(const QString& word)
 {
     const auto* const found =
@@ -82,14 +82,14 @@ bool isVersion(const QString& word)
     return word == QLatin1String("--version") || word == QLatin1String("-v");
 }
 
-/// Returns whether one of the options is such, before "--" and file names after it.
+/// Returns whether `is` accepts one of the options. Arguments after "--" are file names.
 bool hasOption(const QStringList& arguments, bool (*is)(const QString&))
 {
     const auto end = std::ranges::find(arguments, QStringLiteral("--"));
     return std::any_of(arguments.begin(), end, is);
 }
 
-/// Returns whether the arguments are for run(), right or wrong.
+/// Returns whether run() must handle the arguments, valid or not.
 bool isCommand(const QStringList& arguments)
 {
     if (arguments.isEmpty())
@@ -98,7 +98,7 @@ bool isCommand(const QStringList& arguments)
            hasOption(arguments, isHelp) || hasOption(arguments, isVersion);
 }
 
-/// Leaves out what QApplication takes for itself (QGuiApplication's documentation lists it).
+/// Removes options that QApplication handles itself (listed in QGuiApplication's documentation).
 QStringList withoutQtOptions(const QStringList& arguments)
 {
     static const QStringList alone{QStringLiteral("reverse"), QStringLiteral("nograb"), QStringLiteral("dograb"),
@@ -125,7 +125,7 @@ QStringList withoutQtOptions(const QStringList& arguments)
     return ours;
 }
 
-/// Counts the letters that are typed wrong, too much or too few; two that are swapped count as one.
+/// Counts typing errors: wrong, surplus and missing letters. Two swapped letters count as one error.
 int typingErrors(const QString& typed, const QString& meant)
 {
     const qsizetype n = meant.size();
@@ -144,7 +144,7 @@ int typingErrors(const QString& typed, const QString& meant)
     return row.back();
 }
 
-/// Returns the one of the words that was meant, whatever dashes it has; empty if none is near.
+/// Returns the word most similar to the typed one, ignoring dashes; empty if none is similar.
 QString nearest(const QString& typed, const QStringList& words)
 {
     const auto bare = [](const QString& word) { return word.toLower().remove(u'-'); };
@@ -175,7 +175,7 @@ bool CommandLine::opensWindow(const QStringList& arguments)
         windowStart(arguments);
         return true;
     } catch (const CommandFailure&) {
-        return false; // run() tells of it, in the language of the system, before a display is asked for
+        return false; // run() reports the error in the system's language, without needing a display
     }
 }
 
@@ -215,7 +215,7 @@ ExitStatus CommandLine::dispatch(const QStringList& arguments, const QString& op
     return Done;
 }
 
-/// Prints the help on a command, or on all if the word is empty.
+/// Prints the help on one command, or the general help if `word` is empty.
 ExitStatus CommandLine::helpOn(const QString& word)
 {
     if (word.isEmpty()) {
@@ -229,7 +229,7 @@ ExitStatus CommandLine::helpOn(const QString& word)
     return row->run({QStringLiteral("--help")});
 }
 
-/// Takes `--classroom FILE` out of the arguments.
+/// Removes `--classroom FILE` from the arguments and returns the absolute path of the file; empty if it is missing.
 QString CommandLine::classFileIn(QStringList& arguments)
 {
     const qsizetype at = arguments.indexOf(QStringLiteral("--classroom"));
@@ -276,7 +276,7 @@ WindowStart CommandLine::windowStart(QStringList arguments)
     return start;
 }
 
-/// `meant`: what may have been meant instead; may be empty.
+/// Throws CommandFailure. `meant`: suggested correction; may be empty.
 void CommandLine::failAt(const QString& sentence, const QString& meant)
 {
     fail(meant.isEmpty() ? tr("%1 See fettle --help.").arg(sentence)
@@ -310,7 +310,7 @@ void CommandLine::printRemark(const QString& text)
         print(text);
 }
 
-/// One line, whatever a file's name holds.
+/// Prints on a single line, even if a file name contains line breaks.
 void CommandLine::printError(const QString& sentence)
 {
     QString line;
@@ -321,7 +321,7 @@ void CommandLine::printError(const QString& sentence)
 
 void CommandLine::printProgress(const QString& what)
 {
-    constexpr const char* line = "\r\033[K"; // from its beginning, and what it said goes
+    constexpr const char* line = "\r\033[K"; // returns to the beginning of the line and clears it
     if (isTerminal(stderr))
         write(stderr, QLatin1StringView(line) + what);
 }
@@ -351,7 +351,7 @@ QString CommandLine::help()
                       .arg(ui::modelFormats());
 }
 
-/// The commit is in the application's version, if it is known.
+/// The application's version already contains the commit, if it is known.
 QString CommandLine::versionText(const QString& openXr)
 {
     return QStringLiteral("fettle %1\nQt %2, OpenXR %3, OpenMesh %4\n")

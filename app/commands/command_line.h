@@ -8,7 +8,7 @@ namespace app
 /// The exit status of a subcommand (resources/reference/command-line.md, "Exit status").
 enum ExitStatus { Done = 0, AnswerIsNo = 1, BadInput = 2 };
 
-/// Ends a subcommand: one sentence for stderr.
+/// Thrown to end a subcommand with one sentence on standard error.
 struct CommandFailure
 {
     QString sentence;
@@ -17,16 +17,16 @@ struct CommandFailure
 
 inline constexpr const char* simulatorOption = "--vr-simulator";
 
-/// What `fettle` without a subcommand begins with.
+/// The content of the window when `fettle` is run without a subcommand.
 struct WindowStart
 {
-    QString file; ///< absolute; empty: the ball
+    QString file; ///< absolute path; empty: open the ball
     bool entersVr = false;
-    bool simulatesVr = false; ///< it enters the simulator
-    QString classFile;        ///< absolute; empty: it is no class
+    bool simulatesVr = false; ///< whether VR is the simulator instead of a headset
+    QString classFile;        ///< absolute path; empty: no class
 };
 
-/// The command line. Works without a display; standard output carries only answers.
+/// The command line. Works without a display. Standard output contains only results.
 class CommandLine
 {
     Q_DECLARE_TR_FUNCTIONS(app::CommandLine)
@@ -35,21 +35,23 @@ public:
     /// Returns whether the arguments (without the program's name) open the window: they neither name a subcommand,
     /// which wins over file names, nor ask for help or the version, nor are wrong.
     static bool opensWindow(const QStringList& arguments);
-    /// Whether it draws letters on pages: run() needs a QGuiApplication then, on whatever platform.
+    /// Returns whether the subcommand draws text on pages: run() then needs a QGuiApplication, on any platform.
     static bool needsFonts(const QStringList& arguments);
-    /// Does what needs no window. Needs a QCoreApplication. `openXr`: version of the loader that it was built with.
+    /// Runs a command that needs no window. Precondition: a QCoreApplication exists. `openXr`: version of the OpenXR
+    /// loader that Fettle was built with.
     static ExitStatus run(const QStringList& arguments, const QString& openXr);
-    /// Reads arguments that are no subcommand. Throws CommandFailure.
+    /// Parses the arguments that open the window. Throws CommandFailure.
     static WindowStart windowStart(QStringList arguments);
 
     [[noreturn]] static void fail(const QString& sentence);
-    /// Throws CommandFailure unless a mesh can be written under that name, by its ending.
+    /// Throws CommandFailure unless the file's extension is a format in which meshes can be written.
     static void requireMeshEnding(const QString& path);
     static void print(const QString& text);
-    /// Prints what is no answer of its own where the standard output carries a file: to standard error then.
+    /// Prints a remark to standard output, or to standard error if standard output carries a file.
     static void printRemark(const QString& text);
     static void printError(const QString& sentence);
-    /// Shows what goes on, in place of what was shown before; only at a terminal. Empty: clears the line.
+    /// Shows what is being done, in place of the previous text. Does nothing unless stderr is a terminal. Empty: clears
+    /// the line.
     static void printProgress(const QString& what);
 
 private:

@@ -6,16 +6,16 @@
 
 namespace app
 {
-/// The models that a subcommand was given, as files.
+/// The model files that a subcommand was given.
 struct CommandModels
 {
-    QList<FoundModel> files; ///< each may be missing or unreadable
-    bool hasFolder = false;  ///< there was a folder among the arguments
-    /// BadInput: there was one that could not be read, or held no model; standard error says which.
+    QList<FoundModel> files; ///< some may be missing or unreadable
+    bool hasFolder = false;  ///< whether a folder was among the arguments
+    /// BadInput if a folder could not be read or had no model; standard error says which one.
     ExitStatus status = Done;
 };
 
-/// A folder stands for the models in it, by name, that of a class for its pupils' works, and "-" for the standard
-/// input. Throws CommandFailure if no file was given.
+/// Returns the models named by the arguments. A folder is replaced by its models, sorted by name, or by the pupils'
+/// works if it belongs to a class; "-" is standard input. Throws CommandFailure if no file was given.
 CommandModels commandModels(const CommandOptions& options);
 } // namespace app

@@ -30,7 +30,7 @@ CommandOptions::CommandOptions(QCommandLineParser& parser, const QString& comman
         CommandLine::fail(QStringLiteral("%1: %2").arg(command, parser.errorText()));
     if (!parser.isSet(QStringLiteral("help")))
         return;
-    QString text = parser.helpText(); // its first line names the program as it was called, and no command
+    QString text = parser.helpText(); // its first line contains the program's name as called, without the subcommand
     const QString called = QCoreApplication::arguments().constFirst();
     if (const qsizetype at = text.indexOf(called); at >= 0)
         text.replace(at, called.size(), QStringLiteral("fettle ") + command);

@@ -7,16 +7,16 @@
 
 namespace app
 {
-/// The options of a subcommand: parsed, and their values checked and refused in the same words by all. Throws
-/// CommandFailure, with usage.
+/// The parsed options of a subcommand. Checks values with the same error messages for all subcommands. Throws
+/// CommandFailure.
 class CommandOptions
 {
     Q_DECLARE_TR_FUNCTIONS(app::CommandOptions)
 
 public:
-    /// Parses the arguments; `parser` has the options by then, and outlives this.
+    /// Parses the arguments. Precondition: `parser` has all its options and outlives this.
     CommandOptions(QCommandLineParser& parser, const QString& command, const QStringList& arguments);
-    /// Returns whether --help was asked for, and was answered.
+    /// Returns whether --help was given; it has then been printed.
     bool isAnswered() const { return m_isAnswered; }
 
     const QString& command() const { return m_command; }
@@ -24,25 +24,25 @@ public:
     bool has(const QString& option) const { return m_parser.isSet(option); }
     QString text(const QString& option) const { return m_parser.value(option); }
 
-    /// Returns the place of the option's word among `words`; 0 if the option is not set.
+    /// Returns the index in `words` of the option's value; 0 if the option is not set.
     qsizetype choice(const QString& option, const QStringList& words) const;
-    /// Returns a number from `min` to `max`.
+    /// Returns the option's value as a number from `min` to `max`.
     double number(const QString& option, double min, double max) const;
-    /// Returns a whole number, `min` or more; `min` if the option is not set.
+    /// Returns the option's value as an integer of at least `min`; `min` if the option is not set.
     unsigned wholeNumber(const QString& option, unsigned min) const;
 
-    /// Refuses two options that are both set.
+    /// Fails if both options are set.
     void requireOneOf(const QString& first, const QString& second) const;
-    /// Refuses options that are set without the one that they need.
+    /// Fails if one of `options` is set, but not `needed`.
     void requireWith(const QStringList& options, const QString& needed) const;
 
     /// Adds --no-clobber.
     static void addNoClobber(QCommandLineParser& parser);
-    /// Refuses a file that is there, if --no-clobber is set. An empty path and "-" are no file.
+    /// Fails if --no-clobber is set and the file exists. An empty path and "-" are not files.
     void requireFree(const QString& path) const;
-    /// Adds -o. `word`: how usage calls its file.
+    /// Adds the option -o. `word`: placeholder for the file in the help.
     static void addOutput(QCommandLineParser& parser, const QString& word);
-    /// Returns the file of -o, which must be there.
+    /// Returns the value of -o. Fails if it is not set.
     QString output() const;
 
 private:

@@ -6,16 +6,16 @@
 
 namespace app
 {
-/// --unit of the subcommands: what models' files are measured in. Throws CommandFailure.
+/// The option --unit of the subcommands: the unit of length of the models' files. Throws CommandFailure.
 class CommandUnit
 {
     Q_DECLARE_TR_FUNCTIONS(app::CommandUnit)
 
 public:
     static void addTo(QCommandLineParser& parser);
-    /// Millimetres a unit; 1 if the option is not set.
+    /// Returns millimetres per unit; 1 if the option is not set.
     static double of(const CommandOptions& options);
-    /// Each coordinate rounded once. `file`: for the sentence, if the coordinates become no numbers.
+    /// Scales the mesh; each coordinate is rounded once. Fails with the name `file` if coordinates become infinite.
     static void scale(const QString& file, core::TriangleMesh& mesh, double factor);
 };
 } // namespace app

@@ -1,5 +1,5 @@
-// convert: read, check, scale if asked to, check again, write. A model that is not sound is not written, or is repaired
-// if asked to.
+// convert: reads, checks, scales if requested, checks again, and writes a model. A model that is not sound is refused,
+// or repaired if requested.
 #include "app/commands/command_line.h"
 #include "app/commands/command_unit.h"
 #include "app/commands/standard_files.h"
@@ -27,22 +27,22 @@ class ConvertMessages
     Q_DECLARE_TR_FUNCTIONS(app::ConvertCommand)
 };
 
-constexpr double minSize = 0.001, maxSize = 1e6; ///< mm, of what is typed
-constexpr unsigned fewestTriangles = 4;          ///< of any solid
+constexpr double minSize = 0.001, maxSize = 1e6; ///< limits of lengths given as options, mm
+constexpr unsigned fewestTriangles = 4;          ///< least number of triangles of a solid
 const QString repairOption = QStringLiteral("repair"), wrap = QStringLiteral("wrap"),
               largeHoles = QStringLiteral("large-holes"), innerParts = QStringLiteral("inner-parts");
 
 struct ConvertOptions
 {
     QString in, out;
-    double unit = 1;            ///< of IN, in mm
-    std::optional<double> size; ///< of OUT's longest side, mm
-    std::optional<UpAxis> up;   ///< of IN
-    std::size_t triangles = 0;  ///< OUT has at most so many; 0: all
+    double unit = 1;            ///< unit of IN's coordinates, mm
+    std::optional<double> size; ///< longest side of OUT, mm
+    std::optional<UpAxis> up;   ///< up axis of IN
+    std::size_t triangles = 0;  ///< most triangles of OUT; 0: no limit
     std::optional<core::RepairOptions> repair;
 };
 
-// The words of options, the default first.
+// Allowed words of options; the first word is the default.
 QStringList holeWords()
 {
     return {QStringLiteral("fill"), QStringLiteral("refuse")};
@@ -149,15 +149,15 @@ QString refusalText(const QString& file, const core::RepairResult& repaired, con
                                        : refusal;
 }
 
-/// A repair of the model, to be told of once it is known what was written.
+/// A completed repair, reported only when it is known what was written.
 struct Repaired
 {
     core::RepairReport report;
     core::TriangleMesh old; ///< see core::RepairResult
-    QString doubt;          ///< why the outcome may not be the model any more; empty if it is
+    QString doubt; ///< one sentence if the repaired model may differ too much from the original; otherwise empty
 };
 
-/// Repairs a model that is not in order.
+/// Repairs the model if it is not sound. Returns nothing if it was sound already.
 std::optional<Repaired> makeSound(const ConvertOptions& options, core::TriangleMesh& mesh)
 {
     const QString& file = options.in;
@@ -174,7 +174,7 @@ std::optional<Repaired> makeSound(const ConvertOptions& options, core::TriangleM
     return Repaired{repaired.report, std::move(repaired.old), ui::RepairMessages::doubt(file, repaired.report)};
 }
 
-/// Measures what was made of the repaired model in place of the repair's own outcome.
+/// Measures the losses again after decimation, replacing those of the repair alone.
 void measureAgain(const QString& file, Repaired& repaired, core::TriangleMesh mesh)
 {
     for (core::Vec3f& p : mesh.points)
@@ -198,7 +198,7 @@ double scaleFor(const ConvertOptions& options, const core::TriangleMesh& mesh)
     return *options.size / core::boxOf(mesh).sizes().maxCoeff();
 }
 
-/// Returns the sentence about a model that has more triangles than were asked for.
+/// Returns a sentence about a model that could not be decimated to the requested number of triangles.
 QString tooManyText(const QString& file, const core::TriangleMesh& few, std::size_t asked)
 {
     const std::size_t needed = core::fewestTriangles(few);
@@ -213,7 +213,7 @@ QString tooManyText(const QString& file, const core::TriangleMesh& few, std::siz
     return sentence;
 }
 
-/// On the lattice that an import would choose.
+/// Decimates the mesh to options.triangles, on the lattice that the window would choose for it.
 core::TriangleMesh reduced(const ConvertOptions& options, const core::TriangleMesh& mesh)
 {
     core::BuildResult built = core::buildMesh(mesh);

@@ -1,4 +1,4 @@
-// lesson: a lesson played to its end without a window, and each of its checkpoints evaluated; or one of them on a
+// lesson: plays a lesson to its end without a window and evaluates each checkpoint, or evaluates one checkpoint on a
 // pupil's model.
 #include "app/commands/class_results.h"
 #include "app/commands/command_line.h"
@@ -40,8 +40,8 @@ const QString picturesName = QStringLiteral("step-%1.png");
 struct LessonOptions
 {
     QString lesson, language, model, pack, unpack, pictures, out, pdf;
-    std::optional<std::size_t> step;         ///< from 0
-    std::optional<LessonResults::Form> form; ///< for scripts; none: for people
+    std::optional<std::size_t> step;         ///< step index, from 0
+    std::optional<LessonResults::Form> form; ///< output format for scripts; nothing: text for people
     bool printsTexts = false;
 };
 
@@ -88,7 +88,7 @@ void addLessonOptions(QCommandLineParser& parser)
     CommandOptions::addNoClobber(parser);
 }
 
-/// Has the program's own words in that language, too, if it speaks it.
+/// Sets the language of the program's own texts, too, if there is a translation.
 void answerIn(const QString& language)
 {
     const QLocale locale(language);
@@ -96,13 +96,14 @@ void answerIn(const QString& language)
     if (!translator->load(locale, QStringLiteral("fettle"), QStringLiteral("_"), QStringLiteral(":/i18n")))
         return;
     QCoreApplication* const application = QCoreApplication::instance();
-    qDeleteAll(application->findChildren<QTranslator*>()); // English has few words of its own: no others behind them
+    // English translates only a few texts; for all others, no other language may be used
+    qDeleteAll(application->findChildren<QTranslator*>());
     translator->setParent(application);
     QCoreApplication::installTranslator(translator.release());
     QLocale::setDefault(locale);
 }
 
-/// Refuses files and folders that the lesson cannot be written to.
+/// Fails if a file or folder to be written has a wrong extension or exists already.
 void requireFit(const LessonOptions& options, const CommandOptions& given)
 {
     if (!options.pack.isEmpty() && !options.pack.endsWith(QLatin1String(".zip"), Qt::CaseInsensitive))
@@ -198,7 +199,7 @@ void list(const LessonOptions& options)
                                                                      : QString::fromStdString(rows.dump()) + u'\n');
 }
 
-/// Says the verdict; whether it is met.
+/// Prints the verdict. Returns whether it is met.
 bool print(const core::CheckpointVerdict& verdict)
 {
     const auto line = [](bool holds, const QString& goal) {
@@ -244,16 +245,17 @@ void printTexts(const core::Lesson& lesson, const LessonOptions& options)
     CommandLine::print(text);
 }
 
-/// A lesson that is played or judged.
+/// The lesson that is being played or evaluated.
 struct Session
 {
     const core::Lesson& lesson;
     core::LessonPlayback& playback;
     const LessonOptions& options;
-    std::optional<LessonResults> results; ///< for scripts
+    std::optional<LessonResults> results; ///< results for scripts; nothing: text is printed for people
 };
 
-/// Says what the checkpoint of the step that playback is at finds in the model. Returns whether it is met.
+/// Evaluates the checkpoint of the playback's present step on the model, and prints or records the verdict. Returns
+/// whether it is met.
 bool judge(Session& session, std::size_t index, const core::TriangleMesh& model)
 {
     const core::LessonStep& step = session.playback.step();
@@ -293,7 +295,7 @@ ExitStatus play(Session& session)
     return isMet ? Done : AnswerIsNo;
 }
 
-/// Goes to the step whose checkpoint is to judge.
+/// Goes to the step whose checkpoint is to be evaluated.
 void goToJudgedStep(Session& session)
 {
     const core::Lesson& lesson = session.lesson;
@@ -314,7 +316,7 @@ ExitStatus checkModel(Session& session)
     return judge(session, session.playback.stepIndex(), model) ? Done : AnswerIsNo;
 }
 
-/// Returns the goals of a checkpoint without an answer.
+/// Returns a verdict with the goals of a checkpoint, but without measured values.
 CheckpointVerdict unanswered(const core::Checkpoint& checkpoint)
 {
     CheckpointVerdict verdict;
@@ -325,7 +327,7 @@ CheckpointVerdict unanswered(const core::Checkpoint& checkpoint)
     return verdict;
 }
 
-/// Judges each model of a folder. What cannot be read is on standard error.
+/// Evaluates each model of a folder. Models that cannot be read are reported on standard error.
 ExitStatus checkFolder(Session& session)
 {
     const QList<FoundModel> models = modelsAndWorks(toPath(session.options.model));
@@ -363,7 +365,7 @@ ExitStatus checkFolder(Session& session)
     return status;
 }
 
-/// Refuses a word that names no lesson of ours, and no file or folder.
+/// Fails if the word is neither a bundled lesson nor an existing file or folder.
 void requireLesson(const QString& word)
 {
     if (!QFileInfo::exists(word) && !bundledLessons().contains(word))

@@ -11,7 +11,7 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 
-/// Writes what is counted without a fraction.
+/// Returns a bound or measured value; counts are written as integers.
 Json figureOf(core::Fact fact, double value)
 {
     if (value == core::FactBounds::unbounded)

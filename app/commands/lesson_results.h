@@ -14,13 +14,13 @@ class LessonResults
 public:
     enum class Form { Json, Csv };
 
-    /// `model`: the pupil's; empty: what the teacher's strokes leave.
+    /// `model`: file of the pupil's model; empty: the result of the teacher's strokes.
     LessonResults(Form form, const QString& lesson, const QString& title, const QString& model);
 
-    /// Adds what the checkpoint of a step says. `index`: from 0.
+    /// Adds the verdict of a step. `index`: step index, from 0.
     void add(std::size_t index, const QString& title, const core::LessonStep& step,
              const core::CheckpointVerdict& verdict);
-    /// Returns one JSON object in a line, or CSV: a header row, and a row for each goal.
+    /// Returns one JSON object on one line, or CSV with a header row and a row for each goal.
     QString text() const;
 
 private:
@@ -30,9 +30,9 @@ private:
     nlohmann::ordered_json m_all;
 };
 
-/// Returns an object for each goal of a checkpoint: what is asked, what was measured, and whether it is met.
+/// Returns an object for each goal of a checkpoint: the bounds, the measured value, and whether the goal is met.
 nlohmann::ordered_json goalsOf(const core::CheckpointVerdict& verdict);
 
-/// Returns the rows, objects with the same keys, as CSV with a header row.
+/// Returns the rows as CSV with a header row. Precondition: all rows have the same keys.
 QString csvOf(const nlohmann::ordered_json& rows);
 } // namespace app

@@ -1,4 +1,4 @@
-// new: a starter model as a file, to begin with or to play strokes on.
+// new: writes a starter model to a file, to sculpt or to replay strokes on.
 #include "app/commands/command_line.h"
 #include "app/commands/command_unit.h"
 #include "app/commands/standard_files.h"
@@ -12,7 +12,8 @@ namespace app
 {
 namespace
 {
-constexpr double starterSize = 100, minSize = 0.001, maxSize = 1e6; ///< mm along the longest side
+/// length of the longest side, mm: default, and limits of the option
+constexpr double starterSize = 100, minSize = 0.001, maxSize = 1e6;
 
 class NewMessages
 {

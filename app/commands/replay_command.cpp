@@ -1,6 +1,6 @@
-// replay: strokes and commands from a file on a model from a file, or on the paper's sphere; what came of it to files.
-// In order: check all input (what stands after a command, when the model is as that leaves it), sculpt, write. Nothing
-// is written when anything is wrong.
+// replay: plays strokes and commands from a file on a model, or on the paper's sphere, and writes the results. First it
+// checks all input, then sculpts, then writes. Strokes after a command are checked when that command is done. Nothing
+// is written if there is an error.
 #include "app/commands/command_line.h"
 #include "app/commands/replay_stats.h"
 #include "app/commands/standard_files.h"
@@ -35,7 +35,7 @@ namespace
 {
 constexpr double paperRadius = 1;
 constexpr int frameWidth = 1280, frameHeight = 720;
-constexpr unsigned maxEvery = 1000000; ///< strokes from picture to picture; more are as many
+constexpr unsigned maxEvery = 1000000; ///< limit of the strokes between pictures; larger values are clamped
 constexpr const char* standardInput = "/dev/stdin";
 
 class ReplayMessages
@@ -43,18 +43,18 @@ class ReplayMessages
     Q_DECLARE_TR_FUNCTIONS(app::ReplayCommand)
 };
 
-/// The engine has no way around its own verification yet: None keeps its word about --out, and costs what Local does.
+/// Choices of verifying dabs. None skips verification, for measurements only, so --out is refused with it.
 enum class Verify { Local, Full, None };
 
 struct ReplayOptions
 {
     QString strokes, in, out, stats;
-    QString frames; ///< a folder; empty: no pictures
+    QString frames; ///< folder for pictures; empty: none
     int every = 1;
     Verify verify = Verify::Local;
 };
 
-/// A slip that would cost the strokes or the model.
+/// Fails if two options name the same file: the strokes or the model would be overwritten.
 void requireDifferentFiles(const ReplayOptions& options)
 {
     struct Use
@@ -70,7 +70,7 @@ void requireDifferentFiles(const ReplayOptions& options)
     for (const auto& [option, file, isRead] : files) {
         if (file.isEmpty())
             continue;
-        std::error_code problem; // then the path is empty: what is wrong with it is told where it is used
+        std::error_code problem; // if it is set, the path is empty; the error is reported when the file is used
         const std::filesystem::path path = StandardFiles::isStandard(file)
                                                ? std::filesystem::path(isRead ? "-, read" : "-, written")
                                                : std::filesystem::weakly_canonical(toPath(file), problem);
@@ -148,7 +148,7 @@ std::vector<core::FileEntry> readStrokes(const QString& path)
 
 using Entries = std::vector<core::FileEntry>;
 
-/// Reads the models to be inserted; their paths start from the stroke file.
+/// Reads the models to be inserted. Relative paths are resolved against the stroke file.
 void readInserted(Entries& entries, const QString& strokes)
 {
     for (std::size_t i = 0; i < entries.size(); ++i) {
@@ -168,8 +168,9 @@ void readInserted(Entries& entries, const QString& strokes)
     }
 }
 
-/// Converts the strokes from `first` up to the next command to the document's coordinates, and checks that they fit the
-/// model: a command may have changed its place and lattice. Throws CommandFailure if one does not fit.
+/// Converts the strokes from `first` up to the next command to the document's coordinates. Called again after each
+/// command, because it may have changed the model's position and lattice. Throws CommandFailure if a stroke does not
+/// fit the model.
 void takeStrokes(const core::Mesh& mesh, const core::StrokeCoordinates& coordinates, Entries& entries,
                  std::size_t first, const QString& path)
 {
@@ -185,7 +186,7 @@ void takeStrokes(const core::Mesh& mesh, const core::StrokeCoordinates& coordina
     }
 }
 
-/// `dab`: the one that is being done, from 0.
+/// Fails if the mesh is not sound. `dab`: index of the present dab, from 0.
 void requireWhole(const core::Sculptor& sculptor, std::size_t dab)
 {
     if (!core::checkMesh(core::extractMesh(sculptor.mesh())).printReady())
@@ -202,7 +203,7 @@ core::MeshDelta play(core::Sculptor& sculptor, const core::Stroke& stroke, doubl
     return sculptor.endStroke();
 }
 
-/// What a reset goes back to is the model as it came.
+/// Sets the model as opened in all resets, which restore it.
 void setStart(Entries& entries, const std::shared_ptr<const core::Snapshot>& start)
 {
     for (core::FileEntry& entry : entries) {
@@ -212,7 +213,7 @@ void setStart(Entries& entries, const std::shared_ptr<const core::Snapshot>& sta
     }
 }
 
-/// `index`: of the entry.
+/// Fails if the command was refused. `index`: index of the entry in the stroke file.
 void requireDone(const core::ModelChange& change, const core::FileCommand& entry, std::size_t index)
 {
     if (change.refusal != core::ModelRefusal::None)
@@ -222,7 +223,7 @@ void requireDone(const core::ModelChange& change, const core::FileCommand& entry
                              AnswerIsNo};
 }
 
-/// Does as the Model menu does, by the file's planes and axes.
+/// Applies a command as the Model menu does, with planes and axes in the file's coordinates.
 core::MeshDelta play(core::Sculptor& sculptor, core::StrokeCoordinates& coordinates, const core::FileCommand& entry,
                      std::size_t index)
 {
@@ -235,7 +236,7 @@ core::MeshDelta play(core::Sculptor& sculptor, core::StrokeCoordinates& coordina
 struct Replayed
 {
     std::vector<ReplayedDab> dabs;
-    std::vector<core::MeshDelta> changes; ///< of what changed anything, back to before; only for frames
+    std::vector<core::MeshDelta> changes; ///< deltas that undo each change; only filled if frames are written
 };
 
 Replayed play(core::Sculptor& sculptor, core::StrokeCoordinates& coordinates, Entries& entries,
@@ -271,7 +272,7 @@ Replayed play(core::Sculptor& sculptor, core::StrokeCoordinates& coordinates, En
     return replayed;
 }
 
-/// As large as the model is at its start or at its end, so that all is in one view.
+/// Writes the frames, with a view that contains the model at its start and at its end.
 void writeFrames(const ReplayOptions& options, const core::Mesh& mesh, std::vector<core::MeshDelta>& changes,
                  const core::Box& box)
 {
@@ -284,7 +285,7 @@ void writeFrames(const ReplayOptions& options, const core::Mesh& mesh, std::vect
         CommandLine::fail(outcome.problem);
 }
 
-/// Says in a line what was done. The time is that of the dabs.
+/// Returns one line about the result. The time is the sum of the dabs' times.
 QString summary(const Entries& entries, const std::vector<ReplayedDab>& dabs, const core::TriangleMesh& mesh)
 {
     const auto strokes = std::ranges::count_if(
@@ -307,7 +308,7 @@ void run(const ReplayOptions& options, Entries& entries)
 {
     readInserted(entries, options.strokes);
     readStrokeAssets(entries, options.strokes);
-    // What cannot be written is told before the work, not after it.
+    // Errors in output files are reported before the work, not after it.
     std::optional<core::AtomicFile> stats;
     if (!options.stats.isEmpty())
         stats.emplace(toPath(options.stats));

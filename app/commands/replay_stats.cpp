@@ -79,7 +79,7 @@ Json totalsOf(const core::Sculptor& sculptor, const core::TriangleMesh& mesh)
             {"faces", live.faces},
             {"euler", euler},
             {"components", components},
-            {"genus", components - euler / 2}, // closed and orientable: the sum over components
+            {"genus", components - euler / 2}, // for closed orientable surfaces; the sum over all components
             {"splits", totals.splits},
             {"collapses", totals.collapses},
             {"flips", totals.flips},
@@ -99,6 +99,6 @@ void writeReplayStats(core::AtomicFile& file, const std::vector<ReplayedDab>& da
     for (std::size_t i = 0; i < dabs.size(); ++i)
         file.write((i == 0 ? "\n" : ",\n") + toJson(dabs[i]).dump());
     const std::string totals = totalsOf(sculptor, mesh).dump();
-    file.write("],\n" + totals.substr(1) + "\n"); // the dabs and the totals are one object
+    file.write("],\n" + totals.substr(1) + "\n"); // dabs and totals are written as one object
 }
 } // namespace app

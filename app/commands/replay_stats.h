@@ -8,15 +8,15 @@
 
 namespace app
 {
-/// What `replay --stats` tells of one dab.
+/// The statistics of one dab for `replay --stats`.
 struct ReplayedDab
 {
     core::DabReport report;
-    double cpuMs = 0; ///< CPU time of the mesh thread
+    double cpuMs = 0; ///< CPU time of the thread that sculpts, ms
     std::optional<core::SelectionQuality> quality;
 };
 
-/// Writes one JSON object; not committed. `mesh`: the sculptor's, as it is at the end. Throws core::FileError.
+/// Writes one JSON object without committing the file. `mesh`: the sculptor's final mesh. Throws core::FileError.
 void writeReplayStats(core::AtomicFile& file, const std::vector<ReplayedDab>& dabs, const core::Sculptor& sculptor,
                       const core::TriangleMesh& mesh);
 } // namespace app

@@ -1,4 +1,4 @@
-// report: a page that shows and checks the models of a folder.
+// report: writes a page with pictures and checks of the models in a folder.
 #include "app/classroom/report_writer.h"
 #include "app/commands/command_line.h"
 #include "app/commands/command_unit.h"

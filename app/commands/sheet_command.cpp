@@ -1,4 +1,4 @@
-// sheet: the drawings of models for a printer, a page each.
+// sheet: writes drawings of models for printing, one page each.
 #include "app/commands/command_models.h"
 #include "app/commands/command_unit.h"
 #include "app/commands/standard_files.h"
@@ -31,7 +31,7 @@ struct SheetOptions
 {
     CommandModels models;
     QString out;
-    double unit = 1; ///< of the files, in mm
+    double unit = 1; ///< unit of the files' coordinates, mm
     bool shaded = false;
 };
 
@@ -68,7 +68,8 @@ std::optional<SheetOptions> parseSheetOptions(const QStringList& arguments)
     return options;
 }
 
-/// Throws CommandFailure for a surface that has no inside: its drawing would lack lines, and its volume mean nothing.
+/// Returns the drawing of a model. Throws CommandFailure if the surface is not closed: lines would be missing, and the
+/// volume would be meaningless.
 DrawingSheet sheetOf(const SheetOptions& options, const FoundModel& model)
 {
     const QString name = ui::displayName(model.file);
@@ -83,7 +84,7 @@ DrawingSheet sheetOf(const SheetOptions& options, const FoundModel& model)
     return {model.title(), QDate::currentDate(), *std::move(drawing), options.shaded};
 }
 
-/// Standard error says which have none.
+/// Adds a page for each model. Models that cannot be drawn are reported on standard error.
 ExitStatus addSheets(ui::SheetBook& book, const SheetOptions& options)
 {
     ExitStatus status = options.models.status == Done ? Done : AnswerIsNo;

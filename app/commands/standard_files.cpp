@@ -19,7 +19,7 @@ namespace
 {
 constexpr qint64 chunkSize = 1 << 20;
 
-/// Paths within a folder that goes with the process; empty: not used.
+/// Paths in a temporary folder that is removed with the process; empty: not used.
 struct Files
 {
     std::optional<QTemporaryDir> folder;
@@ -58,7 +58,7 @@ bool isText(const QString& ending)
     CommandLine::fail(sentence.arg(qt_error_string(errno)));
 }
 
-/// Copies all from one file to the other. Returns false, with errno, if that cannot be done.
+/// Copies the rest of one file to the other. Returns false and sets errno if that fails.
 bool copy(QFile& from, QFile& to)
 {
     errno = 0;
@@ -130,7 +130,8 @@ void StandardFiles::flush()
         return;
     QFile file(files().output), standard;
     const bool isOpen = file.open(QFile::ReadOnly);
-    files().folder.reset(); // whoever reads may go away, which ends this process; an open file can still be read
+    // removed first: SIGPIPE may end the process while writing, and the open file stays readable
+    files().folder.reset();
     if (!isOpen || !standard.open(stdout, QFile::WriteOnly) || !copy(file, standard))
         failToCopy(tr("The standard output cannot be written (%1)."));
 }

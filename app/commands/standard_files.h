@@ -6,8 +6,8 @@
 
 namespace app
 {
-/// The standard input and output as files, where one is named "-": readers and writers have paths, and know the format
-/// by the ending. There is one of each in a process.
+/// Provides standard input and output, named "-", as temporary files: readers and writers need paths, and recognise the
+/// format by the extension. All state is per process.
 class StandardFiles
 {
     Q_DECLARE_TR_FUNCTIONS(app::StandardFiles)
@@ -15,23 +15,24 @@ class StandardFiles
 public:
     static bool isStandard(const QString& name) { return name == QLatin1String("-"); }
 
-    /// Adds --from and --to: the format of what comes or goes that way.
+    /// Adds the options --from and --to: the format of standard input and output.
     static void addFrom(QCommandLineParser& parser);
     static void addTo(QCommandLineParser& parser, const QStringList& formats = ui::writtenEndings());
 
-    /// Returns the path of what is to be read: `name`; of "-" that of a file that holds the standard input to its end,
-    /// in the format of --from. Throws CommandFailure.
+    /// Returns the path to read: `name`, or for "-" a file with the whole content of standard input, in the format of
+    /// --from. Throws CommandFailure.
     static QString input(const CommandOptions& options, const QString& name);
-    /// Returns the path of what is to be written: `name`; of "-" that of a file for flush(), in the only format, or in
-    /// that of --to. Throws CommandFailure: no such format, or it is binary and a terminal would show it.
+    /// Returns the path to write: `name`, or for "-" a file that flush() sends to standard output. Its format is the
+    /// only one in `formats`, or that of --to. Throws CommandFailure if there is no such format, or if it is binary and
+    /// standard output is a terminal.
     static QString output(const CommandOptions& options, const QString& name,
                           const QStringList& formats = ui::writtenEndings());
-    /// Returns whether the standard output carries a file, and nothing beside it.
+    /// Returns whether standard output carries a file; nothing else may then be printed to it.
     static bool hasOutput();
-    /// Sends the file of output(), if there is one, to the standard output. Throws CommandFailure.
+    /// Copies the file of output(), if there is one, to standard output. Throws CommandFailure.
     static void flush();
 
-    /// Names the standard input and output in a sentence about their files.
+    /// Replaces the paths of the temporary files in a sentence by "standard input" and "standard output".
     static QString named(QString sentence);
 };
 } // namespace app

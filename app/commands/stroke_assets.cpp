@@ -40,7 +40,7 @@ private:
         CommandLine::fail(sentence);
     }
 
-    /// Refuses a name that is neither one of the program's, which the reader has resolved, nor a file.
+    /// Fails if the name is neither a file nor a built-in alpha. The reader has already resolved the built-in ones.
     void requireAlpha(const std::string& file, std::size_t index) const
     {
         if (file.empty() || QFileInfo::exists(pathOf(file)))

@@ -18,7 +18,7 @@ bool isWide(char32_t sign)
     case QChar::Script_Katakana:
     case QChar::Script_Bopomofo:
         return true;
-    default: // punctuation of those, full-width letters, pictures
+    default: // CJK punctuation, full-width letters, emoji
         return (sign >= 0x3000 && sign <= 0x303f) || (sign >= 0xff01 && sign <= 0xff60) ||
                (sign >= 0x1f300 && sign <= 0x1faff);
     }
@@ -32,7 +32,7 @@ int columnsOf(char32_t sign)
     return isWide(sign) ? 2 : 1;
 }
 
-/// From the left or from the right, as many signs as fit.
+/// Returns as many characters as fit into `columns`, from the left or right end.
 QString part(const QList<uint>& signs, int columns, bool fromLeft)
 {
     qsizetype count = 0;
@@ -62,7 +62,7 @@ QString shortened(const QString& text, int columns)
     if (columnsOf(line) <= columns)
         return line;
     const QList<uint> signs = line.toUcs4();
-    const int right = (columns - 1) / 2; // of the name's end
+    const int right = (columns - 1) / 2; // columns for the end of the name
     return part(signs, columns - 1 - right, true) + QChar(0x2026) + part(signs, right, false);
 }
 

@@ -7,17 +7,17 @@
 
 namespace app
 {
-/// Lines for a terminal, in columns. Chinese, Japanese and Korean signs are two columns wide there, marks on letters
-/// none.
+/// Returns the width of a text in a terminal, in columns. Chinese, Japanese and Korean characters are two columns wide,
+/// combining marks none.
 int columnsOf(const QString& text);
 
-/// Cuts a text in its middle, which then is "…", to so many columns. What would break a line is a space.
+/// Shortens a text to `columns` by replacing its middle by "…". Unprintable characters become spaces.
 QString shortened(const QString& text, int columns);
 
-/// A line break follows. `widths`: so many columns; below 0: words begin at the left; else figures end at the right.
-/// What is longer stays whole and moves the rest.
+/// Returns a line of a table, with a line break. `widths`: columns of each field; negative: left-aligned, positive:
+/// right-aligned. A longer field is not cut and shifts the following ones.
 QString tableLine(const QStringList& fields, const std::vector<int>& widths);
 
-/// Quotes what a field of CSV must have quoted (RFC 4180).
+/// Returns the text as a field of CSV, quoted if necessary (RFC 4180).
 QString csvField(QString text);
 } // namespace app

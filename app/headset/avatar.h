@@ -5,6 +5,6 @@
 
 namespace app
 {
-/// Returns the avatar of the user in the headset in the document's space. Thread: gui.
+/// Returns the avatar of the user in the headset, in the document's space (mm). Thread: gui.
 ui::HeadsetAvatar avatarOf(const vr::AvatarState& state);
 } // namespace app

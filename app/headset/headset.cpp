@@ -16,7 +16,7 @@ Headset::Headset(const HeadsetController::Program& program, MakeClient makeClien
     connect(&m_thread, &vr::HeadsetThread::reported, this, &Headset::onReport);
 }
 
-/// The controller starts first: the model is on its way before the first frame.
+/// Begins a visit. The controller starts first, so that the model is sent before the first frame.
 void Headset::enter()
 {
     if (isStuck())

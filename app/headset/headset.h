@@ -9,36 +9,36 @@
 
 namespace app
 {
-/// Enters the headset with the document that is open, and leaves it, any number of times. Thread: gui.
+/// Lets the user enter the headset with the open document and leave it, any number of times. Thread: gui.
 class Headset : public QObject
 {
     Q_OBJECT
 
 public:
-    /// Makes the client that shows the document to the user in the headset.
+    /// A callback that makes the client which shows the document in the headset.
     using MakeClient = std::function<std::shared_ptr<vr::FrameClient>(const std::shared_ptr<vr::DocumentPort>& port,
                                                                       const vr::HeadsetSettings& settings)>;
 
-    /// See HeadsetController.
+    /// `program`: see HeadsetController.
     Headset(const HeadsetController::Program& program, MakeClient makeClient, QObject* parent = nullptr);
 
-    /// Both return at once; reported() says how it goes. No effect if that is the state already; a visit that does not
-    /// respond is reported.
+    /// Begin and end a visit to the headset. They return at once; reported() gives the result. They have no effect if
+    /// the visit is already in that state. If an earlier visit does not respond, that is reported.
     void enter();
     void leave();
     /// Shows one sentence in the headset, if it is in use.
     void showNotice(const QString& sentence) { m_controller.showNotice(sentence); }
     PartnerView& partner() { return m_controller.partner(); }
-    /// A visit has begun, and was neither ended nor given up.
+    /// Returns whether a visit has begun and has neither ended nor been abandoned.
     bool isActive() const { return m_thread.isActive(); }
-    /// One was given up, and hinders others.
+    /// Returns whether an abandoned visit prevents new ones.
     bool isStuck() const { return m_thread.isStuck(); }
 
 Q_SIGNALS:
     void reported(const vr::HeadsetReport& report);
-    /// leave() has begun; the end may take its time.
+    /// Emitted when leave() has begun; the visit may take a while to end.
     void leaving();
-    /// As HeadsetController's.
+    /// Same signals as HeadsetController's.
     void noticed(const QString& sentence);
     void avatarChanged(const std::optional<vr::AvatarState>& avatar);
 
@@ -47,6 +47,6 @@ private:
 
     MakeClient m_makeClient;
     HeadsetController m_controller;
-    vr::HeadsetThread m_thread; ///< last: its visits use the controller's documents
+    vr::HeadsetThread m_thread; ///< last member: visits use the controller's documents
 };
 } // namespace app

@@ -25,7 +25,8 @@ std::shared_ptr<vr::FrameClient> makeClient(const std::shared_ptr<vr::DocumentPo
     return std::make_shared<vr::SculptClient>(port, settings);
 }
 
-/// A visit that has not quite begun can be left already: a runtime may wait for a headset that nobody puts on.
+/// Returns the state for the window's actions. A visit that is still starting can be left, too: a runtime may wait for
+/// a headset that nobody puts on.
 ui::HeadsetState stateOf(const vr::HeadsetReport& report)
 {
     return report.isEnded() ? ui::HeadsetState::Out : ui::HeadsetState::In;
@@ -50,7 +51,7 @@ void connectVisits(ui::MainWindow& window, Headset* headset)
                      });
 }
 
-/// What the one at the desktop does for the one in the headset.
+/// Connects the actions by which the desktop user helps the headset user.
 void connectPartner(ui::MainWindow& window, Headset* headset)
 {
     QObject::connect(window.viewport()->spotlight(), &ui::PointerSpotlight::pointed, &headset->partner(),
@@ -63,7 +64,8 @@ void connectPartner(ui::MainWindow& window, Headset* headset)
     });
 }
 
-/// Who draws in the headset feels that somebody draws at the desktop, who in turn reads it.
+/// Tells the desktop user when a stroke is refused because the headset user is sculpting. The headset user feels the
+/// opposite case as haptics.
 void connectRefusals(ui::MainWindow& window, Document& document, SculptWorker& worker)
 {
     QObject::connect(&worker.strokes(), &StrokeGate::refused, &window, [&window, &document](Source source) {
@@ -73,7 +75,8 @@ void connectRefusals(ui::MainWindow& window, Document& document, SculptWorker& w
     });
 }
 
-/// Connects the actions for users who cannot reach the same setting in the headset. They apply from the next visit on.
+/// Connects the actions for users who cannot reach the same settings in the headset. They take effect at the next
+/// visit.
 void connectHandednessActions(ui::MainWindow& window, Headset* headset)
 {
     QAction* oneHand = window.action(QStringLiteral("vr.oneHand"));

@@ -11,7 +11,7 @@ class Document;
 class Headset;
 class SculptWorker;
 
-/// Makes the headset and connects it with the window, which owns it, so that it is destroyed before the document.
-/// Thread: gui.
+/// Makes the headset and connects it to the window. The window owns it, so it is destroyed before the document. Thread:
+/// gui.
 Headset* connectHeadset(ui::MainWindow& window, Document& document, SculptWorker& worker);
 } // namespace app

@@ -18,8 +18,8 @@ namespace app
 {
 namespace
 {
-/// Returns the settings that the headset takes from the window. The radius is not one of them: it is a length of its
-/// own there.
+/// Returns the brush settings that the headset takes from the window. The radius is not one of them: the headset has a
+/// radius of its own.
 auto sharedSettings(const core::StrokeSettings& brush)
 {
     return std::tuple(brush.tool, brush.brush, brush.topology, brush.symmetry, brush.radial, brush.color.r,
@@ -89,7 +89,7 @@ void HeadsetController::connectParts()
 
 std::shared_ptr<HeadsetPort> HeadsetController::open()
 {
-    ++m_update.brushChange; // nothing of it is known there
+    ++m_update.brushChange; // the headset knows no settings yet, so all are sent
     m_update.saved.clear();
     m_update.notice.clear();
     m_update.noticeCount = 0;
@@ -149,7 +149,7 @@ void HeadsetController::onBrushChanged()
     scheduleUpdate();
 }
 
-/// Tells the headset in which folder the model is. A class is shown no files.
+/// Tells the headset the folder of the model. In a class no files are shown.
 void HeadsetController::updateFolder()
 {
     if (m_port && !m_window->classroom())
@@ -157,7 +157,7 @@ void HeadsetController::updateFolder()
     scheduleUpdate();
 }
 
-/// At once: a stroke may begin at any moment.
+/// Takes effect at once, because a stroke may begin at any moment.
 void HeadsetController::onBusyChanged()
 {
     if (m_port)
@@ -165,7 +165,7 @@ void HeadsetController::onBusyChanged()
     scheduleUpdate();
 }
 
-/// One of many changes that come together.
+/// Schedules one update for all changes in the present iteration of the event loop.
 void HeadsetController::scheduleUpdate()
 {
     if (m_port && !std::exchange(m_isUpdateScheduled, true))

@@ -17,8 +17,8 @@ class ColorPanel;
 
 namespace app
 {
-/// The gui thread's side of visits to the headset: sends the state of document and brush, and receives where the user
-/// is. Thread: gui.
+/// The gui thread's part of visits to the headset. Sends the state of document and brush, and receives the user's
+/// position. Thread: gui.
 class HeadsetController : public QObject
 {
     Q_OBJECT
@@ -31,14 +31,14 @@ public:
         ui::MainWindow* window;
     };
 
-    /// None is owned. Document and worker must outlive the controller; the window may be about to close.
+    /// Owns none of the arguments. Document and worker must outlive the controller; the window may be closing.
     explicit HeadsetController(const Program& program, QObject* parent = nullptr);
-    /// As close().
+    /// Ends the visit as close() does.
     ~HeadsetController() override;
 
-    /// A visit begins: its document, with the model as it is.
+    /// Begins a visit and returns its port, with the present model.
     std::shared_ptr<HeadsetPort> open();
-    /// The headset's thread has ended, or is abandoned. Strokes and requests made before are still done.
+    /// Called when the headset's thread has ended or was abandoned. Earlier strokes and requests are still carried out.
     void close();
     PartnerView& partner() { return m_partner; }
 
@@ -47,9 +47,9 @@ public Q_SLOTS:
     void showNotice(const QString& sentence);
 
 Q_SIGNALS:
-    /// One sentence about what a request came to, for those at the window.
+    /// Emitted with one sentence about the result of a request, for the desktop user.
     void noticed(const QString& sentence);
-    /// The user in the headset moved; none: gone.
+    /// Emitted when the headset user has moved; nothing: the user has left.
     void avatarChanged(const std::optional<vr::AvatarState>& avatar);
 
 private:
@@ -66,11 +66,11 @@ private:
     SculptWorker* m_worker;
     ui::MainWindow* m_window;
     ui::ColorPanel* m_colors;
-    std::shared_ptr<HeadsetPort> m_port; ///< of the visit; null: there is none
-    vr::DocumentUpdate m_update;         ///< the part that is not found elsewhere
+    std::shared_ptr<HeadsetPort> m_port; ///< port of the present visit; null: no visit
+    vr::DocumentUpdate m_update;         ///< the part of the update that is stored only here
     bool m_isUpdateScheduled = false;
     PartnerView m_partner;
     HeadsetRequests m_requests;
-    HeadsetFiles m_files; ///< last
+    HeadsetFiles m_files; ///< last member: its destructor waits for jobs that use the other members
 };
 } // namespace app

@@ -11,7 +11,7 @@ namespace app
 {
 namespace
 {
-constexpr int listDelayMs = 300; ///< a folder changes several times while a file is written
+constexpr int listDelayMs = 300; ///< a folder changes several times while a file is being written
 
 vr::FileTile tileOf(const ui::FileEntry& entry)
 {
@@ -62,7 +62,7 @@ void HeadsetFiles::stop()
 QString HeadsetFiles::name() const
 {
     const QString name = QDir(m_folder).dirName();
-    return name.isEmpty() ? QDir::toNativeSeparators(m_folder) : name; // a root has none
+    return name.isEmpty() ? QDir::toNativeSeparators(m_folder) : name; // a root folder has no name
 }
 
 void HeadsetFiles::list()
@@ -77,7 +77,7 @@ void HeadsetFiles::list()
                });
 }
 
-/// A file that stayed as it was keeps its picture.
+/// Sets the listed files. Unchanged files keep their pictures.
 void HeadsetFiles::setContent(const ui::FolderContent& content)
 {
     QList<ui::FileEntry> entries = content.entries;

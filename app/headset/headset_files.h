@@ -13,28 +13,28 @@
 
 namespace app
 {
-/// The models of a folder with their pictures, as the headset shows them. The disk is asked and pictures are made in
-/// other threads, and only while somebody looks. Thread: gui.
+/// The models of a folder and their pictures, shown in the headset. The disk is read and pictures are made on other
+/// threads, only while a folder is watched. Thread: gui.
 class HeadsetFiles : public QObject
 {
     Q_OBJECT
 
 public:
-    static constexpr qsizetype maxFiles = 120; ///< the latest
+    static constexpr qsizetype maxFiles = 120; ///< number of files shown, the latest ones
 
     explicit HeadsetFiles(QObject* parent = nullptr);
     ~HeadsetFiles() override;
 
-    /// The folder of the model with that file; of a model without a file, the last folder used.
+    /// Returns the folder of a model's file; for an empty path, the folder used last.
     static QString folderOf(const QString& path);
 
-    /// Lists that folder from now on, and watches it for changes.
+    /// Lists the folder, and again whenever it changes.
     void watch(const QString& folder);
     void stop();
 
-    /// The latest first; a picture comes when it is made.
+    /// Returns the files, the latest first. Their pictures are added when they are ready.
     const QList<vr::FileTile>& tiles() const { return m_tiles; }
-    /// Of the folder, for people.
+    /// Returns the display name of the folder.
     QString name() const;
 
 Q_SIGNALS:
@@ -47,11 +47,11 @@ private:
 
     QString m_folder; ///< empty: no folder is watched
     QList<ui::FileEntry> m_entries;
-    QList<vr::FileTile> m_tiles; ///< of the entries
+    QList<vr::FileTile> m_tiles; ///< one for each of m_entries
     QFileSystemWatcher m_watcher;
     QTimer m_listTimer;
     std::unique_ptr<ui::ThumbnailMaker> m_maker;
     std::stop_source m_listing;
-    ui::BackgroundThread m_disk; ///< last
+    ui::BackgroundThread m_disk; ///< last member: its destructor waits for jobs that use the other members
 };
 } // namespace app

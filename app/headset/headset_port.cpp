@@ -6,8 +6,8 @@ namespace app
 {
 namespace
 {
-/// Returns whether the hand is to feel it. A pull that begins too close to the surface to add a ball waits for its
-/// first touch.
+/// Returns whether the shortfall is felt as haptics. TooClose is not, because a pull may begin too close to the surface
+/// to add a ball, and then pulls at its first contact.
 bool isRefusal(core::Shortfall shortfall)
 {
     return shortfall != core::Shortfall::None && shortfall != core::Shortfall::TooClose;
@@ -16,9 +16,10 @@ bool isRefusal(core::Shortfall shortfall)
 
 HeadsetPort::HeadsetPort(SculptWorker* worker) : m_worker(worker) {}
 
-// --- the gui thread's side
+// --- functions for the gui thread
 
-/// The worker's signals come on the mesh thread, the last ones perhaps while the visit ends.
+/// Connects the worker's signals, which are emitted on the mesh thread. `self` keeps this alive, because signals may
+/// arrive while the visit ends.
 void HeadsetPort::begin()
 {
     const auto self = shared_from_this();
@@ -43,7 +44,7 @@ void HeadsetPort::begin()
 
 void HeadsetPort::end()
 {
-    const auto self = shared_from_this(); // the connections may be the last who know us
+    const auto self = shared_from_this(); // the connections may hold the last references to this
     m_worker->setInbox(Source::Headset, nullptr);
     disconnect(m_queryConnection);
     disconnect(m_sampleConnection);
@@ -57,7 +58,7 @@ void HeadsetPort::setUpdate(vr::DocumentUpdate update)
 {
     std::optional<vr::DocumentUpdate> next = std::move(update);
     const std::lock_guard lock(m_mutex);
-    std::swap(m_update, next); // an outdated one is freed after the lock
+    std::swap(m_update, next); // an outdated update is freed after the lock is released
 }
 
 HeadsetMessages HeadsetPort::takeMessages()
@@ -96,7 +97,7 @@ void HeadsetPort::setTakenOver(bool isTakenOver)
     endOpenStroke();
 }
 
-// --- what comes and goes
+// --- patches, updates, queries and requests
 
 std::optional<core::MeshPatch> HeadsetPort::takePatch()
 {
@@ -111,7 +112,7 @@ std::optional<vr::DocumentUpdate> HeadsetPort::takeUpdate()
 
 void HeadsetPort::querySurface(const vr::SurfaceQuery& query)
 {
-    const bool isOfRay = query.brush.brush == core::BrushShape::Ray; // which meets the surface alike without its brush
+    const bool isOfRay = query.brush.brush == core::BrushShape::Ray; // a ray hits the same point whatever the brush
     const std::lock_guard lock(m_mutex);
     if (m_hasEnded)
         return;
@@ -138,7 +139,7 @@ void HeadsetPort::show(const vr::AvatarState& avatar)
     send([&] { m_messages.avatar = avatar; });
 }
 
-/// `write` puts it into the messages.
+/// Calls `write` to add to the messages, and notifies the gui thread once.
 void HeadsetPort::send(const std::function<void()>& write)
 {
     bool isNew = false;
@@ -160,7 +161,7 @@ bool HeadsetPort::beginStroke(const core::StrokeSettings& settings)
     const std::lock_guard lock(m_mutex);
     if (m_isRefusing || m_isTakenOver || m_hasEnded) {
         ++m_effect.refusals;
-        m_messages.wasRefused |= m_isTakenOver; // it is fetched with the frame's avatar
+        m_messages.wasRefused |= m_isTakenOver; // the gui thread takes it together with the next avatar message
         return false;
     }
     if (m_done < m_requested) {
@@ -206,7 +207,8 @@ void HeadsetPort::endOpenStroke()
     m_open = Stroke::None;
 }
 
-/// Posts the strokes that wait for no request any more. The last may still be open: then it continues there.
+/// Posts the strokes whose requests are done. The last one may still be open; its next samples are then posted
+/// directly.
 void HeadsetPort::postHeld()
 {
     for (; !m_held.empty() && m_held.front().after <= m_done; m_held.pop_front())

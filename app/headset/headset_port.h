@@ -15,44 +15,44 @@
 
 namespace app
 {
-/// Messages of a visit to the gui thread since they were last taken.
+/// Messages from a visit to the gui thread, collected until they are taken.
 struct HeadsetMessages
 {
     std::deque<vr::DocumentRequest> requests;
-    std::optional<vr::AvatarState> avatar; ///< the newest
-    bool wasRefused = false;               ///< a stroke, because somebody at the window has taken over
+    std::optional<vr::AvatarState> avatar; ///< the latest state
+    bool wasRefused = false;               ///< whether a stroke was refused because the desktop user has taken over
 };
 
-/// The document of one visit to the headset. Strokes go straight to the mesh thread, requests to the gui thread. A
-/// stroke that begins after a request that changes or saves the model is held here until the request is done, so that
-/// both arrive in the order in which they were made; nobody waits.
+/// The document of one visit to the headset. Strokes are posted directly to the mesh thread, requests to the gui
+/// thread. A stroke that begins after a request that changes or saves the model is held here until that request is
+/// done. Strokes and requests thus arrive in the order in which they were made, and no thread blocks.
 class HeadsetPort : public QObject, public vr::DocumentPort, public std::enable_shared_from_this<HeadsetPort>
 {
     Q_OBJECT
 
 public:
-    /// The worker must outlive the gui thread's side. Thread: gui.
+    /// The worker must outlive the functions of the gui thread. Thread: gui.
     explicit HeadsetPort(SculptWorker* worker);
 
-    // The gui thread's side.
+    // Functions for the gui thread.
 
-    /// From now on the worker's patches and answers come here.
+    /// Begins to receive the worker's patches and answers.
     void begin();
-    /// A stroke that is open ends. Held strokes go to the worker when their request is done. Later calls by the
-    /// headset's thread, as from an abandoned visit, have no effect.
+    /// Ends an open stroke. Held strokes are posted when their request is done. Later calls by the headset's thread,
+    /// which may belong to an abandoned visit, have no effect.
     void end();
     void setUpdate(vr::DocumentUpdate update);
     HeadsetMessages takeMessages();
-    /// One more request that holds strokes (holdsStrokes) is done.
+    /// Counts a finished request for which holdsStrokes() is true.
     void requestDone();
     static bool holdsStrokes(const vr::DocumentRequest& request);
-    /// While another model is on its way: no stroke begins.
+    /// Sets whether strokes are refused, because another model is being opened.
     void setRefusing(bool refuses);
-    /// While somebody at the window has taken over: no stroke begins, and an open one ends as it is. What was drawn
-    /// before is done all the same.
+    /// Sets whether the desktop user has taken over. No stroke then begins, and an open stroke ends, keeping its dabs.
+    /// Strokes held earlier are still done.
     void setTakenOver(bool isTakenOver);
 
-    // The headset's thread.
+    // Functions for the headset's thread.
 
     std::optional<core::MeshPatch> takePatch() override;
     std::optional<vr::DocumentUpdate> takeUpdate() override;
@@ -66,7 +66,7 @@ public:
     void show(const vr::AvatarState& avatar) override;
 
 Q_SIGNALS:
-    /// Emitted once until the messages are taken, on the headset's thread: connect it queued.
+    /// Emitted once until the messages are taken, on the headset's thread: use a queued connection.
     void messagesArrived();
 
 private:
@@ -74,9 +74,9 @@ private:
 
     struct HeldStroke
     {
-        quint64 after; ///< that many requests
+        quint64 after; ///< number of requests that must be done first
         core::StrokeSettings settings;
-        std::vector<core::StrokeSample> samples; ///< at most JobQueue::maxWaitingSamples
+        std::vector<core::StrokeSample> samples; ///< at most JobQueue::maxWaitingSamples samples
         bool hasEnded = false;
     };
 
@@ -90,7 +90,7 @@ private:
     std::shared_ptr<PatchInbox> m_inbox = std::make_shared<PatchInbox>();
     QMetaObject::Connection m_queryConnection, m_sampleConnection;
 
-    std::mutex m_mutex; ///< of the rest
+    std::mutex m_mutex; ///< guards the following members
     std::optional<vr::DocumentUpdate> m_update;
     std::optional<vr::SurfaceQueryResult> m_queryResult;
     vr::StrokeEffect m_effect;
@@ -98,7 +98,7 @@ private:
     bool m_isNotified = false;
     bool m_isRefusing = false, m_isTakenOver = false;
     bool m_hasEnded = false;
-    quint64 m_requested = 0, m_done = 0; ///< requests that hold strokes
+    quint64 m_requested = 0, m_done = 0; ///< numbers of requests that hold strokes
     Stroke m_open = Stroke::None;
     std::deque<HeldStroke> m_held;
 };

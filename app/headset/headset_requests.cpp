@@ -36,14 +36,15 @@ void HeadsetRequests::enqueue(const std::shared_ptr<HeadsetPort>& port, std::deq
     handleNext();
 }
 
-/// While the window has taken over, nothing may change the model, or the brush that both have.
+/// Returns whether the request must be refused. While the window has taken over, the headset may change neither the
+/// model nor the shared brush.
 bool HeadsetRequests::isForbidden(const vr::DocumentRequest& request) const
 {
     return m_partner->isTakenOver() && !std::holds_alternative<vr::HeadsetSettings>(request) &&
            !std::holds_alternative<vr::SaveModel>(request);
 }
 
-/// One at a time: strokes between two requests come to the document before the second.
+/// Handles one request at a time, so that strokes between two requests reach the document before the second request.
 void HeadsetRequests::handleNext()
 {
     if (m_turns.empty() || std::exchange(m_isHandling, true))
@@ -85,7 +86,7 @@ void HeadsetRequests::handle(const vr::ChooseBrush& request)
     using core::StrokeSettings;
     ui::BrushSettings& brush = *m_window->brush();
     brush.setTool(request.brush.tool);
-    if (!brush.isOffered(request.brush.tool)) { // the headset is told which tool there is instead
+    if (!brush.isOffered(request.brush.tool)) { // the headset is then told which tool is selected instead
         Q_EMIT refused(tr("This tool is not available in this class."));
         Q_EMIT brushRefused();
     }

@@ -17,40 +17,41 @@ namespace app
 class Document;
 class PartnerView;
 
-/// Does what the user in the headset asks of the document and of the window, in the order in which it was asked.
-/// Thread: gui.
+/// Carries out the requests of the headset user for document and window, in the order in which they were made. Thread:
+/// gui.
 class HeadsetRequests : public QObject
 {
     Q_OBJECT
 
 public:
-    /// None is owned; all must outlive this.
+    /// Owns none of the arguments; all must outlive this.
     HeadsetRequests(Document* document, ui::MainWindow* window, PartnerView* partner);
 
-    /// Requests that hold strokes of that port are done one at a time, among the document's changes; others at once.
+    /// Handles requests. Those that hold strokes of the port are handled one at a time, in the document's queue; all
+    /// others are handled at once.
     void enqueue(const std::shared_ptr<HeadsetPort>& port, std::deque<vr::DocumentRequest> requests);
-    /// The brush is changed by the headset just now.
+    /// Returns whether the headset is changing the brush at the moment.
     bool isChoosing() const { return m_isChoosing; }
 
 Q_SIGNALS:
-    /// One sentence says why it was not done.
+    /// Emitted with one sentence why a request was not carried out.
     void refused(const QString& sentence);
-    /// The headset has to take the window's brush again.
+    /// Emitted when the headset has to restore the window's brush.
     void brushRefused();
 
 private:
-    /// A request that has to wait for its turn among the document's changes.
+    /// A request that waits in the document's queue.
     struct Turn
     {
         std::shared_ptr<HeadsetPort> port;
         vr::DocumentRequest request;
-        bool isForbidden = false; ///< the window has taken over
+        bool isForbidden = false; ///< whether the window had taken over when the request was made
     };
 
     bool isForbidden(const vr::DocumentRequest& request) const;
     void handleNext();
     void finish(const std::shared_ptr<HeadsetPort>& port);
-    /// Emits refused() with that sentence if other work on the model goes on.
+    /// Returns whether another job is running on the model; emits refused(sentence) if so.
     bool isBusy(const QString& sentence);
     void handle(const vr::ChooseBrush& request);
     void handle(const vr::HeadsetSettings& settings);
@@ -66,7 +67,7 @@ private:
     ui::MainWindow* m_window;
     PartnerView* m_partner;
     std::deque<Turn> m_turns;
-    bool m_isHandling = false; ///< one of them
+    bool m_isHandling = false; ///< whether one of the requests is being handled
     bool m_isChoosing = false;
 };
 } // namespace app

@@ -18,7 +18,8 @@ namespace app
 {
 namespace
 {
-constexpr std::chrono::milliseconds choiceDelay(500); ///< a slider's value is told when it rests
+/// a slider's value is announced when it has not changed for this time
+constexpr std::chrono::milliseconds choiceDelay(500);
 constexpr double sameShare = 1e-9;
 static_assert(static_cast<int>(vr::LessonRequest::Next) == static_cast<int>(ui::LessonButton::Next));
 
@@ -90,7 +91,8 @@ void PartnerView::point(const std::optional<core::SurfaceHit>& place)
     Q_EMIT changed();
 }
 
-/// A radius that follows the model's size, or came with another model, was not chosen by the user.
+/// Detects a radius chosen by the desktop user. A change that follows the model's size, or came with another model,
+/// does not count.
 void PartnerView::checkRadius(quint64 model)
 {
     const double share = m_window->brush()->radiusShare();
@@ -103,7 +105,8 @@ void PartnerView::checkRadius(quint64 model)
     m_radiusShare = share;
 }
 
-/// Symmetry, topology and colour are only felt as a tick; the tools of a lesson's step were not chosen by the user.
+/// Announces the window's brush in the headset. Changes of symmetry, topology and colour are only felt as haptics;
+/// tools selected by a lesson's step are not announced.
 void PartnerView::announceChoice()
 {
     if (!m_isVisited)

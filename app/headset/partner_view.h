@@ -18,46 +18,46 @@ namespace app
 {
 class Document;
 
-/// What the user at the window does for the one in the headset: points, chooses, undoes, takes over, gives a lesson.
+/// The actions of the desktop user for the headset user: points, chooses brushes, undoes, takes over and gives lessons.
 /// Thread: gui.
 class PartnerView : public QObject
 {
     Q_OBJECT
 
 public:
-    /// None is owned. The window may be about to close.
+    /// Owns none of the arguments. The window may be closing.
     PartnerView(Document* document, ui::MainWindow* window);
 
-    /// A visit to the headset begins with the model of that number (vr::DocumentUpdate::model).
+    /// Begins a visit. `model`: number of the present model (vr::DocumentUpdate::model).
     void begin(quint64 model);
     void end();
-    /// Adds what the headset shows of the partner.
+    /// Adds the partner's state to an update for the headset.
     void addTo(vr::DocumentUpdate& update);
 
-    /// The brush was changed at the window.
+    /// Announces the window's brush after a delay without further changes.
     void startChoiceTimer() { m_choiceTimer.start(); }
-    /// The user in the headset chose the window's brush: knows it, and keeps the radius in the headset, whatever radius
-    /// the window has for that tool.
+    /// Records a brush that the headset user has chosen, so that it is not announced. The headset keeps its own radius,
+    /// even if the window has another radius for that tool.
     void setKnownBrush(const core::StrokeSettings& brush);
     void setAvatarRadius(double mm) { m_avatarRadius = mm; }
     bool isTakenOver() const { return m_isTakenOver; }
-    /// Tells the user in the headset that only the window changes model and brush now.
+    /// Tells the headset user that only the window may change model and brush at present.
     void refuse();
     void press(vr::LessonRequest button);
 
 public Q_SLOTS:
-    /// The place where the user at the window points; nothing if at none.
+    /// Sets the place at which the desktop user points; nothing: none.
     void point(const std::optional<core::SurfaceHit>& place);
-    /// Only the window changes the model, until this is false again or the visit ends.
+    /// Sets whether only the window may change the model. Ends with the visit at the latest.
     void setTakenOver(bool isTakenOver);
 
 Q_SIGNALS:
-    /// addTo() adds something else now.
+    /// Emitted when addTo() would add something different.
     void changed();
-    /// One sentence to be read in the headset.
+    /// Emitted with one sentence to be shown in the headset.
     void noticed(const QString& sentence);
     void takenOver(bool isTakenOver);
-    /// The headset has to take the window's brush again.
+    /// Emitted when the headset has to restore the window's brush.
     void brushRefused();
 
 private:
@@ -74,14 +74,14 @@ private:
     std::optional<vr::PointedPlace> m_pointed;
     std::optional<core::Sphere> m_teacher;
     std::optional<vr::LessonPanel> m_lesson;
-    core::StrokeSettings m_knownBrush; ///< the user in the headset knows it
-    QString m_undoText, m_redoText;    ///< as they were told: the step that was undone just now is still among them
-    quint64 m_radiusModel = 0;         ///< the model of the next
-    double m_radiusShare = 0;          ///< of the window's brush, as it was told
+    core::StrokeSettings m_knownBrush; ///< brush that was last announced or chosen in the headset
+    QString m_undoText, m_redoText;    ///< names sent with the last update; they still include the step being undone
+    quint64 m_radiusModel = 0;         ///< model to which m_radiusShare belongs
+    double m_radiusShare = 0;          ///< radius share of the window's brush at the last update
     quint64 m_radiusChanges = 0;
     bool m_isRadiusNew = false;
-    bool m_isStepNew = false;  ///< of a lesson, which has tools of its own
-    double m_avatarRadius = 0; ///< mm; 0: not known
-    QTimer m_choiceTimer;      ///< runs while the window's choice may still go on
+    bool m_isStepNew = false;  ///< whether a lesson has entered a new step, which selects tools
+    double m_avatarRadius = 0; ///< mm; 0: unknown
+    QTimer m_choiceTimer;      ///< runs until the window's brush has not changed for a while
 };
 } // namespace app

@@ -16,18 +16,18 @@ public:
     explicit RuntimeProbe(QObject* parent = nullptr);
 
 public Q_SLOTS:
-    /// Starts a probe. While one runs, another call starts none, and only repeats the message if it takes long.
+    /// Starts a probe. During a probe, starts no other one; if the probe takes long, emits its message again.
     void start();
 
 Q_SIGNALS:
-    /// Emitted with the result; before it with a message, if the probe takes long.
+    /// Emitted with the result. If the probe takes long, also emitted earlier with a message about that.
     void finished(const QString& sentence);
 
 private:
     void reportTimeout();
 
-    std::shared_ptr<QString> m_result; ///< owned by the thread until it has ended
+    std::shared_ptr<QString> m_result; ///< written by the thread until it has ended
     QTimer m_timer;
-    vr::RuntimeThread m_thread; ///< last: its work uses the others
+    vr::RuntimeThread m_thread; ///< last member: its work uses the other members
 };
 } // namespace app

@@ -18,7 +18,7 @@ namespace app
 {
 namespace
 {
-/// One view, of as many pixels as the window has at first: a processor that draws in software does it, too.
+/// One view, as large as the simulator's window at first, pixels. Small enough for drawing in software.
 constexpr int heightPixels = 720, widthPixels = 810;
 constexpr int hertz = 60;
 
@@ -27,7 +27,7 @@ QByteArray text(const QJsonObject& object)
     return QJsonDocument(object).toJson(QJsonDocument::Compact);
 }
 
-/// A headset that is on a person's head whenever VR is entered; wands point where their fronts do.
+/// Returns the start settings of a headset that is worn whenever VR is entered. The wands' aim equals their pose.
 QJsonObject script()
 {
     const auto degrees = [](double tangent) { return std::atan(tangent) * 180 / std::numbers::pi; };
@@ -42,7 +42,7 @@ QJsonObject script()
                                                   {QStringLiteral("aim"), aim}}}};
 }
 
-/// Returns the path where the build puts the module, or an installation does.
+/// Returns the folder with the simulator's module, in the build or the installation; empty if there is none.
 QString folderOf(const QString& program)
 {
     for (const char* way : {"/" FETTLE_SIMULATOR_FOLDER, "/../" FETTLE_SIMULATOR_FOLDER})

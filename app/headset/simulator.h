@@ -10,21 +10,22 @@ struct FettleXrPicture;
 
 namespace app
 {
-/// The VR simulator in this process: an OpenXR runtime of our own (vr/simulator), which takes a headset's place. It
-/// stays to the end of the process. Thread: gui.
+/// The VR simulator, loaded into this process: Fettle's own OpenXR runtime (vr/simulator), used instead of a headset.
+/// It stays loaded until the process ends. Thread: gui.
 class Simulator
 {
     Q_DECLARE_TR_FUNCTIONS(app::Simulator)
 
 public:
-    /// Loads what lies beside the program, or where it is installed, and makes it the OpenXR runtime of this process;
-    /// before VR is first asked for. `program`: the folder of the program. Throws CommandFailure where it is missing or
-    /// cannot be loaded.
+    /// Loads the simulator from the program's folder or its installation, and makes it the OpenXR runtime of this
+    /// process. Precondition: OpenXR has not been used yet. `program`: folder of the program. Throws CommandFailure if
+    /// the simulator is missing or cannot be loaded.
     static std::unique_ptr<Simulator> open(const QString& program = QCoreApplication::applicationDirPath());
 
-    /// How head and wands are from the next frame on, in the words of vr/simulator/control_api.h.
+    /// Sets the state of head and wands from the next frame on. `step`: see vr/simulator/control_api.h.
     void apply(const QJsonObject& step);
-    /// What the eye saw in the newest frame since this was last asked, which asks for the next; null: nothing new.
+    /// Returns the newest frame that the eye saw, and requests the next one; null if there is no new one since the last
+    /// call.
     QImage picture();
 
 private:

@@ -23,8 +23,8 @@ namespace
 using Eigen::Isometry3d;
 using ui::SimulatedHand;
 
-constexpr int tickMs = 16; ///< milliseconds: about a frame of the simulated headset
-/// A press is sent when the one before it was certainly seen by a frame: the next picture may be of one that had begun
+constexpr int tickMs = 16; ///< ms; about one frame of the simulated headset
+/// A button change is sent two pictures after the previous one: the first picture may be of a frame that had begun
 /// before.
 constexpr int minPicturesApart = 2;
 
@@ -78,7 +78,7 @@ SimulatorController::SimulatorController(ui::MainWindow* window, SculptWorker* w
     connect(m_window->view(), &ui::SimulatorView::buttonsChanged, this, &SimulatorController::queueButtons);
 }
 
-/// The window is there from a visit's first word to its last, unless it is closed, which ends the visit.
+/// Shows the window from the first report of a visit to its last. Closing the window ends the visit.
 void SimulatorController::onReport(const vr::HeadsetReport& report)
 {
     if (report.isEnded()) {
@@ -98,8 +98,8 @@ void SimulatorController::onReport(const vr::HeadsetReport& report)
     }
 }
 
-/// Lets the hand rest at which a panel opens, and gives the mouse to the other one, which can point at it: a hand on
-/// the model would carry the panel out of sight.
+/// When a panel opens at the hand moved by the mouse, gives the mouse to the other hand, which can point at the panel.
+/// Otherwise a hand over the model would move the panel out of view.
 void SimulatorController::onAvatar(const std::optional<vr::AvatarState>& avatar)
 {
     const auto carriesPanel = [side = sideOf(m_window->view()->controls().hand())](const auto& seen) {
@@ -128,7 +128,7 @@ void SimulatorController::tick()
     move();
 }
 
-/// Asks what of the model is under the mouse now, and lets the wand follow what was, and the panels.
+/// Asks for the surface under the mouse, and moves the wand to the latest known surface of model or panels.
 void SimulatorController::look()
 {
     if (!m_seen || !m_seen->head)
@@ -140,7 +140,8 @@ void SimulatorController::look()
     m_window->view()->meet(surfaceUnderMouse(), following(), isRay);
 }
 
-/// Room space is not the simulator's own once the user has recentred it.
+/// Returns the ray under the mouse in room space, which differs from the simulator's space after the user has recentred
+/// it.
 core::Ray SimulatorController::sightInRoom() const
 {
     const ui::SimulatorControls& controls = m_window->view()->controls();
@@ -149,7 +150,7 @@ core::Ray SimulatorController::sightInRoom() const
     return {toRoom * sight.origin, toRoom.linear() * sight.direction};
 }
 
-/// Returns the nearest.
+/// Returns the nearest of model and panels under the mouse; nothing if there is none.
 std::optional<ui::SimulatorControls::Surface> SimulatorController::surfaceUnderMouse() const
 {
     using Surface = ui::SimulatorControls::Surface;
@@ -168,7 +169,8 @@ std::optional<ui::SimulatorControls::Surface> SimulatorController::surfaceUnderM
     return nearest;
 }
 
-/// Returns how the wand goes along: what is grabbed goes with the hand, and not the hand with that.
+/// Returns how the wand follows the surface. It does not follow while something is grabbed, because that moves with the
+/// hand.
 ui::SimulatorControls::Following SimulatorController::following() const
 {
     using Following = ui::SimulatorControls::Following;
@@ -187,8 +189,8 @@ void SimulatorController::queueButtons()
     m_pendingButtons.push_back({controls.buttons(SimulatedHand::Left), controls.buttons(SimulatedHand::Right)});
 }
 
-/// Head and wands are as they are now. Buttons go one change after the other, each for a frame at least: a click may be
-/// quicker than a frame that is drawn in software.
+/// Sends the present poses of head and wands. Button changes are sent one at a time, each for at least one frame,
+/// because a click may be shorter than a frame drawn in software.
 void SimulatorController::move()
 {
     const ui::SimulatorControls& controls = m_window->view()->controls();
@@ -203,7 +205,7 @@ void SimulatorController::move()
         QJsonObject wand = poseOf(grip);
         ui::SimulatedButtons buttons = m_sentButtons[indexOf(hand)];
         if (buttons.touchesPad && !buttons.pressesPad)
-            buttons.pad = controls.buttons(hand).pad; // a thumb that slides
+            buttons.pad = controls.buttons(hand).pad; // the thumb slides on the touchpad
         add(wand, buttons);
         step[hand == SimulatedHand::Left ? QStringLiteral("left") : QStringLiteral("right")] = wand;
     }

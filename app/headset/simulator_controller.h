@@ -27,18 +27,18 @@ namespace app
 class Headset;
 class SculptWorker;
 
-/// The VR simulator's window during visits to VR: brings what mouse and keys do to the simulated headset, and its
-/// pictures back. Thread: gui.
+/// Controls the simulator's window during visits to VR. Sends mouse and keys to the simulated headset, and shows its
+/// pictures. Thread: gui.
 class SimulatorController : public QObject
 {
     Q_OBJECT
 
 public:
-    /// After connectAll(). The window owns it and the simulator's window.
+    /// Must be made after connectAll(). `window` owns this and the simulator's window.
     SimulatorController(ui::MainWindow* window, SculptWorker* worker, std::unique_ptr<Simulator> simulator);
 
 private:
-    /// By ui::SimulatedHand.
+    /// Indexed by ui::SimulatedHand.
     using Buttons = std::array<ui::SimulatedButtons, ui::simulatedHandCount>;
 
     void onReport(const vr::HeadsetReport& report);
@@ -58,11 +58,11 @@ private:
     ui::SimulatorWindow* m_window;
     QTimer m_timer; ///< runs during a visit
     QElapsedTimer m_clock;
-    std::deque<Buttons> m_pendingButtons; ///< changes of buttons, not yet sent
+    std::deque<Buttons> m_pendingButtons; ///< button changes not sent yet, in order
     Buttons m_sentButtons;
-    int m_picturesSince = 0;               ///< since the last was sent
-    std::optional<vr::AvatarState> m_seen; ///< of the user in VR, last
+    int m_picturesSince = 0;               ///< number of pictures since the last button change was sent
+    std::optional<vr::AvatarState> m_seen; ///< state of the user in VR in the latest frame
     SimulatorGaze m_gaze;
-    std::optional<core::SurfaceHit> m_hit; ///< of the model, under the mouse
+    std::optional<core::SurfaceHit> m_hit; ///< where the ray under the mouse meets the model; nothing: nowhere
 };
 } // namespace app

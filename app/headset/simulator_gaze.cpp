@@ -10,11 +10,11 @@ namespace app
 {
 namespace
 {
-constexpr double turnSpeed = 2.5; ///< radians a second
-constexpr double edge = 0.04;     ///< radians that are left free beside a panel
-constexpr double enough = 0.005;  ///< radians
+constexpr double turnSpeed = 2.5; ///< radians per second
+constexpr double edge = 0.04;     ///< margin beside a panel, radians
+constexpr double enough = 0.005;  ///< angle below which turning ends, radians
 
-/// Returns whether the user opens it; others stand beside the work by themselves.
+/// Returns whether the user opens this kind of panel; others appear beside the work automatically.
 bool isOpenedByHand(vr::PanelKind kind)
 {
     using enum vr::PanelKind;
@@ -28,7 +28,7 @@ void SimulatorGaze::letGo()
     m_isDone = true;
 }
 
-/// Returns how far the head must turn to the left to see all of it; to the right below 0.
+/// Returns the angle by which the head must turn to see the whole panel, radians; positive: left, negative: right.
 double SimulatorGaze::missing(const vr::PanelTarget& panel, const vr::Pose& head, double sideTangent)
 {
     const double most = std::atan(sideTangent) - edge;
@@ -58,7 +58,7 @@ double SimulatorGaze::step(std::span<const vr::PanelTarget> panels, const vr::Po
     });
     const std::optional<vr::PanelKind> now = shown == panels.end() ? std::nullopt : std::optional(shown->kind);
     if (std::exchange(m_panel, now) != now || (open.none() && before.any()))
-        m_isDone = !now && open.any(); // the other one is looked at when the user wants to
+        m_isDone = !now && open.any(); // another open panel is not looked at automatically
     if (m_isDone)
         return 0;
     const double wanted = now ? missing(*shown, head, sideTangent) : -m_turned;

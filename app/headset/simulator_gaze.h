@@ -7,26 +7,27 @@
 
 namespace app
 {
-/// The eyes of the simulated user, who has no neck to look with: the head turns to a panel that the user opens, until
-/// that is seen whole, and back when it has gone. Pure.
+/// The gaze of the simulated user. Turns the head towards a panel that the user opens until the panel is completely
+/// visible, and back when it is closed. Has no side effects.
 class SimulatorGaze
 {
 public:
-    /// Takes, once in a while, the panels that are there, where the head is, and how far it sees to a side, as a
-    /// tangent. Returns how far the head turns now, radians to the left. `seconds`: since the last time; 0: at once.
+    /// Returns the angle by which to turn the head now, radians to the left. Called regularly with the visible panels
+    /// and the head's pose. `sideTangent`: tangent of half the horizontal field of view. `seconds`: time since the last
+    /// call; 0: turn at once.
     double step(std::span<const vr::PanelTarget> panels, const vr::Pose& head, double sideTangent, double seconds);
-    /// The user has turned the head: it stays.
+    /// Called when the user has turned the head: cancels turning, including turning back.
     void letGo();
 
 private:
     static double missing(const vr::PanelTarget& panel, const vr::Pose& head, double sideTangent);
 
-    /// Places by kind of panel.
+    /// Sets of panels, indexed by vr::PanelKind.
     using Kinds = std::bitset<vr::panelKindCount>;
 
-    Kinds m_open;                         ///< that the user has opened
-    std::optional<vr::PanelKind> m_panel; ///< at which it looks
-    bool m_isDone = true;                 ///< it is seen whole, or the user looks elsewhere
-    double m_turned = 0;                  ///< radians to the left that are to be turned back
+    Kinds m_open;                         ///< panels that the user has opened
+    std::optional<vr::PanelKind> m_panel; ///< the panel being looked at
+    bool m_isDone = true;                 ///< true: the panel is completely visible, or the user looks elsewhere
+    double m_turned = 0;                  ///< angle to turn back later, radians to the left
 };
 } // namespace app

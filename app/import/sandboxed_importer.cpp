@@ -43,7 +43,7 @@ public:
         if (size > m_rest.size())
             return false;
         std::copy_n(m_rest.data(), size,
-                    static_cast<char*>(to)); // std::memcpy() may not be given a null pointer, not even for nothing
+                    static_cast<char*>(to)); // std::memcpy() must not get a null pointer, even for 0 bytes
         m_rest.remove_prefix(size);
         return true;
     }
