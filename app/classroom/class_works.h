@@ -17,7 +17,7 @@ struct TurnFacts
     QString id, pupil;
     QDateTime begun, ended;
     std::optional<LessonResult> lesson; ///< nothing: the turn had no lesson
-    std::optional<double> used;         ///< seconds, without pauses
+    std::optional<double> used;         ///< time used, seconds, without pauses; nothing: unknown
 
     /// Returns the used seconds or, if these are unknown, the seconds from beginning to end; nothing: unknown.
     std::optional<double> seconds() const;

@@ -10,7 +10,7 @@ class BackgroundJob;
 /// Result of a report. If cancelled, there is no problem and isWritten is false.
 struct ReportOutcome
 {
-    QString problem; ///< one sentence
+    QString problem; ///< one sentence; empty if there is none
     bool isWritten = false;
 };
 

@@ -20,7 +20,7 @@ namespace app
 {
 namespace
 {
-using core::PrintBed; // lupdate would lose its place at a function that returns a core::PrintBed
+using core::PrintBed; // lupdate misparses functions whose return type is written core::PrintBed
 using Json = nlohmann::ordered_json;
 
 constexpr double minLength = 0.001, maxSide = 1e5; ///< limits of lengths given as options, mm

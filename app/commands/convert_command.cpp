@@ -20,7 +20,7 @@ namespace app
 {
 namespace
 {
-using core::UpAxis; // lupdate would lose its place at a function that returns a core::UpAxis
+using core::UpAxis; // lupdate misparses functions whose return type is written core::UpAxis
 
 class ConvertMessages
 {
@@ -153,7 +153,7 @@ QString refusalText(const QString& file, const core::RepairResult& repaired, con
 struct Repaired
 {
     core::RepairReport report;
-    core::TriangleMesh old; ///< see core::RepairResult
+    core::TriangleMesh old; ///< the mesh before the repair; see core::RepairResult::old
     QString doubt; ///< one sentence if the repaired model may differ too much from the original; otherwise empty
 };
 

@@ -28,7 +28,7 @@ namespace app
 {
 namespace
 {
-using core::CheckpointVerdict; // lupdate would lose its place at a function that returns a core::CheckpointVerdict
+using core::CheckpointVerdict; // lupdate misparses a return type written core::CheckpointVerdict
 
 class LessonCommandMessages
 {

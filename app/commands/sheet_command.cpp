@@ -20,7 +20,7 @@ namespace app
 {
 namespace
 {
-using ui::DrawingSheet; // lupdate would lose its place at a function that returns a ui::DrawingSheet
+using ui::DrawingSheet; // lupdate misparses functions whose return type is written ui::DrawingSheet
 
 class SheetMessages
 {

@@ -61,7 +61,7 @@ void DocumentHistory::goTo(int index)
 
 void DocumentHistory::holdAndMoveTo(int index)
 {
-    if (!m_worker->strokes().hold()) // another source's stroke began first
+    if (!m_worker->strokes().hold()) // another source's stroke is open: waits for its end
         return goTo(index);
     moveTo(index);
     m_worker->strokes().release();

@@ -60,7 +60,7 @@ void DocumentJournal::startRecording(const std::shared_ptr<core::JournalFolder>&
         if (m_journal && !m_journal->isBroken())
             return;
         SculptWorker& worker = m_document->worker();
-        if (!worker.strokes().hold()) // another source's stroke is open
+        if (!worker.strokes().hold()) // another source's stroke is open: waits for its end
             return startRecording(folder);
         const core::BaseRecord base{document(), history()};
         const core::StartRecord start{m_document->changer().start(), base.document};

@@ -75,10 +75,10 @@ public:
     /// Forgets all changes, because another model is opened.
     void clear();
 
-    /// Return whether the change before or after undo state `index` is still stored.
+    /// Returns whether the change before (canUndo) or after (canRedo) undo state `index` is still stored.
     bool canUndo(int index) const { return index > m_first; }
     bool canRedo(int index) const { return index < m_end; }
-    /// Return the range of undo states that can be reached.
+    /// Returns the first and the last undo state that can be reached.
     int firstIndex() const { return m_first; }
     int lastIndex() const { return m_end; }
     std::size_t bytesInMemory() const;

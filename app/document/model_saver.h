@@ -53,7 +53,7 @@ public Q_SLOTS:
     /// use, so nothing is overwritten.
     void saveNumbered(const QString& path);
     /// Exports to another file, with at most `maxTriangles` triangles (0: no limit). The file is read back and
-    /// verified; with `slices` it is also tested by an installed slicer. The document stays modified.
+    /// verified; with `slices` it is also tested by an installed slicer. Unsaved changes remain unsaved.
     void exportTo(const QString& path, quint64 maxTriangles = 0, bool slices = false);
     /// Exports the model as a brush file and emits brushExported(). The document and its file do not change.
     void exportBrush();

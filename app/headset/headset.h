@@ -22,8 +22,8 @@ public:
     /// `program`: see HeadsetController.
     Headset(const HeadsetController::Program& program, MakeClient makeClient, QObject* parent = nullptr);
 
-    /// Begin and end a visit to the headset. They return at once; reported() gives the result. They have no effect if
-    /// the visit is already in that state. If an earlier visit does not respond, that is reported.
+    /// Begins or ends a visit to the headset. Returns at once; reported() gives the result. Has no effect if the visit
+    /// is already in that state. If an earlier visit does not respond, that is reported.
     void enter();
     void leave();
     /// Shows one sentence in the headset, if it is in use.

@@ -111,8 +111,8 @@ public:
     /// process ends.
     static ErrorLog& attached()
     {
-        Assimp::DefaultLogger::create("", Assimp::Logger::NORMAL, 0); // 0: to no file and no console
-        auto* const log = new ErrorLog;                               // 0: log to no file and no console
+        Assimp::DefaultLogger::create("", Assimp::Logger::NORMAL, 0); // 0: log to no file and no console
+        auto* const log = new ErrorLog;                               // owned by the logger from now on
         Assimp::DefaultLogger::get()->attachStream(log, Assimp::Logger::Err);
         return *log;
     }

@@ -85,9 +85,10 @@ private:
     bool m_isTaught = false; ///< whether the demonstration of this step has begun and not ended
     bool m_isUndone = false; ///< whether strokes of the demonstration in this step were undone and can be redone
     bool m_hasShown = false; ///< whether the model contains strokes of the demonstration in this step
-    std::function<void()> m_afterHurry;   ///< to be called after playing at full speed; null: normal speed
-    std::optional<std::size_t> m_entered; ///< step to begin with the teacher's model, while that is made at full speed
-    bool m_isStrokeOpen = false;          ///< whether a stroke of the demonstration is open
+    std::function<void()> m_afterHurry; ///< to be called after playing at full speed; null: normal speed
+    /// step whose starting model is being made at full speed; none: no such model is being made
+    std::optional<std::size_t> m_entered;
+    bool m_isStrokeOpen = false;                ///< whether a stroke of the demonstration is open
     quint64 m_posted = 0, m_consumedBefore = 0; ///< samples posted for the open stroke, and samples consumed before it
     bool m_isGhostAsked = false;
     QTimer m_timer;

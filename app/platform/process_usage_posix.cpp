@@ -17,9 +17,9 @@ double peakRssMb()
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
 #ifdef __APPLE__
-    constexpr double unitsPerMb = 1 << 20; // bytes
+    constexpr double unitsPerMb = 1 << 20; // macOS reports ru_maxrss in bytes
 #else
-    constexpr double unitsPerMb = 1 << 10; // KiB
+    constexpr double unitsPerMb = 1 << 10; // Linux reports ru_maxrss in KiB
 #endif
     return static_cast<double>(usage.ru_maxrss) / unitsPerMb;
 }

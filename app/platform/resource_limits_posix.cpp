@@ -43,7 +43,7 @@ std::uint64_t usedNow()
 void limitMemory(std::uint64_t memory)
 {
 #if !defined(__SANITIZE_ADDRESS__) &&                                                                                  \
-    !defined(__SANITIZE_THREAD__) // they reserve more address space than there is memory
+    !defined(__SANITIZE_THREAD__) // sanitizers reserve more address space than the machine has
     const auto machine =
         static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
     limit(RLIMIT_AS, usedNow() + std::min(memory, machine));

@@ -30,7 +30,7 @@ void SculptWorker::stop()
     if (m_thread.joinable())
         m_thread.join();
     if (const auto journal = std::exchange(m_journal, nullptr))
-        journal->drain(); // its callbacks use this object
+        journal->drain(); // the journal's callbacks use this object
 }
 
 void SculptWorker::setInbox(Source source, std::shared_ptr<PatchInbox> inbox)

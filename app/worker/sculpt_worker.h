@@ -20,9 +20,10 @@ class Journal;
 
 namespace app
 {
-/// The mesh thread. It owns the sculptor, takes jobs in the order in which they were posted, and answers questions
+/// The mesh thread. It owns the sculptor, runs jobs in the order in which they were posted, and answers questions
 /// between the engine's sub-steps. Every function except the constructor, stop() and the destructor may be called from
-/// any thread and returns at once. Signals come on the thread that made the worker, by its event loop.
+/// any thread and returns at once. Unless stated otherwise, signals are emitted by the event loop of the thread that
+/// made the worker.
 class SculptWorker : public QObject
 {
     Q_OBJECT
@@ -36,18 +37,18 @@ public:
 
     /// Sets the inbox from which viewer `source` draws. It gets the whole mesh first, then the changes. Null: none.
     void setInbox(Source source, std::shared_ptr<PatchInbox> inbox);
-    /// Returns the gate through which strokes come in.
+    /// Returns the gate to which strokes are posted.
     StrokeGate& strokes() { return m_gate; }
     /// Withholds later changes from the viewers until the next replaceLastStroke() is done.
     void hidePatches();
     /// Replaces the last stroke, without dropping samples. Emits strokeFinished(). Precondition: strokes() is held.
     void replaceLastStroke(const StrokeReplacement& replacement);
 
-    /// Asks a Question for a viewer. Only its newest question is answered, once, by the viewer's own signal below.
+    /// Posts a viewer's Question. Only the viewer's newest question is answered, once, by its answered...() signal.
     void ask(Source source, const core::Ray& ray, const std::optional<core::StrokeSettings>& brush = {});
 
-    /// Puts another model in place of the present one, and into every inbox. Ends an open stroke first. `journal`
-    /// records each stroke, and signals wait until the change before them is recorded; null: nothing is recorded.
+    /// Replaces the model, and puts the new one into every inbox. Ends an open stroke first. `journal` records each
+    /// stroke, and signals wait until the changes before them are recorded; null: nothing is recorded.
     void setModel(std::shared_ptr<core::Sculptor> sculptor, std::shared_ptr<core::Journal> journal = {});
     /// Records later changes in another journal.
     void setJournal(std::shared_ptr<core::Journal> journal);

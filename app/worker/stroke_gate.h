@@ -18,8 +18,8 @@ public:
     /// The queue is not owned.
     explicit StrokeGate(JobQueue* queue) : m_queue(queue) {}
 
-    /// Begins a stroke. Returns false and emits refused() if another source's stroke is open or the gate is held. Each
-    /// stroke that begins is reported once by SculptWorker::strokeFinished().
+    /// Begins a stroke. Returns false and emits refused() on the calling thread if another source's stroke is open or
+    /// the gate is held. Each stroke that begins is reported once by SculptWorker::strokeFinished().
     /// A pull with settings.add adds a sphere by its first dab if nothing is under the brush, and continues as a pull.
     /// With settings.join only the first sample counts.
     bool beginStroke(Source source, const core::StrokeSettings& settings);
@@ -27,7 +27,7 @@ public:
     void endStroke(Source source, core::StrokeEnd how = core::StrokeEnd::Kept);
     /// Posts a stroke of one sample that only adds a sphere at its position (settings.add). If the brush would touch
     /// the surface, the sphere is refused as too close, or with settings.join becomes part of the model. Returns false
-    /// as beginStroke() does.
+    /// and emits refused() under the same conditions as beginStroke().
     bool addSphere(Source source, const core::StrokeSettings& settings, const core::StrokeSample& sample);
 
     /// Refuses strokes until release(), so that only jobs change the mesh. Returns false if a stroke is open.

@@ -23,7 +23,7 @@ struct MeshFacts
     quint64 faces = 0;
     core::Box box;            ///< mm; larger than the mesh until a scan after the stroke has ended
     double area = 0;          ///< mm^2; may be out of date until a scan after the stroke has ended
-    double uniformDetail = 0; ///< target edge length of uniform topology, mm
+    double uniformDetail = 0; ///< d_detail of uniform topology, mm
     double minDetail = 0;     ///< finest d_detail that the lattice supports, mm
 };
 
