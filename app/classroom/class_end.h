@@ -10,8 +10,8 @@ namespace app
 {
 class ClassWork;
 
-/// Ends a class: delivers the waiting works once more, and tells the teacher which ones cannot be delivered. Thread:
-/// gui.
+/// Ends a class: tries once more to deliver undelivered works to the class's folder, and tells the teacher which ones
+/// failed. Thread: gui.
 class ClassEnd : public QObject
 {
     Q_OBJECT

@@ -117,7 +117,7 @@ void ClassFileController::begin(const QString& path)
     QMetaObject::invokeMethod(&m_window, &QWidget::close, Qt::QueuedConnection);
 }
 
-// --- works waiting on this computer
+// --- undelivered works on this computer
 
 void ClassFileController::showWaiting(const QString& outcome)
 {

@@ -17,9 +17,9 @@ namespace app
 {
 class Document;
 
-/// Lets the teacher make, open, change and start class files, and move works of classes that wait on this computer. A
-/// class runs in a program of its own, which starts when this one has ended, so no window with the teacher's files
-/// stays open beside it. Thread: gui.
+/// Lets the teacher make, open, change and start class files, and move undelivered works that are still on this
+/// computer. A class runs in a program of its own, which starts when this one has ended, so no window with the
+/// teacher's files stays open beside it. Thread: gui.
 class ClassFileController : public QObject
 {
     Q_OBJECT

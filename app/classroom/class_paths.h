@@ -7,7 +7,7 @@
 
 namespace app
 {
-/// The works on this computer that wait for delivery to one class's folder.
+/// The works on this computer that are not yet delivered to one class's folder.
 struct WaitingWorks
 {
     QString outbox;
@@ -23,11 +23,11 @@ struct ClassPaths
     QString outbox;
     QString turnNote;
 
-    /// Returns the folders of a class that begins. Works that wait for the same class folder in other outboxes are
+    /// Returns the folders of a class that begins. Undelivered works for the same class folder in other outboxes are
     /// moved to its outbox: older versions had an outbox for each class file, and a folder that does not exist is known
     /// only by one of its paths.
     static ClassPaths prepare(const QString& classFile, const QString& folder);
-    /// Returns the works that wait on this computer, for all classes.
+    /// Returns the undelivered works on this computer, for all classes.
     static QList<WaitingWorks> waiting();
 };
 } // namespace app

@@ -39,7 +39,7 @@ public:
     ClassWork(Document* document, ui::ClassBar* bar, WorkArchive archive);
 
     const WorkArchive& archive() const { return m_archive; }
-    /// Removes incomplete works left by a power cut, and delivers the waiting ones.
+    /// Removes incomplete works left by a power cut, and delivers the undelivered ones.
     void begin();
     /// A callback for the end of saving. `problem`: one sentence; empty if the work is safe.
     using Done = std::function<void(const EndedTurn& ended, const QString& problem)>;
@@ -47,10 +47,10 @@ public:
     /// made before the document's history begins. Returns false and does nothing if another job is running on the
     /// model.
     bool save(const QString& what, const ClassTurn& turn, const TurnRecord& before, Done done);
-    /// Delivers waiting works, and retries until none waits. Does nothing while works are held. Calls `then` after the
-    /// first attempt.
+    /// Delivers undelivered works, and retries until all are delivered. Does nothing while works are held. Calls `then`
+    /// after the first attempt.
     void deliver(const std::function<void()>& then = {});
-    /// Copies the waiting works to another folder.
+    /// Copies the undelivered works to another folder.
     void copyWaiting(const QString& folder, const std::function<void(const Delivery& copied)>& done);
     /// Returns the number of works that could not be delivered; problem() says why for the first one.
     int undelivered() const { return m_undelivered; }

@@ -98,7 +98,7 @@ private:
     bool m_isNotified = false;
     bool m_isRefusing = false, m_isTakenOver = false;
     bool m_hasEnded = false;
-    quint64 m_requested = 0, m_done = 0; ///< numbers of requests that hold strokes
+    quint64 m_requested = 0, m_done = 0; ///< requests that hold strokes: number received, and number done
     Stroke m_open = Stroke::None;
     std::deque<HeldStroke> m_held;
 };

@@ -41,8 +41,8 @@ struct StrokeReport
     bool hasModel = false;                             ///< whether the brush is a model
     /// whether some mirrored dabs were done one after the other, because the model is not symmetric
     bool asymmetric = false;
-    /// true if some dabs of a radial stroke were done one after the other, because the model is not radially symmetric
-    /// or the brush reached over the axis
+    /// whether some dabs of a radial stroke were done one after the other: the model is not radially symmetric, or the
+    /// brush reached over the axis
     bool sequential = false;
     bool isReplacement = false; ///< whether it is from SculptWorker::replaceLastStroke()
     MeshFacts facts;
