@@ -1,4 +1,4 @@
-// The one table of actions; see ActionInfo.
+// The table of all actions; ActionInfo describes a row.
 
 #include "ui/actions/actions.h"
 

@@ -18,14 +18,14 @@ namespace ui
 {
 namespace
 {
-/// A starter looks like itself; all others are drawn in the text's colour.
+/// Starters have a picture of their model; all other icons are drawn in the text colour.
 QIcon iconOf(const ActionInfo& row)
 {
     const QString name = QLatin1StringView(row.icon);
     return row.menu == MenuId::New ? QIcon(QStringLiteral(":/pictures/%1.png").arg(name)) : themedIcon(name);
 }
 
-/// "Pull (1)" and what it does.
+/// Returns two lines: the name with its key, such as "Pull (1)", and the tip.
 QString toolTip(const QAction& action)
 {
     QString name = action.iconText();
@@ -72,7 +72,7 @@ void Actions::rename(const QString& id, const QString& text)
     action->setToolTip(toolTip(*action));
 }
 
-/// "拉出(&P)": where the script has no letters for keys, the key stands behind in brackets.
+/// Handles CJK texts too, where the mnemonic is a suffix in brackets: "拉出(&P)".
 QString Actions::plain(QString text)
 {
     static const QRegularExpression menuOnly(QStringLiteral("\\(&.\\)|&| ?…"));
@@ -108,7 +108,7 @@ QString Actions::modifierHelp(ShortcutPreset preset)
 
 namespace
 {
-/// Where Home goes to the first of something: there it is the control's and no command's.
+/// Returns true if Home moves this widget to its first item, so that Home must not run a command.
 bool hasHome(const QWidget* focus)
 {
     return qobject_cast<const QComboBox*>(focus) || qobject_cast<const QAbstractItemView*>(focus) ||
@@ -116,9 +116,9 @@ bool hasHome(const QWidget* focus)
 }
 } // namespace
 
-/// Returns the command of a key that Qt does not find by itself: on X11 Qt looks up the shortcuts of the number pad's
-/// keys without saying that they are of the pad, so that "Num+1" would be "1"; French keyboards have digits only with
-/// Shift, and others no Latin letters.
+/// Returns the command of a key press that Qt would not match. Three cases: on X11, Qt does not distinguish number-pad
+/// shortcuts ("Num+1" would be "1"); French keyboards type digits only with Shift; other keyboards have no Latin
+/// letters.
 QString Actions::ownerOf(const QKeyEvent& event) const
 {
     if (event.modifiers() & Qt::KeypadModifier)
@@ -130,7 +130,7 @@ QString Actions::ownerOf(const QKeyEvent& event) const
     return m_keys.owner(QKeyCombination(event.modifiers(), key));
 }
 
-/// Handles what no widget has taken.
+/// Handles keys that no widget has accepted.
 bool Actions::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress) {

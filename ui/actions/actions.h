@@ -15,8 +15,8 @@ class QWidget;
 
 namespace ui
 {
-/// New is a menu of File; Tool is one of Sculpt; Turn, Material, Background and Reference are menus of View; Files is
-/// that of the panel.
+/// Menus. New is a submenu of File, and Tool is a submenu of Sculpt. Turn, Material, Background and Reference are
+/// submenus of View. Files is the menu of the Files panel.
 enum class MenuId {
     File,
     New,
@@ -36,24 +36,25 @@ enum class MenuId {
 };
 enum class Bar { None, Top, Tools, Options };
 
-/// One row an action. Menus, tool bar, shortcut sheet, settings and tests read this table.
+/// A row of the action table. Menus, tool bars, the shortcut page, settings and tests read the table.
 struct ActionInfo
 {
     MenuId menu;
-    const char* id;           ///< objectName of the QAction, key in settings, handle in tests
-    const char* text;         ///< untranslated, context "ui::Actions"
-    const char* tip;          ///< one sentence, untranslated; %1 is the key that inverts while it is held
-    const char* keys;         ///< of the preset Fettle: portable text, several parted by "; "
-    const char* icon;         ///< file without its ending: in :/icons, a starter's in :/pictures
-    bool startsGroup = false; ///< a line stands before it, in menu and tool bar
-    Bar bar = Bar::None;      ///< where it is a button, too
+    const char* id;           ///< objectName of the QAction, key in the settings, name in tests
+    const char* text;         ///< menu text, untranslated; translation context "ui::Actions"
+    const char* tip;          ///< one sentence, untranslated; %1 is replaced by the modifier key that inverts the brush
+    const char* keys;         ///< default shortcuts (preset Fettle) in Qt's portable text, separated by "; "
+    const char* icon;         ///< file name without its suffix, in :/icons (menu New: in :/pictures)
+    bool startsGroup = false; ///< a separator precedes the action in menus and tool bars
+    Bar bar = Bar::None;      ///< tool bar that has a button for the action
     bool checkable = false;
 };
 
 std::span<const ActionInfo> actionTable();
 
-/// The window's actions, made from the table. Shortcuts work in the whole window, those of Files in the widget that the
-/// panel adds them to; those of the number pad are not those of the same key elsewhere.
+/// Creates and owns the window's actions, one for each row of the table. Shortcuts work in the whole window, except
+/// those of the menu Files, which work in the widget that the panel adds them to. A key of the number pad and the
+/// corresponding main key are different shortcuts.
 class Actions : public QObject
 {
     Q_OBJECT
@@ -61,24 +62,24 @@ class Actions : public QObject
 public:
     explicit Actions(QWidget* window);
 
-    /// Asserts that the id is in the table.
+    /// Precondition: the id is in the table (asserted).
     QAction* get(const QString& id) const;
 
-    /// The same action is called otherwise from now on, where it does something else.
+    /// Changes the text of an action whose effect depends on the state.
     void rename(const QString& id, const QString& text);
 
-    /// From now on these are the keys, in menus and tool tips too.
+    /// Replaces all shortcuts and updates menus and tool tips.
     void setKeys(const ShortcutSettings& shortcuts);
     const ShortcutSettings& keys() const { return m_shortcuts; }
 
     QString menuTitle(MenuId menu) const;
-    /// A text of a menu without what only a menu shows.
+    /// Returns a menu text without mnemonic and ellipsis.
     static QString plain(QString text);
-    /// "Ctrl", as the keyboards of the language have it.
+    /// Returns the name of a modifier key in the language of the window, such as "Ctrl".
     static QString modifierName(Qt::KeyboardModifier modifier);
-    /// What keys do that are held while the mouse works.
+    /// Returns a description of the modifier keys that change what the mouse does.
     static QString modifierHelp(ShortcutPreset preset);
-    /// Returns the buttons of a bar, parted where a line stands between them.
+    /// Returns the buttons of a bar, divided into groups at the separators.
     QList<QList<QAction*>> groups(Bar which) const;
     void fill(QMenu* menu, MenuId which) const;
     void fill(QToolBar* bar, Bar which) const;

@@ -24,8 +24,8 @@ bool containsAll(const QTreeWidgetItem* item, const QStringList& words)
     const QString text = texts.join(u' ');
     return std::ranges::all_of(words, [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
 }
-/// The better, the less: what is called so comes before what is called so at first or by people, and that before what
-/// has the words anywhere.
+/// Returns the rank of an item, smaller is better. 0: the name is `words`. 1: the name begins with `words`, or a
+/// synonym equals `words`. 2: any other match.
 int rank(const QTreeWidgetItem* item, const QString& words)
 {
     const QString name = item->text(CommandList::Name), wanted = words.trimmed();

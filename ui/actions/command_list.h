@@ -8,7 +8,7 @@ namespace ui
 {
 class Actions;
 
-/// Every action of the window, by menu, with its keys and what it does. Thread: gui.
+/// A list of all actions of the window, grouped by menu, with their keys and tips. Thread: gui.
 class CommandList : public QTreeWidget
 {
     Q_OBJECT
@@ -16,20 +16,20 @@ class CommandList : public QTreeWidget
 public:
     enum Column { Name, Key, Tip, Columns };
 
-    /// The actions must outlive it.
+    /// Precondition: `actions` outlives the list.
     explicit CommandList(const Actions& actions, QWidget* parent = nullptr);
 
-    /// What all columns need to show all their words, in pixels.
+    /// Returns the width at which no column is truncated, in pixels.
     int wholeWidth() const;
 
-    /// Null for a menu's line.
+    /// Returns null if the item is the heading of a menu.
     static QAction* actionOf(const QTreeWidgetItem* item);
     QTreeWidgetItem* itemOf(const QString& id) const;
     static void showKeys(QTreeWidgetItem* item, const QList<QKeySequence>& keys);
 
-    /// Hides what does not hold each of the words in name, keys, tip, menu or synonyms. Of those that do and are
-    /// enabled the first that is called so becomes the current one, or is called so at first or by people, or has the
-    /// words at all; none if there are no words.
+    /// Hides the actions that lack any of the words in name, keys, tip, menu or synonyms. Selects the best enabled
+    /// match: its name is `words`, else its name begins with them or they are one of its synonyms, else any match.
+    /// Empty `words` select nothing.
     void filter(const QString& words);
 };
 } // namespace ui

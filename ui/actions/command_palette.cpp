@@ -17,7 +17,7 @@ namespace ui
 namespace
 {
 constexpr QSize defaultSize{820, 480};
-constexpr int maxWidth = 1200; ///< fits a small screen
+constexpr int maxWidth = 1200; ///< pixels, fits a small screen
 } // namespace
 
 CommandPalette::CommandPalette(const Actions& actions, QWidget* parent)
@@ -49,7 +49,7 @@ CommandPalette::CommandPalette(const Actions& actions, QWidget* parent)
     m_words->setFocus();
 }
 
-/// The box goes first: what is done may open another.
+/// Closes the dialog first, because the action may open another dialog.
 void CommandPalette::run()
 {
     const QTreeWidgetItem* item = m_list->currentItem();

@@ -9,18 +9,18 @@ namespace ui
 class Actions;
 class CommandList;
 
-/// Every action of the window with its key, by menu: a list to read (F1), and a command palette to find and run one by
-/// any of its words (F3). Return or a double click does what is marked; what cannot be done now is grey. Thread: gui.
+/// A dialog that lists every action with its keys, grouped by menu (F1). Typed words filter the list (F3). Return or a
+/// double click runs the selected action; disabled actions are grey. Thread: gui.
 class CommandPalette : public QDialog
 {
     Q_OBJECT
 
 public:
-    /// The actions must outlive it.
+    /// Precondition: `actions` outlives the dialog.
     explicit CommandPalette(const Actions& actions, QWidget* parent);
 
 protected:
-    /// The keys that move through the list do so while words are typed.
+    /// Lets Up, Down and Return act on the list while the text field has the focus.
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:

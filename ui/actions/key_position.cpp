@@ -11,7 +11,7 @@ namespace
 {
 struct KeyRow
 {
-    quint32 first; ///< its first key's scan code, as PC keyboards send it
+    quint32 first; ///< scan code of the row's first key on PC keyboards
     std::string_view keys;
 };
 constexpr KeyRow digits{2, "1234567890"};
@@ -26,7 +26,7 @@ Qt::Key keyIn(const KeyRow& row, quint32 code)
 
 Qt::Key keyByPosition(const QKeyEvent& event)
 {
-    constexpr quint32 ofX11 = 8; // X11 and Wayland add it
+    constexpr quint32 ofX11 = 8; // offset that X11 and Wayland add to PC scan codes
     constexpr int lastOfLatin = 0x24f, firstOfOthers = 0x01000000;
     const quint32 native = event.nativeScanCode();
     const bool isPlain = QGuiApplication::platformName() == QLatin1StringView("windows");

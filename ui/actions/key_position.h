@@ -6,7 +6,8 @@ class QKeyEvent;
 
 namespace ui
 {
-/// Returns the key that stands on a US keyboard where the pressed one is, if that has a letter of another script than
-/// Latin, or is in the row of digits and has none: else 0. Of X11, Wayland and Windows. Thread: gui.
+/// Returns the key at the same position of a US keyboard. Applies if the pressed key types a letter of a non-Latin
+/// script, or if it is in the digit row and types no digit; otherwise returns 0. Supports X11, Wayland and Windows.
+/// Thread: gui.
 Qt::Key keyByPosition(const QKeyEvent& event);
 } // namespace ui

@@ -9,7 +9,7 @@ namespace ui
 {
 namespace
 {
-/// Where a preset departs from the action table.
+/// Keys of an action in one preset where they differ from the action table.
 struct PresetOverride
 {
     ShortcutPreset preset;
@@ -65,7 +65,8 @@ Keys presetKeys(ShortcutPreset preset, const ActionInfo& row)
     return listed(row.keys);
 }
 
-/// A person's keys as they are stored; nothing if they are not keys that a command can have.
+/// Parses the stored keys of a user. Returns nullopt if they contain a key that the action cannot have, or more than
+/// maxKeys.
 std::optional<Keys> read(const QString& text, const QString& id)
 {
     if (text.isEmpty())

@@ -10,35 +10,36 @@ namespace ui
 {
 using Keys = QList<QKeySequence>;
 
-inline constexpr qsizetype maxKeys = 2; ///< of one action
+inline constexpr qsizetype maxKeys = 2; ///< largest number of shortcuts of an action
 
-/// The reason why no action can have a key.
+/// Reasons why a key cannot be a shortcut.
 enum class ShortcutProblem {
     None,
-    Modifier, ///< it is no single key, or only changes the meaning of the mouse and of other keys
-    Widgets,  ///< it moves or types in panels and dialogs
-    Menus,    ///< Alt with a letter opens a menu, or reaches a control
+    Modifier, ///< not a single key, or only a modifier key or lock key
+    Widgets,  ///< navigates or types in panels and dialogs
+    Menus,    ///< Alt with a letter opens a menu or activates a control
 };
-/// Returns the reason why the action `id` cannot have this key. A key that Fettle's own preset gives it has none.
+/// Returns the reason why the action `id` cannot have this key. Keys that the preset Fettle gives to that action are
+/// always allowed.
 ShortcutProblem problemOf(const QKeySequence& key, const QString& id = {});
 
-/// Whether the key of the action cannot be changed. It is Escape, which many other things use too.
+/// Returns true if the keys of the action cannot be changed. Only Stop (Escape) is fixed, because Escape has other uses
+/// too.
 bool isFixed(const QString& id);
 
-/// Returns the preset's keys of the action; none if there is no such action.
+/// Returns the preset's keys of the action; an empty list if there is no such action.
 Keys presetKeys(ShortcutPreset preset, const QString& id);
 
-/// The keys of each action of the table. No key belongs to two actions. Settings that are unknown, cannot be read or
-/// are not allowed are ignored. Keys that the user chose go before the preset's; among equals the table's order
-/// decides.
+/// The shortcuts of each action of the table. No key belongs to two actions: the user's keys win over the preset's, and
+/// then the earlier row of the table wins. Invalid or forbidden keys in the settings are ignored.
 class ShortcutMap
 {
 public:
     explicit ShortcutMap(const ShortcutSettings& shortcuts = {});
 
-    /// Returns the keys of the action; none if it has none.
+    /// Returns the keys of the action; may be empty.
     Keys keys(const QString& id) const { return m_keys.value(id); }
-    /// Returns the id of the action that has the key; empty if there is none.
+    /// Returns the id of the action that has the key; empty if no action has it.
     QString owner(const QKeySequence& key) const { return m_owners.value(key); }
 
 private:
@@ -48,6 +49,6 @@ private:
     QHash<QKeySequence, QString> m_owners;
 };
 
-/// Returns the settings with these keys for the action. Keys that are the preset's are not stored.
+/// Returns the settings after the action got these keys. Keys equal to the preset's are not stored.
 ShortcutSettings withKeys(ShortcutSettings shortcuts, const QString& id, const Keys& keys);
 } // namespace ui

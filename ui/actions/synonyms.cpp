@@ -1,4 +1,4 @@
-// The one table of synonyms.
+// The table of synonyms.
 
 #include "ui/actions/synonyms.h"
 
@@ -12,8 +12,8 @@ namespace
 {
 struct Row
 {
-    const char* id;    ///< of an action
-    const char* words; ///< untranslated; translations have words of their own, and as many as they like
+    const char* id;    ///< action id
+    const char* words; ///< untranslated, separated by commas; a translation may have more or fewer words
 };
 
 struct Synonyms

@@ -4,7 +4,8 @@
 
 namespace ui
 {
-/// Returns what people call a command who do not know its name, in the language of the window: "mirror" for symmetry.
-/// `id`: of the action table; empty if there is no other word for it.
+/// Returns other names that users may search for instead of the command's own, such as "mirror" for symmetry, in the
+/// language of the window.
+/// `id`: action id. The list is empty if the action has no synonyms.
 QStringList synonymsOf(QStringView id);
 } // namespace ui
