@@ -25,7 +25,7 @@ constexpr ToolAction toolActions[] = {
     {"tool.twist", core::Tool::Twist},   {"tool.stamp", core::Tool::Stamp},   {"tool.paint", core::Tool::Paint},
     {"tool.mask", core::Tool::Mask}};
 
-/// Checked while the setting is `on`, and sets it to `on` or `off`.
+/// Connects a checkable action to a setting: checked means `on`, unchecked means `off`.
 template <class T> void connectChoice(QAction* action, BrushSettings* brush, T core::StrokeSettings::*what, T on, T off)
 {
     const auto show = [=] { action->setChecked(brush->stroke().*what == on); };

@@ -5,7 +5,7 @@ namespace ui
 class Actions;
 class BrushSettings;
 
-/// Joins the actions of the Sculpt menu with the brush, both ways: what is triggered changes it, what changes is
-/// checked. Both must outlive the window of the actions. Thread: gui.
+/// Connects the actions of the Sculpt menu to the brush: triggering an action changes the brush, and changes of the
+/// brush update the check marks. Precondition: `actions` and `brush` outlive the window. Thread: gui.
 void connectBrush(const Actions& actions, BrushSettings* brush);
 } // namespace ui

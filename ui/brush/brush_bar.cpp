@@ -20,7 +20,7 @@ namespace
 {
 constexpr int sliderSteps = 1000;
 
-/// How far a slider goes where the table allows more than a hand wants; the box takes all of it.
+/// largest strength on the slider; the number box allows the whole range of the parameter table
 constexpr double strengthOnSlider = 2.0;
 
 bool isLogarithmic(core::Parameter parameter)
@@ -33,7 +33,7 @@ double sliderMax(const BrushSettings& brush, core::Parameter parameter)
     return parameter == core::Parameter::Strength ? strengthOnSlider : brush.maxOf(parameter);
 }
 
-/// Three figures that count where sizes differ widely.
+/// Returns the number of decimals; logarithmic parameters show three significant digits.
 int decimalsFor(core::Parameter parameter, double value)
 {
     if (parameter == core::Parameter::Falloff)
@@ -50,7 +50,7 @@ QValidator::State NumberBox::validate(QString& text, int& cursor) const
     return state == QValidator::Invalid && numberIn(text) ? QValidator::Intermediate : state;
 }
 
-/// What is typed and cannot be shown comes here when it is finished.
+/// Handles typed numbers that the box cannot show; Qt calls it when editing is finished.
 void NumberBox::fixup(QString& text) const
 {
     QDoubleSpinBox::fixup(text);
@@ -116,7 +116,7 @@ ParameterControl::ParameterControl(BrushSettings* brush, core::Parameter paramet
     });
     connect(m_box, &NumberBox::asked, brush, [brush, parameter](double value) { brush->setValue(parameter, value); });
     connect(m_box, &QDoubleSpinBox::editingFinished, this, [this] {
-        if (m_box->hasFocus()) // else the focus went elsewhere by itself
+        if (m_box->hasFocus()) // focus lost: the user did not press Return
             Q_EMIT entered();
     });
     connect(brush, &BrushSettings::changed, this, &ParameterControl::showValue);

@@ -10,8 +10,8 @@ class QSlider;
 
 namespace ui
 {
-/// A number box into which every number can be typed: what it cannot show is asked for by a signal, and shown as the
-/// nearest that it can.
+/// A number box into which any number can be typed. A number out of its range is reported by asked(), and the box shows
+/// the nearest possible number.
 class NumberBox : public QDoubleSpinBox
 {
     Q_OBJECT
@@ -21,7 +21,7 @@ public:
 
     QValidator::State validate(QString& text, int& cursor) const override;
     void fixup(QString& text) const override;
-    /// Returns the same size for all numbers, so that nothing beside it moves when a digit comes.
+    /// Returns a size that does not depend on the number, so that neighbours do not move while digits are typed.
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
 
@@ -32,18 +32,18 @@ private:
     std::optional<double> numberIn(const QString& text) const;
 };
 
-/// One row of the parameter table as a slider with a number box. A view of BrushSettings, which must outlive it.
+/// A slider and a number box for one row of the parameter table. A view of BrushSettings, which must outlive it.
 class ParameterControl : public QWidget
 {
     Q_OBJECT
 
 public:
     enum class Label { Before, Without };
-    /// Logarithmic where nothing is no value: each step is the same factor.
+    /// The slider is logarithmic if the parameter's minimum is above 0.
     ParameterControl(BrushSettings* brush, core::Parameter parameter, Label label = Label::Before);
 
 Q_SIGNALS:
-    /// A number was typed, and Return.
+    /// A number was typed and confirmed with Return.
     void entered();
 
 private:
@@ -55,10 +55,10 @@ private:
     core::Parameter m_parameter;
     QSlider* m_slider;
     NumberBox* m_box;
-    bool m_isShowing = false; ///< the change comes from the brush, not from a hand
+    bool m_isShowing = false; ///< the brush is changing the slider, not the user
 };
 
-/// Radius and strength in one line.
+/// Controls for radius and strength in one row.
 class BrushBar : public QWidget
 {
     Q_OBJECT
@@ -67,7 +67,7 @@ public:
     explicit BrushBar(BrushSettings* brush, QWidget* parent = nullptr);
 
 Q_SIGNALS:
-    /// A number was typed, and Return: the keys belong to the model again.
+    /// A number was typed and confirmed; the window should return the keyboard focus to the view.
     void entered();
 };
 } // namespace ui

@@ -13,11 +13,11 @@ namespace ui
 {
 namespace
 {
-constexpr double captionSize = 5.5; ///< of the window's text: letters of 16 minutes of arc from 3 m
-constexpr double minCaption = 1.6;  ///< the same
+constexpr double captionSize = 5.5; ///< times the window's text size; letters span 16 minutes of arc at 3 m
+constexpr double minCaption = 1.6;  ///< times the window's text size
 constexpr double shrinksBy = 0.97;
-constexpr double maxOfWindow = 0.08; ///< of its height
-constexpr double captionGap = 0.55;  ///< between words, of the letters' height
+constexpr double maxOfWindow = 0.08; ///< largest caption height as a fraction of the window's height
+constexpr double captionGap = 0.55;  ///< space between parts, in cap heights
 
 QFont sizedFont(const QFont& usual, double factor)
 {
@@ -26,7 +26,7 @@ QFont sizedFont(const QFont& usual, double factor)
     return font;
 }
 
-/// Where each part of the line is, from left to right.
+/// The rectangles of the caption's parts, from left to right.
 struct CaptionLine
 {
     CaptionLine(const CaptionText& words, const QFont& font)
@@ -120,7 +120,7 @@ void BrushCaption::fit()
     update();
 }
 
-/// A turn's end is told by a clock and by light letters on dark ground, by no colour alone.
+/// The end of a turn is shown by a clock icon and by light letters on dark ground, not by colour alone.
 void BrushCaption::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);

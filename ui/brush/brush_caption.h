@@ -5,24 +5,24 @@
 
 namespace ui
 {
-/// What somebody who stands across the room reads of the brush.
+/// The brush's state in words, for an audience that watches from across the room.
 struct CaptionText
 {
-    QIcon icon;           ///< the tool's
-    QString tool, radius; ///< the latter with its unit
-    QString time;         ///< that is left of a turn; empty: it has no end
+    QIcon icon;           ///< icon of the tool
+    QString tool, radius; ///< tool name; radius with its unit
+    QString time;         ///< time left of the turn; empty: the turn has no end
     bool isNearEnd = false;
 
-    /// The icon goes with the tool.
+    /// Ignores the icon, which depends on the tool only.
     bool operator==(const CaptionText& other) const
     {
         return tool == other.tool && radius == other.radius && time == other.time && isNearEnd == other.isNearEnd;
     }
 };
 
-/// One line in letters that are read from three metres: of a screen's usual size and distance between dots they are 14
-/// mm high, and they grow with the window's text. Smaller only where the line would not fit its width, or would take
-/// too much of a low window; its height follows.
+/// A line of text that can be read from three metres: letters are about 14 mm high on a usual screen and scale with the
+/// window's text size. The letters shrink if the line does not fit the width, or takes too much height of the window.
+/// The caption's height is that of its font.
 class BrushCaption : public QWidget
 {
     Q_OBJECT
@@ -46,6 +46,6 @@ private:
     void fit();
 
     CaptionText m_text;
-    QFont m_font; ///< that fits
+    QFont m_font; ///< largest font that fits
 };
 } // namespace ui

@@ -28,7 +28,7 @@ template <class What> BrushFile<What> refused(const QString& sentence)
     return {nullptr, sentence};
 }
 
-/// Rows without gaps: `shadeOf` of a premultiplied pixel.
+/// Returns shadeOf(pixel) of each premultiplied pixel, row by row without padding.
 template <class Shade> std::vector<std::uint8_t> shadesOf(const QImage& image, Shade shadeOf)
 {
     std::vector<std::uint8_t> shades;
@@ -41,7 +41,7 @@ template <class Shade> std::vector<std::uint8_t> shadesOf(const QImage& image, S
     return shades;
 }
 
-/// Its text needs fonts, which the program has with a window only.
+/// Returns true for SVG, which is refused: its text needs fonts, which are missing in a program without a window.
 bool isDrawing(const QByteArray& format)
 {
     return format == "svg" || format == "svgz";
@@ -101,7 +101,7 @@ BrushFile<core::Alpha> readAlpha(const QString& path)
     if (!QFileInfo::exists(path))
         return refused<core::Alpha>(BrushFiles::tr("%1: there is no such file.").arg(path));
     QFile file(path);
-    file.open(QIODevice::ReadOnly); // else it cannot be read, which is said
+    file.open(QIODevice::ReadOnly); // if this fails, decodeAlpha() reports it
     return decodeAlpha(&file, path);
 }
 

@@ -10,25 +10,26 @@ class QIODevice;
 
 namespace ui
 {
-/// What a file is to the brush, or one sentence with file and reason why it is nothing.
+/// A part of the brush that was read from a file, or the reason why the file was refused.
 template <class What> struct BrushFile
 {
-    std::shared_ptr<const What> what; ///< null: refused
+    std::shared_ptr<const What> what; ///< null: the file was refused
     QString problem;
 };
 
-/// An image in grey: bright is much; where it is transparent, nothing; a black shape on transparent ground is taken for
-/// white. Of more than core::Alpha::maxSide pixels a side nothing is decoded; SVG is refused. Any thread.
+/// Reads a grey image as an alpha: white is full strength; black and transparent pixels are 0. If all pixels are black
+/// and some are transparent, opacity is used instead of brightness. Refuses SVG, and images with a side longer than
+/// core::Alpha::maxSide pixels without decoding them. Thread: any.
 BrushFile<core::Alpha> readAlpha(const QString& path);
-/// Reads an alpha from a device; `path`: what the sentence and the alpha call it.
+/// Reads an alpha from a device. `path`: name used in error messages and as the alpha's source. Thread: any.
 BrushFile<core::Alpha> decodeAlpha(QIODevice* device, const QString& path);
-/// Names of the alphas that come with the program.
+/// Returns the names of the alphas that are part of the program.
 QStringList builtInAlphaNames();
-/// Of files that readAlpha takes.
+/// Returns the suffixes of the image files that readAlpha() accepts.
 QStringList alphaEndings();
 
-/// By the readers of all models. Takes as long as the model is large; any thread.
+/// Reads the shape of a brush from a model file. Cost: proportional to the model's size. Thread: any.
 BrushFile<core::BrushModel> readBrushModel(const QString& path);
-/// Of a model that is there already; `path`: its file, or what a sentence calls it.
+/// Makes the shape of a brush from a mesh. `path`: the mesh's file, or its name in error messages.
 BrushFile<core::BrushModel> brushModelOf(const core::TriangleMesh& mesh, const QString& path);
 } // namespace ui

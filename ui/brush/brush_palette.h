@@ -12,18 +12,19 @@ class BrushSettings;
 class PresetShelf;
 class Viewport;
 
-/// A small window at the pointer with the things that a hand wants most: tools, radius, strength, some commands, and
-/// the presets as pictures. It goes when a tool or a preset is chosen, or with a click beside it. Thread: gui.
+/// A popup at the pointer with the most used controls: tools, radius, strength, some commands, and presets as pictures.
+/// Choosing a tool or a preset, or clicking outside, closes the popup. Thread: gui.
 class BrushPalette : public QFrame
 {
     Q_OBJECT
 
 public:
-    /// Shows the visible ones of the actions. None is owned; `brush` and `presets` must outlive the palette.
+    /// Shows those of the actions that are visible. Nothing is owned. Precondition: `brush` and `presets` outlive the
+    /// palette.
     BrushPalette(BrushSettings* brush, PresetShelf* presets, const QList<QAction*>& tools,
                  const QList<QAction*>& commands, QWidget* parent = nullptr);
 
-    /// Opens it with its middle at that place of the screen, or as near as it is whole.
+    /// Opens the palette centred at a screen position, moved as far as needed to keep all of it on the screen.
     void openAt(const QPoint& place);
 
 private:
@@ -31,8 +32,8 @@ private:
     QWidget* makePresets(PresetShelf* presets);
 };
 
-/// brush.palette and a click of the right button open a palette at the pointer, or in the middle of the view if the
-/// pointer is elsewhere. None is owned.
+/// Opens a palette on the action brush.palette or a right click: at the pointer, or in the middle of the view if the
+/// pointer is outside. The arguments are not owned.
 void connectBrushPalette(QWidget* window, Viewport* viewport, BrushSettings* brush, PresetShelf* presets,
                          const Actions& actions);
 } // namespace ui

@@ -33,7 +33,7 @@ struct BrushPanels
 
 template <class T> using Choices = std::vector<std::pair<QString, T>>;
 
-/// A form that shows settings of the brush.
+/// A form with controls of some brush settings.
 class Panel
 {
 public:
@@ -93,7 +93,7 @@ public:
         return box;
     }
 
-    /// Boxes of one width: what is before them ends at one line.
+    /// Gives all number boxes the same width, so that the sliders before them are aligned.
     void alignNumbers() const
     {
         const QList<QAbstractSpinBox*> boxes = content->findChildren<QAbstractSpinBox*>();

@@ -11,9 +11,11 @@ class SideColumn;
 struct BrushPanelContext
 {
     SideColumn* column;
-    std::function<void()> entered; ///< a number was typed, and Return; the keys belong to the model again
+    /// called after a number was typed and confirmed; returns the keyboard focus to the view
+    std::function<void()> entered;
 };
 
-/// Adds brush, topology and symmetry to the column. Brush and shapes must outlive the window's children. Thread: gui.
+/// Adds the panels for brush, topology and symmetry to the column. Precondition: `brush` and `shapes` outlive the
+/// window's children. Thread: gui.
 void addBrushPanels(const BrushPanelContext& context, BrushSettings* brush, BrushShapes* shapes);
 } // namespace ui

@@ -8,7 +8,7 @@ namespace ui
 namespace
 {
 constexpr int maxRecent = 6;
-/// The spacing at which prints of an alpha stand side by side, in radii.
+/// spacing of dabs at which adjacent prints of an alpha do not overlap, in radii
 constexpr double printSpacing = 2;
 
 void putFirst(QStringList& files, const QString& path)
@@ -56,7 +56,7 @@ void BrushShapes::restore()
     m_alphas.restore({wanted.alpha, wanted.alphaFollows});
     readModel(wanted.model, Origin::Restore);
     connect(m_brush, &BrushSettings::changed, this, &BrushShapes::save,
-            Qt::UniqueConnection); // not before: what is stored would be lost
+            Qt::UniqueConnection); // not connected earlier: save() would overwrite the stored choice
     Q_EMIT changed();
 }
 
@@ -143,7 +143,8 @@ void BrushShapes::setModel(const std::shared_ptr<const core::BrushModel>& model)
     Q_EMIT changed();
 }
 
-/// Drops a refused file from the list; a stored file stays there, as its disk may only be unmounted.
+/// Removes a file that the user chose from the list of recent files. Stored files are not refused here, because their
+/// disk may only be unmounted.
 void BrushShapes::refuse(QStringList StoredShapes::*files, const QString& path, const QString& problem)
 {
     (m_stored.*files).removeAll(path);
@@ -160,8 +161,8 @@ void BrushShapes::remember(const QString& path, const std::shared_ptr<const core
     });
 }
 
-/// While the stored file is being read the brush has none yet, and what is stored stays; whoever gives it one meanwhile
-/// has chosen later.
+/// While the stored file is being read, the brush has no model and the stored choice stays. If the brush gets a model
+/// meanwhile, the user chose it, and the result of reading is dropped.
 void BrushShapes::storeModel()
 {
     const std::shared_ptr<const core::BrushModel>& model = m_brush->stroke().model;
@@ -172,7 +173,8 @@ void BrushShapes::storeModel()
     m_stored.model = sourceOf(model);
 }
 
-/// Programs that know one alpha only begin with Pull.
+/// Saves alphas and model. Pull's alpha is also written to the old key, which versions with one alpha for all tools
+/// read.
 void BrushShapes::save()
 {
     m_alphas.save();

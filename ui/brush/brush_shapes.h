@@ -10,47 +10,47 @@
 
 namespace ui
 {
-/// The effect that choosing an alpha has on the tool's spacing. Readable: with the tool's first alpha prints stand side
-/// by side, and without one dabs are dense again.
+/// Effect of choosing an alpha on the tool's spacing. Readable: the first alpha of a tool sets a spacing at which
+/// prints do not overlap; removing the alpha restores the default spacing.
 enum class AlphaSpacing { Readable, Kept };
 
-/// Which alpha each tool and which model the brush has: reads their files on a thread, and keeps what was chosen in the
+/// The alpha of each tool and the model of Stamp: reads their files on a background thread and stores the choice in the
 /// settings. Thread: gui.
 class BrushShapes : public QObject
 {
     Q_OBJECT
 
 public:
-    /// Both must outlive this.
+    /// Precondition: `brush` and `settings` outlive this object.
     BrushShapes(BrushSettings* brush, Settings* settings, QObject* parent = nullptr);
     ~BrushShapes() override;
 
-    /// What the settings name. A file that is gone or broken gives none, which refused() says; it is named no more
-    /// then.
+    /// Reads the files named in the settings. A missing or damaged file gives no shape, is reported by refused(), and
+    /// is no longer the stored choice.
     void restore();
 
-    /// Gives the tool that is in the hand a name of core::builtInAlphas(), or a path, which takes effect when it was
-    /// read; empty: none.
+    /// Sets the alpha of the current tool. `source`: a name of core::builtInAlphas(), or a path, whose file is read
+    /// first; empty: no alpha.
     void chooseAlpha(const QString& source, AlphaSpacing spacing = AlphaSpacing::Readable);
-    /// A path; empty: a ball.
+    /// Reads the model of Stamp from a path; empty: a ball.
     void chooseModel(const QString& path);
-    /// The document's model as it is now: ownModelRequested().
+    /// Requests the document's current model as the brush's shape, by ownModelRequested().
     void chooseOwnModel() { Q_EMIT ownModelRequested(); }
 
-    /// Whether other files may be chosen than those that were before, or the document's model; at first they may.
+    /// Returns true if the user may choose any file, not only recent ones and the document's model. Initially true.
     bool mayLoad() const { return m_mayLoad; }
     void setMayLoad(bool mayLoad);
-    /// Files that were chosen before, the latest first.
+    /// Recently chosen files, the latest first.
     const QStringList& alphas() const { return m_stored.alphas; }
     const QStringList& models() const { return m_stored.models; }
-    /// Null if it has not been read yet.
+    /// Returns null if the alpha has not been read yet.
     std::shared_ptr<const core::Alpha> alpha(const QString& source) const;
 
 Q_SIGNALS:
-    /// Another choice, or other files.
+    /// The choice or the lists of files have changed.
     void changed();
     void ownModelRequested();
-    /// In one sentence why a file is not taken; the brush is what it was.
+    /// A file was refused, and the brush is unchanged. `sentence`: the reason.
     void refused(const QString& sentence);
 
 private:
@@ -59,7 +59,7 @@ private:
     void readModel(const QString& path, Origin origin);
     void setModel(const std::shared_ptr<const core::BrushModel>& model);
     void storeModel();
-    /// Refuses a file that the user chose.
+    /// Removes a file that the user chose from the list and reports the problem.
     void refuse(QStringList StoredShapes::*files, const QString& path, const QString& problem);
     void remember(const QString& path, const std::shared_ptr<const core::Alpha>& alpha);
     void save();
@@ -69,9 +69,10 @@ private:
     StoredShapes m_stored;
     QHash<QString, std::shared_ptr<const core::Alpha>> m_read;
     ToolAlphas m_alphas;
-    int m_alphaRequest = 0, m_modelRequest = 0; ///< what was read for an earlier one is too late
-    bool m_isRestoringModel = false;            ///< the stored file is being read
+    /// numbers of the latest requests; results of earlier requests are dropped
+    int m_alphaRequest = 0, m_modelRequest = 0;
+    bool m_isRestoringModel = false; ///< the stored model file is being read
     bool m_mayLoad = true;
-    BackgroundThread m_background; ///< last
+    BackgroundThread m_background; ///< last member: destroyed first, as its jobs use the others
 };
 } // namespace ui

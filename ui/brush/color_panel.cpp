@@ -54,7 +54,7 @@ ColorPanel::ColorPanel(BrushSettings* brush, Settings* settings, const Actions& 
     showColor();
 }
 
-/// Both colours, which a click swaps; picking, filling, and the colour's name.
+/// Builds the row with the swap button, the buttons for picking and filling, and the field for the colour's name.
 QLayout* ColorPanel::buildButtons(const Actions& actions)
 {
     const QAction* swapping = actions.get(QStringLiteral("color.swap"));
@@ -127,7 +127,7 @@ ColorPanel::Channel ColorPanel::channel(const QString& name, const char* id, std
     connect(made.slider, &QSlider::valueChanged, this, change);
     connect(made.box, &QSpinBox::valueChanged, this, change);
     connect(made.box, &QSpinBox::editingFinished, this, [this, box = made.box] {
-        if (box->hasFocus()) // else the focus went elsewhere by itself
+        if (box->hasFocus()) // focus lost: the user did not press Return
             Q_EMIT entered();
     });
     return made;
@@ -175,7 +175,7 @@ void ColorPanel::set(const core::Rgb& color)
     m_brush->set(&core::StrokeSettings::color, color);
 }
 
-/// Without the # too.
+/// Accepts the colour's name with or without the leading #.
 void ColorPanel::setFromText()
 {
     const QString text = m_name->text().trimmed();

@@ -24,29 +24,30 @@ class Settings;
 class SideColumn;
 class Viewport;
 
-/// The paint colour by wheel, by channel, by name or from a swatch, and another to swap it with. Thread: gui.
+/// A panel for the paint colour: colour wheel, channels, name, swatches, and a second colour to swap with. Thread: gui.
 class ColorPanel : public QWidget
 {
     Q_OBJECT
 
 public:
-    /// None is owned; all must outlive the panel.
+    /// Nothing is owned. Precondition: all arguments outlive the panel.
     ColorPanel(BrushSettings* brush, Settings* settings, const Actions& actions, QWidget* parent = nullptr);
 
-    /// Where the keys go first.
+    /// Returns the widget that gets the keyboard focus first.
     ColorWheel* wheel() const { return m_wheel; }
     void swap();
-    /// A model's own, until another is opened; the person's own stay stored as they are while none is changed.
+    /// Shows the swatches of a model until another model is opened. The user's stored swatches stay unchanged until the
+    /// user edits a swatch.
     void setSwatches(const QList<core::Rgb>& swatches);
     const QList<core::Rgb>& swatches() const;
-    /// These are the person's own, and white is the other colour.
+    /// Stores these swatches as the user's own and sets the second colour to white.
     void reset(const QList<core::Rgb>& swatches);
 
 Q_SIGNALS:
     void swatchesChanged();
     /// A number was typed, and Return.
     void entered();
-    /// What was typed is no colour.
+    /// The typed text is not a colour. `sentence`: the message for the user.
     void refused(const QString& sentence);
 
 private:
@@ -69,7 +70,7 @@ private:
     Settings* m_settings;
     core::Rgb m_other{255, 255, 255};
     ColorWheel* m_wheel;
-    QToolButton* m_pair; ///< both colours
+    QToolButton* m_pair; ///< shows the paint colour and the second colour; a click swaps them
     QLineEdit* m_name;
     std::array<Channel, 3> m_channels;
     ColorSwatches* m_swatches;
@@ -81,8 +82,8 @@ struct ColorPanelContext
     Viewport* viewport;
 };
 
-/// Adds the panel to the column; brush.color opens it, color.pick and color.swap
-/// work. `notice` says a small word.
+/// Adds the panel to the column and connects the actions brush.color, color.pick and color.swap. `notice` shows a short
+/// message.
 void addColorPanel(const ColorPanelContext& context, BrushSettings* brush, Settings* settings, const Actions& actions,
                    const std::function<void(const QString&)>& notice);
 } // namespace ui

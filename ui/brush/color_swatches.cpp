@@ -18,7 +18,7 @@ namespace
 {
 constexpr int side = 20, perRow = 9, between = 4;
 
-/// A line of the text's colour round it: it is seen where it has the window's colour.
+/// Draws a frame in the text colour, so that a swatch of the window's colour is visible.
 QIcon patch(const core::Rgb& color, const QPalette& palette)
 {
     QPixmap image(side, side);
@@ -68,7 +68,7 @@ void ColorSwatches::remove(const core::Rgb& color)
     Q_EMIT changed();
 }
 
-/// The frames have the text's colour.
+/// Redraws the frames, which have the text colour.
 void ColorSwatches::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
@@ -76,7 +76,7 @@ void ColorSwatches::changeEvent(QEvent* event)
         build();
 }
 
-/// The old ones may be in the middle of an event.
+/// Rebuilds all buttons. deleteLater(), because an old button may be handling an event.
 void ColorSwatches::build()
 {
     while (QLayoutItem* item = m_grid->takeAt(0)) {

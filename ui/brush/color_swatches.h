@@ -8,21 +8,21 @@ class QGridLayout;
 
 namespace ui
 {
-/// Colours at hand: a click or Space takes one, the context menu or Delete removes it, a button at the end keeps the
-/// present colour. Thread: gui.
+/// A grid of stored colours. A click or Space chooses a colour, Delete or the context menu removes it. A button at the
+/// end adds the present colour. Thread: gui.
 class ColorSwatches : public QWidget
 {
     Q_OBJECT
 
 public:
-    static constexpr int maxSwatches = 17; ///< with the button two rows
+    static constexpr int maxSwatches = 17; ///< fills two rows together with the button that adds a colour
 
     explicit ColorSwatches(QWidget* parent = nullptr);
 
     const QList<core::Rgb>& colors() const { return m_colors; }
-    /// Those past the most are left out.
+    /// Replaces the colours; those beyond maxSwatches are dropped.
     void setColors(QList<core::Rgb> colors);
-    /// At the end; if there is no room, the first goes. One that is there already is not added again.
+    /// Appends a colour unless it is present; if the grid is full, the first colour is removed.
     void add(const core::Rgb& color);
     void remove(const core::Rgb& color);
 

@@ -69,7 +69,7 @@ QRectF ColorWheel::square() const
     return {middle() - QPointF(half, half), QSizeF(2 * half, 2 * half)};
 }
 
-/// Red at the right, anticlockwise.
+/// Returns the position of a hue on the ring. Red is at the right, and hue increases anticlockwise.
 QPointF ColorWheel::placeOfHue(double hue) const
 {
     const double angle = 2 * std::numbers::pi * hue, radius = outerRadius() - ringWidth / 2;
@@ -121,7 +121,7 @@ void ColorWheel::drawSquare(QPainter& painter) const
     painter.fillRect(area, value);
 }
 
-/// Black within white: seen on every colour.
+/// Draws a white circle on a wider black circle, which is visible on every colour.
 void ColorWheel::drawHandle(QPainter& painter, const QPointF& at, const QColor& inside) const
 {
     painter.setBrush(inside);

@@ -6,8 +6,9 @@
 
 namespace ui
 {
-/// Hue on a ring, saturation (to the right) and value (upwards) in a square within it. Drag either; the arrow keys move
-/// in the square, Page Up and Page Down along the ring. A grey keeps the hue that it was made from. Thread: gui.
+/// A colour wheel: hue on a ring, and within it a square for saturation (to the right) and value (upwards). Drag in
+/// ring or square; the arrow keys move in the square, Page Up and Page Down along the ring. Hue persists while the
+/// colour is grey. Thread: gui.
 class ColorWheel : public QWidget
 {
     Q_OBJECT
@@ -16,18 +17,18 @@ public:
     explicit ColorWheel(QWidget* parent = nullptr);
 
     core::Rgb color() const;
-    /// Without colorChanged().
+    /// Sets the colour without emitting colorChanged().
     void setColor(const core::Rgb& color);
 
     QSize sizeHint() const override { return {160, 160}; }
     QSize minimumSizeHint() const override { return {144, 144}; }
 
-    /// Where a hue, or a saturation and a value, all 0 to 1, lie in the widget.
+    /// Return the widget position of a hue, or of a saturation and value. Units: all 0 to 1.
     QPointF placeOfHue(double hue) const;
     QPointF placeInSquare(double saturation, double value) const;
 
 Q_SIGNALS:
-    /// By hand.
+    /// The user has changed the colour.
     void colorChanged(const core::Rgb& color);
 
 protected:
@@ -48,7 +49,7 @@ private:
     void drawSquare(QPainter& painter) const;
     void drawHandle(QPainter& painter, const QPointF& at, const QColor& inside) const;
 
-    double m_hue = 0, m_saturation = 0, m_value = 0; ///< 0 to 1
+    double m_hue = 0, m_saturation = 0, m_value = 0; ///< all 0 to 1
     Part m_dragged = Part::Square;
 };
 } // namespace ui

@@ -30,7 +30,7 @@ void FalloffCurve::bendTo(double x, double y)
     m_brush->setValue(core::Parameter::Falloff, nearest);
 }
 
-/// Past what lies between no weighting and the least n.
+/// Steps the falloff exponent n and skips the invalid values between 0 (no weighting) and the smallest valid n.
 void FalloffCurve::step(int by)
 {
     int n = falloff() + by;

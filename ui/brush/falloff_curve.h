@@ -5,8 +5,8 @@
 
 namespace ui
 {
-/// b(x) of the brush (paper, section 3.3) drawn from the centre to the rim; dragging bends it to the n that passes
-/// nearest to the hand, the arrow keys step n. The brush must outlive it. Thread: gui.
+/// A plot of the brush's falloff b(x) (paper, section 3.3) from centre to rim. Dragging chooses the exponent n whose
+/// curve passes nearest to the pointer; the arrow keys step n. Precondition: the brush outlives the plot. Thread: gui.
 class FalloffCurve : public CurveWidget
 {
     Q_OBJECT
@@ -14,7 +14,7 @@ class FalloffCurve : public CurveWidget
 public:
     explicit FalloffCurve(BrushSettings* brush, QWidget* parent = nullptr);
 
-    /// Low: the panel has many rows.
+    /// Small height, because the panel has many rows.
     QSize sizeHint() const override { return {200, 72}; }
 
 protected:

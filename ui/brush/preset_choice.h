@@ -7,11 +7,12 @@ namespace ui
 class BrushSettings;
 class BrushShapes;
 
-/// Returns the brush in the hand as a preset without a name. Its radius is a share of the model's size. Thread: gui.
+/// Returns the current brush as a preset without a name. Its radius is a fraction of the model's size. Thread: gui.
 core::BrushPreset presetOf(const BrushSettings& brush);
-/// Takes the preset's tool with its values; the radius where each tool has its own. An alpha that is a file takes
-/// effect when it was read. Returns one sentence if that file cannot be laid down. Precondition: the tool is offered.
+/// Applies the preset's tool and values. Its radius is applied only if each tool has a radius of its own. An alpha file
+/// is read first. Returns a message if the preset's alpha image cannot be written to a file; else empty. Precondition:
+/// the tool is offered.
 QString takePreset(const PresetFile& file, BrushSettings* brush, BrushShapes* shapes);
-/// Whether the brush still is what takePreset() made of it, except radius and alpha.
+/// Returns true if the brush still has the values that takePreset() gave it; radius and alpha are not compared.
 bool isInHand(const core::BrushPreset& preset, const BrushSettings& brush);
 } // namespace ui

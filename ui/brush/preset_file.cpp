@@ -23,14 +23,14 @@ struct PresetFiles
     Q_DECLARE_TR_FUNCTIONS(ui::PresetFiles)
 };
 
-constexpr int maxStem = 40; ///< characters of a file name
+constexpr int maxStem = 40; ///< characters of a file name without its suffix
 
 std::filesystem::path toPath(const QString& path)
 {
     return std::filesystem::path(path.toStdU16String());
 }
 
-/// Resources are no files for core.
+/// Reads a preset. Qt resources are read here, because core cannot open them.
 core::BrushPreset read(const QString& path)
 {
     if (!path.startsWith(u':'))
@@ -46,8 +46,8 @@ QByteArray imageOf(const core::BrushPreset& preset)
     return QByteArray::fromBase64(QByteArray::fromStdString(preset.alphaImage));
 }
 
-/// Returns the path at which the image of a preset is laid down as a file, which strokes and settings can name: in the
-/// user's data, in a folder that is called as its content.
+/// Returns the path to which the preset's alpha image is extracted, so that strokes and settings can name a file. The
+/// path is in the user's data, in a folder named by the hash of the image.
 QString extractedPath(const core::BrushPreset& preset, const QByteArray& image)
 {
     const QByteArray hash = QCryptographicHash::hash(image, QCryptographicHash::Sha256).toHex().left(16);
@@ -118,7 +118,7 @@ QString layAlphaDown(const PresetFile& file)
     const QString path = alphaPath(file);
     if (file.preset->alphaImage.empty() || QFile::exists(path))
         return {};
-    QFileInfo(path).dir().mkpath(QStringLiteral(".")); // without it there is no file, which is said
+    QFileInfo(path).dir().mkpath(QStringLiteral(".")); // if this fails, writeBytes() reports it
     return writeBytes(path, imageOf(*file.preset).toStdString());
 }
 

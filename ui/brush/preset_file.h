@@ -13,32 +13,33 @@
 
 namespace ui
 {
-/// A preset with its file, or one sentence with file, place and reason why there is none.
+/// A preset and its file, or the reason why the file was refused.
 struct PresetFile
 {
-    QString path;                                    ///< ":/brushes/…" of those that come with the program
-    std::shared_ptr<const core::BrushPreset> preset; ///< null: refused
+    QString path;                                    ///< ":/brushes/…" if the preset is part of the program
+    std::shared_ptr<const core::BrushPreset> preset; ///< null: the file was refused
     QString problem;
 };
 
-/// The presets that come with the program (resources/brushes), in the order of the shelf.
+/// Returns the presets that are part of the program (resources/brushes), in the order of the shelf.
 QStringList bundledPresets();
 
-/// Any thread, like all that follows; none throws.
+/// Reads a preset. Thread: any, as for all functions below; none of them throws.
 PresetFile readPreset(const QString& path);
-/// Returns where the alpha is of a preset whose alpha is a file: an image in the preset is there after layAlphaDown().
+/// Returns the path of the preset's alpha file. Precondition: the preset has one. An image embedded in the preset is at
+/// this path after layAlphaDown().
 QString alphaPath(const PresetFile& file);
-/// Returns that alpha.
+/// Returns the preset's alpha, from the embedded image or else from the file at alphaPath().
 BrushFile<core::Alpha> alphaOf(const PresetFile& file);
-/// Writes the image in the preset to alphaPath(), so that strokes and settings can name it. Returns one sentence if
-/// that cannot be done.
+/// Writes the image embedded in the preset to alphaPath(), so that strokes and settings can name a file. Returns a
+/// message if writing fails; else empty.
 QString layAlphaDown(const PresetFile& file);
-/// Puts the image of the preset's alpha file into it, so that it needs no other file. `from`: the file that the preset
-/// is from, or is made for. Returns one sentence if the image cannot be read.
+/// Embeds the image of the preset's alpha file, so that the preset needs no other file. `from`: file that the preset
+/// was read from or will be written to. Returns a message if the image cannot be read; else empty.
 QString embedAlpha(core::BrushPreset& preset, const QString& from);
-/// Writes the preset, whole or not at all. Returns one sentence if that cannot be done.
+/// Writes the preset atomically. Returns a message if writing fails; else empty.
 QString writePreset(const core::BrushPreset& preset, const QString& path);
 
-/// Returns a square picture of what the brush does; null if it was stopped. An alpha that cannot be read is left out.
+/// Returns a square picture of a stroke with this brush; null if stopped. An unreadable alpha is left out.
 QImage presetImage(const PresetFile& file, int pixels, const std::stop_token& stop);
 } // namespace ui

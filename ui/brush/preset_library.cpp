@@ -69,7 +69,7 @@ std::vector<PresetFile> readAll(const QString& folder)
     return files;
 }
 
-/// Cuts after whole characters.
+/// Shortens the name to core::maxPresetName bytes of UTF-8, without splitting a character.
 std::string cutName(const QString& name)
 {
     QString cut = name.simplified();
@@ -136,7 +136,7 @@ void PresetLibrary::draw(int pixels)
     }
 }
 
-/// Returns the wanted name, with a number behind it where it is taken.
+/// Returns the wanted name, with a number appended if the name is in use.
 QString PresetLibrary::freeName(const QString& wanted) const
 {
     const auto isTaken = [&](const QString& name) {
@@ -148,7 +148,8 @@ QString PresetLibrary::freeName(const QString& wanted) const
     return name;
 }
 
-/// Returns a path in the user's folder where nothing is: the name's letters and digits, and a number if need be.
+/// Returns an unused path in the user's folder. The file name consists of the preset name's letters and digits, and a
+/// number if needed.
 QString PresetLibrary::freePath(const QString& name) const
 {
     constexpr qsizetype maxStem = 40;
@@ -173,7 +174,7 @@ QString PresetLibrary::add(core::BrushPreset preset, const QString& name)
 {
     preset.name = cutName(freeName(name));
     const QString path = freePath(QString::fromStdString(preset.name));
-    QDir().mkpath(folder()); // without it there is no file, which is said
+    QDir().mkpath(folder()); // if this fails, writePreset() reports it
     QString problem = embedAlpha(preset, path);
     if (problem.isEmpty())
         problem = writePreset(preset, path);

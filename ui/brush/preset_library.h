@@ -10,8 +10,8 @@
 
 namespace ui
 {
-/// The brush presets of the program, and those of the user: a file each in the user's data. Reads, writes and draws
-/// them. Thread: gui; files are read and pictures drawn on a thread.
+/// The brush presets of the program and of the user; each user preset is a file in the user's data. Thread: gui; files
+/// are read and pictures drawn on background threads.
 class PresetLibrary : public QObject
 {
     Q_OBJECT
@@ -20,30 +20,31 @@ public:
     struct Entry
     {
         PresetFile file;
-        QString name; ///< in the user's language, if it is one of ours
-        QString tip;  ///< what one of ours is for; else empty
+        QString name; ///< in the user's language if the preset is part of the program
+        QString tip;  ///< purpose of a preset of the program; else empty
         bool isOurs = false;
     };
 
     explicit PresetLibrary(QObject* parent = nullptr) : QObject(parent) {}
     ~PresetLibrary() override;
 
-    /// Returns ours in the order of the shelf, then the user's by name.
+    /// Returns the program's presets in the order of the shelf, then the user's by name.
     const std::vector<Entry>& entries() const { return m_entries; }
-    /// Reads all presets anew, then loaded(). A file that is no preset, or of a newer version, is left out, which
-    /// refused() says once; the others stay.
+    /// Reads all presets again and emits loaded(). A file that is no preset, or of a newer version, is left out;
+    /// refused() reports each such file once.
     void load();
     /// Draws the pictures that are not there yet, one after the other: pictureMade().
     void draw(int pixels);
 
-    // Each reads all presets anew. What cannot be done is said by refused(), and changes nothing.
+    // Each function below reads all presets again. A failure is reported by refused() and changes nothing.
 
-    /// Writes a new preset of the user's, with that name or one that is free. Returns its file; empty: refused.
+    /// Writes a new preset of the user. If the name is in use, a number is appended. Returns the new file; empty:
+    /// refused.
     QString add(core::BrushPreset preset, const QString& name);
     void rename(const Entry& entry, const QString& name);
-    /// Puts the file into the trash; where there is none, nothing is deleted.
+    /// Moves the file to the trash. Nothing is deleted if there is no trash.
     void remove(const Entry& entry);
-    /// Copies the file's preset among the user's. Returns its new file; empty: refused.
+    /// Adds the preset of a file to the user's presets. Returns the new file; empty: refused.
     QString import(const QString& path);
     void exportTo(const Entry& entry, const QString& path);
 
@@ -52,9 +53,9 @@ public:
 
 Q_SIGNALS:
     void loaded();
-    /// `path`: of the preset's file.
+    /// `path`: file of the preset
     void pictureMade(const QString& path, const QImage& picture);
-    /// Says in one sentence why a preset is left out.
+    /// A preset was left out or could not be changed. `sentence`: the reason.
     void refused(const QString& sentence);
 
 private:
@@ -64,8 +65,8 @@ private:
     bool isWritten(const QString& problem);
 
     std::vector<Entry> m_entries;
-    QStringList m_told; ///< sentences about files that were left out
+    QStringList m_told; ///< messages about left-out files that were already reported
     std::stop_source m_drawing;
-    BackgroundThread m_reader, m_painter; ///< last
+    BackgroundThread m_reader, m_painter; ///< last members: destroyed first, as their jobs use the others
 };
 } // namespace ui

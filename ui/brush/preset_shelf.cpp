@@ -24,7 +24,7 @@ namespace ui
 namespace
 {
 constexpr int shelfPicture = 64;
-constexpr int drawnPixels = 2 * shelfPicture; ///< sharp at 200 %
+constexpr int drawnPixels = 2 * shelfPicture; ///< pixels, sharp on screens scaled to 200 %
 constexpr int pathRole = Qt::UserRole;
 } // namespace
 
@@ -59,7 +59,8 @@ void PresetShelf::build()
     m_list->setEditTriggers(QAbstractItemView::EditKeyPressed);
     m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_list->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // else the columns jump
+    // a scroll bar that comes and goes would change the number of columns
+    m_list->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
     m_new = button(QStringLiteral("presets.new"), QStringLiteral("plus"), tr("New Preset"),
                    tr("Saves the current brush as a preset, and asks for its name."), [this] { makeNew(); });
     m_rename = button(QStringLiteral("presets.rename"), QStringLiteral("rename"), tr("Rename"),
@@ -96,7 +97,7 @@ QToolButton* PresetShelf::button(const QString& name, const QString& icon, const
     return made;
 }
 
-/// The cells share the width; two lines are for the name.
+/// Divides the list's width evenly among the columns; each cell has two lines for the name.
 void PresetShelf::layCells()
 {
     const QFontMetrics metrics = m_list->fontMetrics();
@@ -169,7 +170,7 @@ void PresetShelf::fill()
 void PresetShelf::setPicture(const QString& path, const QImage& picture)
 {
     m_pictures.insert(path, QPixmap::fromImage(picture));
-    const QSignalBlocker quiet(m_list); // itemChanged() is for names
+    const QSignalBlocker quiet(m_list); // itemChanged() must be emitted for edited names only
     for (int i = 0; i < m_list->count(); ++i)
         if (m_list->item(i)->data(pathRole) == path)
             m_list->item(i)->setIcon(m_pictures.value(path));
@@ -193,7 +194,8 @@ void PresetShelf::take(const QListWidgetItem* item)
     Q_EMIT taken();
 }
 
-/// Shows what is offered, and no preset as chosen that the brush is not any more.
+/// Hides presets of tools that are not offered. Clears the selection if the brush no longer has the values of the
+/// selected preset.
 void PresetShelf::update()
 {
     for (int i = 0; i < m_list->count(); ++i) {

@@ -18,23 +18,24 @@ class BrushSettings;
 class BrushShapes;
 class SideColumn;
 
-/// The brush presets as pictures. A click takes a preset's tool and values; the presets of tools that are not offered
-/// are not shown. Reads and draws only from the first time on that it can be seen. Thread: gui.
+/// The brush presets as pictures. A click applies a preset. Presets of tools that are not offered are hidden. Files are
+/// read and pictures drawn when the shelf is first shown. Thread: gui.
 class PresetShelf : public QWidget
 {
     Q_OBJECT
 
 public:
-    /// Keeps both pointers: they must outlive the shelf.
+    /// Precondition: `brush` and `shapes` outlive the shelf.
     PresetShelf(BrushSettings* brush, BrushShapes* shapes, QWidget* parent = nullptr);
 
-    /// Shows the presets in another view as well, where a click takes one, too. The shelf must outlive the view.
+    /// Shows the presets in another view too; a click there applies a preset. Precondition: the shelf outlives the
+    /// view.
     void showIn(QListView* view);
 
 Q_SIGNALS:
-    /// One sentence.
+    /// There is a message for the user.
     void noticed(const QString& sentence);
-    /// A preset was taken; the keys belong to the model again.
+    /// A preset was applied; the window should return the keyboard focus to the view.
     void taken();
 
 protected:
@@ -58,10 +59,10 @@ private:
     BrushShapes* m_shapes;
     QListWidget* m_list;
     QToolButton *m_new = nullptr, *m_import = nullptr, *m_export = nullptr, *m_rename = nullptr, *m_delete = nullptr;
-    QHash<QString, QPixmap> m_pictures; ///< by path
-    QString m_toEdit;                   ///< the path of a new preset, whose name is edited when it is there
+    QHash<QString, QPixmap> m_pictures; ///< by path of the preset
+    QString m_toEdit;                   ///< path of a new preset whose name is edited once the presets have been read
     bool m_isLoaded = false;
-    PresetLibrary m_library; ///< last
+    PresetLibrary m_library; ///< last member: destroyed first, with its threads
 };
 
 struct PresetShelfContext
@@ -72,6 +73,6 @@ struct PresetShelfContext
     std::function<void(const QString&)> notice;
 };
 
-/// Adds a shelf to the column.
+/// Adds a shelf to the column and returns it.
 PresetShelf* addPresetShelf(const PresetShelfContext& context, BrushSettings* brush, BrushShapes* shapes);
 } // namespace ui

@@ -25,9 +25,9 @@ struct ShapeChoosers
 };
 
 constexpr int picturePixels = 22;
-/// What the last entry holds: no source and no path is that.
+/// data of the entry "load a file"; cannot be a source or a path
 const QString loadEntry = QStringLiteral("\n");
-/// Of the entry before it.
+/// data of the entry "the document's model"
 const QString ownModelEntry = QStringLiteral("\nown");
 
 QString nameOf(std::string_view builtIn)
@@ -62,7 +62,7 @@ QString modelOf(const BrushSettings& brush)
     return brush.stroke().model ? QString::fromStdString(brush.stroke().model->source()) : QString();
 }
 
-/// Files by their names; the chosen one is there even if it is none of those.
+/// Adds an entry for each file, named by its file name. Adds the chosen file too if it is missing.
 void addFiles(QComboBox* box, const QStringList& files, const QString& chosen,
               const std::function<QIcon(const QString&)>& pictureOf)
 {
@@ -108,7 +108,7 @@ QComboBox* alphaChooser(BrushSettings* brush, BrushShapes* shapes)
     };
     QObject::connect(box, &QComboBox::activated, shapes, [=] {
         const QString source = box->currentData().toString();
-        show(); // until it was read
+        show(); // keeps the old choice until the file was read
         if (source != loadEntry)
             return shapes->chooseAlpha(source);
         askForAlpha(box->window(), Settings().lastFolder(), alphaEndings(),

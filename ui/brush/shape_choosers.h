@@ -7,11 +7,11 @@ namespace ui
 class BrushSettings;
 class BrushShapes;
 
-// Lists that show what the brush has and change it: none or a ball, ours, files that were chosen before, and a file to
-// be chosen. Both arguments must outlive them. Thread: gui.
+// Combo boxes that show and change the brush's shape. Entries: none (or a ball), shapes of the program, recent files,
+// and an entry that asks for a file. Precondition: the arguments outlive the box. Thread: gui.
 
-/// With a picture each. Off while the tool uses no alpha.
+/// Returns a box of alphas with pictures. The box is disabled if the tool uses no alpha.
 QComboBox* alphaChooser(BrushSettings* brush, BrushShapes* shapes);
-/// Of Stamp, and of what Add Ball adds.
+/// Returns a box of models for Stamp and for the command Add Ball.
 QComboBox* modelChooser(BrushSettings* brush, BrushShapes* shapes);
 } // namespace ui

@@ -70,7 +70,8 @@ void StrokeEditBar::addTools(const QList<ToolOption>& tools)
     for (const auto& [tool, action] : tools)
         m_tools->addItem(action->icon(), Actions::plain(action->text()), static_cast<int>(tool));
     m_tools->setCurrentIndex(m_tools->findData(static_cast<int>(m_first.tool)));
-    connect(m_tools, &QComboBox::activated, this, [this] { // the stroke's strength, not that of the other tool
+    // keeps the stroke's strength instead of using the tool's own
+    connect(m_tools, &QComboBox::activated, this, [this] {
         core::StrokeSettings stroke = m_brush.stroke();
         stroke.tool = static_cast<core::Tool>(m_tools->currentData().toInt());
         m_brush.apply(stroke);
@@ -78,7 +79,8 @@ void StrokeEditBar::addTools(const QList<ToolOption>& tools)
     addControl(m_tools);
 }
 
-/// What a hand has not touched is what it was, though a control may not be able to show that.
+/// Emits changed() with the edited brush. Values that the user has not edited are emitted unrounded, although the
+/// controls may show them rounded or clamped.
 void StrokeEditBar::emitChanged()
 {
     core::BrushChange brush = core::brushOf(m_brush.stroke());

@@ -12,25 +12,24 @@ class QComboBox;
 
 namespace ui
 {
-/// A tool in the list of the bar, with the action that shows its name and icon.
+/// A tool in the list of the bar, with the action that has its name and icon.
 struct ToolOption
 {
     core::Tool tool;
     const QAction* action;
 };
 
-/// A bar that changes tool, radius and strength of the last stroke after the fact. Esc in it cancels. Thread: gui.
+/// A bar that edits the last stroke's tool, radius and strength afterwards. Esc cancels. Thread: gui.
 class StrokeEditBar : public MessageBar
 {
     Q_OBJECT
 
 public:
-    /// `modelInfo`: of the model, for the radius's range. `tools`: in the order of the list; the stroke's own tool
-    /// among them.
+    /// `modelInfo`: of the model, for the range of the radius. `tools`: in list order, including the stroke's own tool.
     StrokeEditBar(const core::BrushChange& brush, const ModelInfo& modelInfo, const QList<ToolOption>& tools,
                   QMainWindow* window);
 
-    /// What is to be said of the stroke as it is; empty: nothing.
+    /// Shows a remark on the edited stroke; empty: none.
     void setHint(const QString& sentence);
 
 Q_SIGNALS:
@@ -45,7 +44,7 @@ private:
     void addTools(const QList<ToolOption>& tools);
     void emitChanged();
 
-    BrushSettings m_brush; ///< as the controls show it
+    BrushSettings m_brush; ///< values shown by the controls
     core::BrushChange m_first, m_shownFirst, m_lastEmitted;
     QComboBox* m_tools;
     QLabel* m_hint;

@@ -10,29 +10,29 @@
 
 namespace ui
 {
-/// Keeps the alpha of each tool in the settings, and reads their files at the start. Thread: gui.
+/// Stores each tool's alpha in the settings and reads the alpha files when the program starts. Thread: gui.
 class ToolAlphas : public QObject
 {
     Q_OBJECT
 
 public:
-    /// Keeps both: they must outlive this.
+    /// Precondition: `tools` and `settings` outlive this object.
     ToolAlphas(ToolMemory* tools, Settings* settings, QObject* parent = nullptr);
 
-    /// Gives each tool the alpha that is stored for it, or `otherwise` if none is. Files are read on a thread.
+    /// Gives each tool its stored alpha, or `otherwise` if none is stored. Files are read on a background thread.
     void restore(const StoredToolAlpha& otherwise);
-    /// Stores what the tools have now. While a stored file is being read, it stays stored; whoever gives the tool an
-    /// alpha meanwhile has chosen later.
+    /// Stores the present alphas of all tools. A tool whose stored file is still being read keeps its stored choice,
+    /// unless the tool got another alpha meanwhile.
     void save();
-    /// Returns what is stored for the tool.
+    /// Returns the stored choice of the tool.
     const StoredToolAlpha& stored(core::Tool tool) const { return m_stored[static_cast<std::size_t>(tool)]; }
-    /// The tool has no alpha by choice: a file that is being read for it is too late.
+    /// Drops the file that is being read for the tool, because the user chose no alpha or another one.
     void forget(core::Tool tool) { m_awaited[static_cast<std::size_t>(tool)].clear(); }
 
 Q_SIGNALS:
     /// A stored file was read.
     void fileRead(const QString& path, const std::shared_ptr<const core::Alpha>& alpha);
-    /// A stored file is gone or broken; the tools that had it have none. `problem`: one sentence.
+    /// A stored file is missing or damaged; the tools that use it have no alpha. `problem`: one sentence.
     void fileRefused(const QString& problem);
 
 private:
@@ -43,8 +43,8 @@ private:
     ToolMemory* m_tools;
     Settings* m_settings;
     ForEachTool<StoredToolAlpha> m_stored;
-    ForEachTool<bool> m_isStored{}; ///< else the settings may say something else, or nothing
-    ForEachTool<QString> m_awaited; ///< the path that is being read for the tool; empty: none
-    BackgroundThread m_background;  ///< last
+    ForEachTool<bool> m_isStored{}; ///< the choice in m_stored has been written to the settings
+    ForEachTool<QString> m_awaited; ///< path of the file that is being read for the tool; empty: none
+    BackgroundThread m_background;  ///< last member: destroyed first, as its jobs use the others
 };
 } // namespace ui
