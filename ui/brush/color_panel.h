@@ -45,7 +45,7 @@ public:
 
 Q_SIGNALS:
     void swatchesChanged();
-    /// A number was typed, and Return.
+    /// A number was typed and confirmed with Return.
     void entered();
     /// The typed text is not a colour. `sentence`: the message for the user.
     void refused(const QString& sentence);

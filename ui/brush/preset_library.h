@@ -33,7 +33,7 @@ public:
     /// Reads all presets again and emits loaded(). A file that is no preset, or of a newer version, is left out;
     /// refused() reports each such file once.
     void load();
-    /// Draws the pictures that are not there yet, one after the other: pictureMade().
+    /// Stops earlier drawing, then draws all presets in turn; pictureMade() delivers each picture.
     void draw(int pixels);
 
     // Each function below reads all presets again. A failure is reported by refused() and changes nothing.

@@ -16,7 +16,8 @@ namespace ui
 namespace
 {
 constexpr int pointWidth = 44, narrowPointWidth = 24, pointHeight = 34; ///< pixels
-constexpr int endCharacters = 14;                                       ///< that each end's words have room for
+/// characters of an end's words that fit before they wrap
+constexpr int endCharacters = 14;
 
 QLabel* endLabel(const QString& text)
 {
@@ -47,8 +48,8 @@ AnswerScale::AnswerScale(const QString& name, const QuestionWords& words)
     reachByTab(minAnswer);
 }
 
-/// Arranges the parts for a width. Beside the points each end takes half of the room that they leave, whatever its
-/// words, so that a form's scales stand below each other.
+/// Arranges the parts for a narrow or wide scale. If wide, both ends get half of the width left of the points, whatever
+/// their words, so that the scales of a form are aligned.
 void AnswerScale::arrange(bool isNarrow)
 {
     m_isNarrow = isNarrow;

@@ -14,25 +14,26 @@ namespace ui
 {
 struct QuestionWords;
 
-/// A question's scale: a button for each point, of which one or none is chosen. A second click takes the choice back.
+/// A question's scale: a button for each point, at most one chosen. A second click on the chosen point clears the
+/// choice.
 ///
-/// The words at its ends stand beside the points, or below them where there is not width enough; then the points are
-/// narrower, too. The Tab key stops at one point only; the arrows lead to the others and to other scales, Space, digits
-/// and Delete choose, and Return goes on. Thread: gui.
+/// The words of the ends are beside the points, or below them if the scale is narrow. Tab stops at one point only;
+/// arrow keys move to the other points and to other scales. Space, digits and Delete choose, and Return moves on.
+/// Thread: gui.
 class AnswerScale : public QWidget
 {
     Q_OBJECT
 
 public:
-    /// Names each point's object by the scale's name, a dot and its digit.
+    /// `name`: object name of the scale; a point's object name is the scale's, a dot and the digit.
     AnswerScale(const QString& name, const QuestionWords& words);
 
     std::optional<int> answer() const { return m_answer; }
-    /// Sets the answer; emits nothing.
+    /// Sets the answer without emitting changed().
     void setAnswer(std::optional<int> answer);
 
 Q_SIGNALS:
-    /// Emitted when a person has chosen, or taken the choice back.
+    /// The user has chosen a point or cleared the choice.
     void changed();
 
 protected:
@@ -48,8 +49,8 @@ private:
     void arrange(bool isNarrow);
 
     std::optional<int> m_answer;
-    int m_reached = 1;            ///< the point that Tab reaches
-    QHBoxLayout *m_row, *m_below; ///< of the points, and of the ends where it is narrow
+    int m_reached = 1;            ///< point that Tab stops at
+    QHBoxLayout *m_row, *m_below; ///< row of the points; row below for the ends if narrow
     QLabel *m_low, *m_high;
     QList<QToolButton*> m_points;
     bool m_isNarrow = false;

@@ -19,10 +19,10 @@ namespace ui
 namespace
 {
 constexpr int clockSize = 18;                            ///< pixels
-constexpr int maxNameWidth = 240, maxResumedWidth = 120; ///< pixels; of names in texts, and on Resume
-constexpr int minTextWidth = 56;                         ///< of a text that is cut where there is no room
+constexpr int maxNameWidth = 240, maxResumedWidth = 120; ///< pixels; widths of names in texts and on the button Resume
+constexpr int minTextWidth = 56;                         ///< pixels; smallest width of a truncated text
 
-/// A text that ends in "…" where the bar has no room for it: the bar puts no button away for it.
+/// A label that ends in "…" if the bar is too narrow, so that the bar hides no button to make room for text.
 class CutLabel : public QLabel
 {
 public:
@@ -50,7 +50,7 @@ void setBold(QWidget* widget, bool isBold)
     widget->setFont(font);
 }
 
-/// Gives the button room in the bar. Return presses it, as Space does.
+/// Adds the button to the bar with margins around it. Both Return and Space press it.
 QPushButton* addButton(QToolBar* bar, QPushButton* button)
 {
     button->setAutoDefault(true);
@@ -129,7 +129,7 @@ void ClassBar::setPupil(const std::optional<QString>& pupil)
     Q_EMIT pupilShown(pupil);
 }
 
-/// The end is told by words, weight and a sign, by no colour.
+/// Near the end of a turn, bold text and a clock icon warn; colour alone would not be enough.
 void ClassBar::setTime(const std::optional<TurnTime>& time)
 {
     const bool isNear = time && time->isNearEnd;

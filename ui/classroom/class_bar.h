@@ -10,26 +10,26 @@ class QPushButton;
 
 namespace ui
 {
-/// How much of a turn is left.
+/// Remaining time of a turn.
 struct TurnTime
 {
-    int seconds = 0;        ///< 0: it is over
-    bool isNearEnd = false; ///< the warning has been given
-    int over = 0;           ///< seconds since the end
+    int seconds = 0;        ///< remaining seconds; 0: the turn is over
+    bool isNearEnd = false; ///< the warning before the end has been given
+    int over = 0;           ///< seconds since the end of the turn
 
     bool operator==(const TurnTime&) const = default;
 };
-/// What is left is never told as less than it is.
+/// Returns whole minutes, rounded up.
 inline int minutesOf(int seconds)
 {
     return (seconds + 59) / 60;
 }
 
-/// Returns "1:05" of 65 seconds.
+/// Returns minutes and seconds, such as "1:05" for 65 seconds.
 QString clockText(int seconds);
 
-/// The topmost bar of a class: whose turn it is, how long it lasts, and whose comes next. Shows itself in the window.
-/// Thread: gui.
+/// The tool bar of a class: whose turn it is, the remaining time, and a button for the next pupil. Adds itself to the
+/// window as the topmost bar. Thread: gui.
 class ClassBar : public QToolBar
 {
     Q_OBJECT
@@ -37,15 +37,16 @@ class ClassBar : public QToolBar
 public:
     ClassBar(const QString& title, QMainWindow* window);
 
-    /// Nothing: it is nobody's turn, and Next Pupil is disabled.
+    /// Shows whose turn it is. nullopt: nobody's, and Next Pupil is disabled.
     void setPupil(const std::optional<QString>& pupil);
-    /// Nothing: the turn has no end.
+    /// Shows the remaining time. nullopt: the turn has no end.
     void setTime(const std::optional<TurnTime>& time);
-    /// Whose turn was ended by the last press and may go on; nothing: nobody's.
+    /// Offers to resume the turn of the pupil whose turn was just ended; nullopt: there is nothing to resume.
     void setResumable(const std::optional<QString>& pupil);
-    /// Shows how many works are on this computer and not yet in the class's folder; `tip`: where, and why.
+    /// Shows how many works are still on this computer instead of in the class's folder. `tip`: their folder and the
+    /// reason.
     void setUndelivered(int works, const QString& tip);
-    /// A work is being saved: all buttons are disabled.
+    /// Disables all buttons while a work is being saved.
     void setBusy(bool isBusy);
 
 Q_SIGNALS:
@@ -53,9 +54,9 @@ Q_SIGNALS:
     void resumeRequested();
     void leaveRequested();
     void clockRequested();
-    /// Emitted with what setPupil() was told.
+    /// setPupil() was called with `pupil`.
     void pupilShown(const std::optional<QString>& pupil);
-    /// As setTime() was told.
+    /// setTime() was called with `time`.
     void timeShown(const std::optional<ui::TurnTime>& time);
 
 private:

@@ -21,13 +21,16 @@ namespace ui
 {
 namespace
 {
-constexpr int clockShare = 5, minClockWidth = 160, maxClockWidth = 320; ///< of the view's width; pixels
-constexpr double clockHeight = 0.625;                                   ///< of its width
-constexpr int nameShare = 7, timeShare = 3, nextShare = 14;             ///< of the height; a letter's
-constexpr int leastClockLetters = 10;                                   ///< pixels
-constexpr int maxLettersAcross = 12;                                    ///< of the time
+/// width of the clock: a fifth of the view's width, within these limits in pixels
+constexpr int clockShare = 5, minClockWidth = 160, maxClockWidth = 320;
+/// height of the clock as a fraction of its width
+constexpr double clockHeight = 0.625;
+/// letter heights as divisors of the clock's height: 7 means 1/7
+constexpr int nameShare = 7, timeShare = 3, nextShare = 14;
+constexpr int leastClockLetters = 10; ///< smallest letter height, pixels
+constexpr int maxLettersAcross = 12;  ///< characters of the time that fit the width
 
-/// Makes the letters as high as that, or as the label's width allows.
+/// Sets the letter height in pixels; reduces it if the text is wider than the label.
 void setLetters(QLabel* label, int pixels)
 {
     QFont font = label->font();
@@ -106,14 +109,15 @@ void ClassClock::toggle()
     showFullScreen();
 }
 
-/// Takes the lower corner that is farthest from menus, bars and panels.
+/// Places the clock in the lower left corner of the view, away from menus, bars and panels.
 void ClassClock::placeInView()
 {
-    setWindowFlags(Qt::Dialog); // which stays above the class's window
+    setWindowFlags(Qt::Dialog); // a dialog stays above the class's window
     const QWidget* view = m_window->centralWidget();
     const int width = std::clamp(view->width() / clockShare, minClockWidth, maxClockWidth);
     resize(width, static_cast<int>(clockHeight * width));
-    const int title = style()->pixelMetric(QStyle::PM_TitleBarHeight); // the window manager's is about as high
+    // estimate of the height of the window manager's title bar
+    const int title = style()->pixelMetric(QStyle::PM_TitleBarHeight);
     move(view->mapToGlobal(QPoint(gap, view->height() - gap - height() - title)));
 }
 
@@ -123,7 +127,7 @@ void ClassClock::keyPressEvent(QKeyEvent* event)
         hide();
 }
 
-/// Lets it be moved where no window manager gives it a title bar, too.
+/// Starts moving the clock, so that it can be moved without a title bar too.
 void ClassClock::mousePressEvent(QMouseEvent* event)
 {
     m_grip = event->globalPosition().toPoint() - pos();

@@ -12,22 +12,22 @@ namespace ui
 {
 struct TurnTime;
 
-/// A window for the projector: whose turn it is, how long it lasts, and who comes next. It fills another screen where
-/// there is one; else it is small and stands in a corner of the view, and any place of it moves it. Hidden at first.
+/// A window for the projector: whose turn it is, the remaining time, and the next pupil. Fills a second screen if there
+/// is one; otherwise it is a small window in a corner of the view, which can be dragged anywhere. Hidden at first.
 /// Thread: gui.
 class ClassClock : public QWidget
 {
     Q_OBJECT
 
 public:
-    /// `names`: of the pupils, in their order; none: nobody knows who comes next.
+    /// `names`: pupils in the order of their turns; empty: the next pupil is not shown.
     ClassClock(const QString& title, const QStringList& names, QMainWindow* window);
 
     void setPupil(const std::optional<QString>& pupil);
     void setTime(const std::optional<ui::TurnTime>& time);
-    /// Leaves out those who have had a turn.
+    /// Excludes pupils who have had a turn from being shown as the next pupil.
     void setHadTurn(const QStringList& pupils);
-    /// Shows it, or hides it if it is there.
+    /// Shows the hidden clock or hides the visible one.
     void toggle();
 
 protected:
@@ -42,10 +42,10 @@ private:
     void fit();
 
     QStringList m_names, m_hadTurn;
-    QString m_present; ///< pupil; empty: nobody's turn
+    QString m_present; ///< pupil whose turn it is; empty: nobody's turn
     QMainWindow* m_window;
-    bool m_isPlaced = false; ///< then it stays where it was moved to
-    QPoint m_grip;           ///< place of it that is held
+    bool m_isPlaced = false; ///< already placed once; after that the clock stays where the user moved it
+    QPoint m_grip;           ///< position in the clock at which the mouse drags it
     QLabel *m_pupil, *m_time, *m_next;
 };
 } // namespace ui

@@ -1,4 +1,4 @@
-// What the rows of a report say; how they stand: report_html, report_pdf.
+// Texts of the report's rows, shared by report_html and report_pdf, which lay them out.
 
 #include "ui/classroom/class_report.h"
 
@@ -54,7 +54,7 @@ QString remarkOf(const ReportRow& row)
     return remarks.join(QStringLiteral(" · "));
 }
 
-/// On one line, whatever a file's name holds.
+/// Replaces unprintable characters such as line breaks by spaces; file names may contain any.
 QString plain(QString text)
 {
     for (QChar& c : text)
@@ -70,7 +70,8 @@ struct ReportFormat
 constexpr ReportFormat reportFormats[] = {{QLatin1StringView("html"), reportHtml},
                                           {QLatin1StringView("pdf"), reportPdf}};
 
-/// Links of folders followed, that "..", where it is needed, leads there. What the disk does not tell stays as it is.
+/// Returns the absolute folder of a file with symbolic links resolved, so that ".." in a relative link is correct. If
+/// the disk cannot be read, links stay unresolved.
 fs::path folderOf(const fs::path& file)
 {
     std::error_code problem;

@@ -16,72 +16,73 @@
 
 namespace ui
 {
-/// What was found of one model's file.
+/// Data about the file of one model.
 struct ReportRow
 {
     std::filesystem::path file;
-    QString problem;                        ///< one sentence: it cannot be read
-    std::optional<core::MeshReport> report; ///< none: see problem
-    QImage picture;                         ///< square, transparent around the model; null: none was made
-    std::optional<core::WorkDone> work;     ///< none: the file does not say
-    QString name = {};                      ///< empty: the file's
-    QString answersProblem = {};            ///< one sentence, if not all answers beside the file can be read
-    QString lesson = {};                    ///< how far the pupil has come in one; empty: there was none
-    std::optional<double> turnSeconds = {}; ///< a pupil's turn took; none: it is no work of a class
+    QString problem;                        ///< why the file cannot be read, one sentence; empty: readable
+    std::optional<core::MeshReport> report; ///< nullopt: see problem
+    QImage picture;                         ///< square, transparent around the model; null: no picture
+    std::optional<core::WorkDone> work;     ///< nullopt: the file has no such record
+    QString name = {};                      ///< shown name; empty: the file name is shown
+    QString answersProblem = {};            ///< set if some answers stored beside the file cannot be read, one sentence
+    QString lesson = {};                    ///< the pupil's progress in a lesson; empty: no lesson
+    std::optional<double> turnSeconds = {}; ///< seconds of the pupil's turn; nullopt: not the work of a class
 
-    /// Seconds that the turn took or, of other files, the strokes.
+    /// Returns the seconds of the turn; if the file has no turn, those of its strokes.
     std::optional<double> seconds() const;
 };
 
-/// A folder of models for whoever has to judge them all: a row each, in the order in which they are to stand.
+/// A report on a folder of models for a teacher or judge. Rows are in display order.
 struct ClassReport
 {
-    QString folder; ///< for the title
+    QString folder; ///< shown in the title
     QDate date;
     QList<ReportRow> rows;
-    QList<Questionnaire> questionnaires = {}; ///< one a pupil's turn, none empty; none: nobody was asked
+    QList<Questionnaire> questionnaires = {}; ///< one for each turn with answers; empty: no questions were asked
 };
 
 enum class ReportVerdict { Ready, NotReady, Unreadable };
 
-/// A row in the person's language. What is not known is empty.
+/// The texts of a row in the user's language. Unknown values are empty.
 struct ReportCells
 {
     QString name, size, volume;
     ReportVerdict verdict;
-    QString word; ///< the verdict
-    QString note; ///< why not, or what to look at; may be empty
+    QString word; ///< the verdict as text
+    QString note; ///< why the model is not ready, or what to check; may be empty
     QString time, strokes;
-    QString lesson; ///< how far the pupil has come in one
+    QString lesson; ///< the pupil's progress in a lesson
 };
 
-/// Any thread.
+/// Returns the texts of a row. Thread: any.
 ReportCells cellsOf(const ReportRow& row);
-/// The heads over the cells: name, size, volume, verdict, time, strokes.
+/// Returns the column heads: name, size, volume, verdict, time, strokes.
 QStringList reportHeads();
-/// A question and the sum of its answers, in the person's language.
+/// A row of the table of questions, in the user's language: a question and the sum of its answers.
 struct QuestionCells
 {
     QString question;
-    QString scale; ///< the meaning of its ends
+    QString scale; ///< meaning of the scale's two ends
     QString answers, mean;
-    std::array<QString, maxAnswer> counts; ///< of each point; empty instead of 0
+    std::array<QString, maxAnswer> counts; ///< number of answers for each point; empty instead of 0
 };
 
-/// Returns the rows in the order of Question; none if nobody answered.
+/// Returns a row for each question, in the order of Question; empty if nobody answered.
 QList<QuestionCells> questionCellsOf(const ClassReport& report);
-/// Returns the heads over these: question, answers, mean and the points.
+/// Returns the heads of the table of questions: question, answers, mean and the points.
 QStringList questionHeads();
 QString questionsTitle();
 QString reportTitle(const ClassReport& report);
-/// One line with counts.
+/// Returns one line with the date and the numbers of models for each verdict.
 QString reportSummary(const ClassReport& report);
 
-/// From the report's file to a model's, for people to click: relative, with / between folders, each byte of a name that
-/// means something in a URL as %XX. Asks the disk about links among the folders.
+/// Returns a relative URL from the report's file to a model's file, with / between folders and %XX escapes. Reads the
+/// disk to resolve symbolic links.
 QString reportLink(const std::filesystem::path& report, const std::filesystem::path& model);
 
-/// In the format that the file's ending says, one of reportEndings() (ui/util/format_filters.h): the page of a browser,
-/// alone in its file, or A4 for a printer. Does not commit. Throws core::FileError. Any thread; a few ms a row.
+/// Writes the report as HTML or PDF, chosen by the file's suffix (reportEndings() in ui/util/format_filters.h): one
+/// self-contained page for a browser, or A4 pages for a printer. Does not commit the file. Throws core::FileError.
+/// Thread: any. Cost: a few ms for each row.
 void writeReport(core::AtomicFile& file, const ClassReport& report);
 } // namespace ui

@@ -15,22 +15,24 @@ inline constexpr int maxTurnMinutes = 240;
 inline constexpr int maxPupilNames = 200, maxPupilNameLength = 40; ///< characters
 inline constexpr int minPinLength = 4, maxPinLength = 32;          ///< characters
 
-/// What a teacher has chosen for a class.
+/// A teacher's choices for a class.
 struct Classroom
 {
     QString title;
-    QString folder;                ///< an absolute path: there the pupils' works go
-    QList<core::Starter> starters; ///< none twice, and at least one, or a lesson; the first is there before all choose
-    QList<core::Tool> tools;       ///< the same; the first is in the hand when a turn begins
-    int turnMinutes = 20;          ///< 0: a turn has no end
-    int warningMinutes = 3;        ///< before that end; 0: no warning
+    QString folder; ///< absolute path of the folder for the pupils' works
+    /// no duplicates; not empty unless there is a lesson; the first is opened before pupils choose
+    QList<core::Starter> starters;
+    QList<core::Tool> tools; ///< no duplicates, not empty; a turn begins with the first tool
+    int turnMinutes = 20;    ///< 0: a turn has no end
+    int warningMinutes = 3;  ///< minutes before the end of a turn; 0: no warning
     bool fullScreen = true;
     Language language = Language::System;
-    QString pin = {};           ///< as app/class_pin writes it, never the digits themselves
-    bool asksQuestions = false; ///< six about the program, after each turn
-    QStringList names = {};     ///< of the pupils, to choose from; none: each is typed
-    bool allowsOthers = true;   ///< a name that is not among them may be typed, too
-    QString lesson = {};        ///< to begin with: one of ours, or an absolute path; empty: none
+    QString pin = {};           ///< hash written by app/class_pin, never the digits themselves
+    bool asksQuestions = false; ///< six questions about the program after each turn
+    QStringList names = {};     ///< pupils to choose from; empty: each pupil types a name
+    bool allowsOthers = true;   ///< pupils may type a name that is not in names
+    /// lesson that turns begin with: name of a bundled lesson or absolute path; empty: none
+    QString lesson = {};
 
     bool operator==(const Classroom&) const = default;
 };

@@ -47,7 +47,7 @@ QString toolId(std::string_view tool)
     return QStringLiteral("tool.") + QString::fromUtf8(tool);
 }
 
-/// Lays two fields out in a row, the second one with its label. The row's own label leads to the first.
+/// Returns a row with two fields and the label of the second. The label of the form row belongs to the first field.
 QWidget* beside(QWidget* first, const QString& label, QWidget* second)
 {
     auto* both = new QWidget;
@@ -163,7 +163,7 @@ void ClassroomDialog::saveAs()
                     });
 }
 
-/// Returns nothing if something is missing, and says what.
+/// Returns nullopt if something is missing, shows the reason and focuses the field.
 std::optional<ClassroomDraft> ClassroomDialog::checkedDraft()
 {
     const ClassroomDraft made = draft();
@@ -189,7 +189,7 @@ QString ClassroomDialog::folder() const
     return QDir::cleanPath(QDir::fromNativeSeparators(m_folder->text().trimmed()));
 }
 
-/// The sentence that says what is missing, and what would help.
+/// Builds the foot of the dialog: the message about what is missing, and a button that creates a missing folder.
 QWidget* ClassroomDialog::foot()
 {
     m_word = dialogText({}, textWidth);
@@ -323,7 +323,7 @@ QWidget* ClassroomDialog::choices(const QString& title, const Actions& actions, 
     return group;
 }
 
-/// The first thing that is missing, and its field.
+/// Returns the first missing or invalid entry with its field.
 ClassroomDialog::Fault ClassroomDialog::faultIn(const ClassroomDraft& draft) const
 {
     const Classroom& classroom = draft.classroom;

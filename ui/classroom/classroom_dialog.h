@@ -23,32 +23,32 @@ class NamesField;
 class WaitingWorksNote;
 enum class MenuId;
 
-/// Draft that a teacher typed: the class, a new PIN, and the file that it is to be kept in.
+/// The entries of the dialog: the class, a new PIN, and the file to write.
 struct ClassroomDraft
 {
-    Classroom classroom; ///< its PIN is that of the class that was loaded; empty: there is none yet
-    QString pin;         ///< the digits; empty: the PIN stays
+    Classroom classroom; ///< its pin is that of the loaded class; empty: no PIN yet
+    QString pin;         ///< digits of a new PIN; empty: the PIN stays unchanged
     QString path;
 };
 
-/// Asks what a class may do, then where to keep it if it has no file yet, and stays open until the class is kept or
-/// given up. Thread: gui.
+/// A dialog that edits the settings of a class and writes them to a file. It stays open until the class has been saved
+/// or the dialog is cancelled. Thread: gui.
 class ClassroomDialog : public QDialog
 {
     Q_OBJECT
 
 public:
-    /// `folder`: where the dialogs for files begin. Deletes itself when it closes.
+    /// `folder`: initial folder of the file dialogs. The dialog deletes itself when it closes.
     ClassroomDialog(QWidget* parent, const Actions& actions, const QString& folder,
                     const QList<LessonCard>& lessons = {});
 
-    /// Shows a class that was read from a file.
+    /// Shows a class that was read from the file `path`.
     void load(const Classroom& classroom, const QString& path);
-    /// Shows one sentence at the foot.
+    /// Shows a message at the foot of the dialog.
     void showFault(const QString& sentence);
     WaitingWorksNote* waitingWorks() const { return m_waiting; }
-    /// Keeps the class in the file that it was loaded from, or asks for one, if all is there; else says what is
-    /// missing.
+    /// Emits drafted() for the loaded file, or after asking for a file. If something is missing, shows a message
+    /// instead.
     void accept() override;
 
 Q_SIGNALS:
@@ -58,7 +58,7 @@ Q_SIGNALS:
 private:
     struct Fault
     {
-        QString sentence; ///< empty: none
+        QString sentence; ///< empty: no fault
         QWidget* field = nullptr;
     };
 
@@ -78,7 +78,7 @@ private:
     LessonChoice* m_lesson;
     WaitingWorksNote* m_waiting;
     QString m_startFolder;
-    QString m_path; ///< of the class that was loaded
+    QString m_path; ///< file of the loaded class
     QString m_pinRecord;
     QLineEdit *m_title = nullptr, *m_folder = nullptr, *m_pin = nullptr, *m_pinRepeated = nullptr;
     QSpinBox *m_turn = nullptr, *m_warning = nullptr;

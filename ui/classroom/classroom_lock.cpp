@@ -23,13 +23,13 @@ namespace
 constexpr QLatin1StringView closedCommands[] = {
     QLatin1StringView("edit.preferences"), QLatin1StringView("edit.classroom"), QLatin1StringView("brush.fromModel"),
     QLatin1StringView("lesson.record"),    QLatin1StringView("model.insert"),   QLatin1StringView("model.printCheck")};
-/// What is new to the window is closed, until somebody has looked where it leads.
+/// Panels that stay available in a class. A new panel is closed until it is added here, because it may lead to files.
 constexpr QLatin1StringView openPanels[] = {QLatin1StringView("brushPanel"),     QLatin1StringView("topologyPanel"),
                                             QLatin1StringView("symmetryPanel"),  QLatin1StringView("colorPanel"),
                                             QLatin1StringView("turntablePanel"), QLatin1StringView("modelPanel"),
                                             QLatin1StringView("presetPanel")};
 
-/// Leads nowhere when it is locked.
+/// The lesson panel stays available too: LessonPanel::lock() removes its ways out.
 constexpr QLatin1StringView lessonPanel("lessonPanel");
 
 template <std::size_t count> bool isAmong(const QLatin1StringView (&names)[count], const QString& name)
@@ -37,14 +37,15 @@ template <std::size_t count> bool isAmong(const QLatin1StringView (&names)[count
     return std::ranges::find(names, name) != std::end(names);
 }
 
-/// Both: what is only invisible may be enabled again by others, and what is only disabled is still to be seen.
+/// Hides and disables an action. Hiding alone is not enough if other code enables the action again; disabling alone
+/// leaves it visible.
 void close(QAction* action)
 {
     action->setVisible(false);
     action->setEnabled(false);
 }
 
-/// Whether anything of the menu is left.
+/// Closes all actions of the menu that are not allowed. Returns true if any action remains.
 bool hideEmpty(const QMenu* menu, const QSet<QAction*>& allowed)
 {
     bool hasSome = false;
@@ -64,7 +65,7 @@ void hideEmptyMenus(const QMainWindow* window, const QSet<QAction*>& allowed)
             close(title);
 }
 
-/// A line parts what is there on both its sides.
+/// Shows a separator only if there are visible actions on both sides.
 void hideLoneSeparators(const QToolBar* bar)
 {
     QAction* line = nullptr;
@@ -98,7 +99,7 @@ bool isAllowed(const ActionInfo& row, const Classroom& classroom)
     case MenuId::Files:
     case MenuId::Reference:
         return false;
-    case MenuId::Help: // the others lead to commands and to lessons
+    case MenuId::Help: // the other help actions lead to all commands or to lessons
         return std::string_view(row.id) == "help.guide";
     case MenuId::Tool:
         return isTool(row, classroom.tools);
@@ -145,7 +146,7 @@ void lockWindow(QMainWindow* window, const Actions& actions, const Classroom& cl
         dock->hide();
         close(dock->toggleViewAction());
     }
-    auto* help = new QShortcut(Qt::Key_F1, window); // outside a class it lists all commands
+    auto* help = new QShortcut(Qt::Key_F1, window); // outside a class F1 lists all commands
     QObject::connect(help, &QShortcut::activated, actions.get(QStringLiteral("help.guide")), &QAction::trigger);
     window->findChild<LessonPanel*>()->lock();
     hideEmptyMenus(window, allowed);
@@ -163,7 +164,8 @@ QHash<QString, bool> switchesOf(const Actions& actions)
     return switches;
 }
 
-/// Of a choice the one that was made is made again, and the others are off by that.
+/// Restores the saved state of each action. In an exclusive group only the checked action is triggered; that unchecks
+/// the others.
 void setSwitches(const Actions& actions, const QHash<QString, bool>& switches)
 {
     for (auto i = switches.begin(); i != switches.end(); ++i) {

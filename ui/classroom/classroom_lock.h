@@ -11,17 +11,17 @@ class Actions;
 struct ActionInfo;
 struct Classroom;
 
-/// Whether that action is there in a class. What asks for files, leads to other programs or to what a teacher has set
-/// is not; Quit is, because the window asks for the PIN then, and so is the guide, whose links lead to its own pages.
+/// Returns true if the action is available in a class. Actions that open files, other programs or the teacher's
+/// settings are not. Quit is available, because it asks for the PIN; the guide is available, because its links stay
+/// inside the guide.
 bool isAllowed(const ActionInfo& row, const Classroom& classroom);
 
-/// Takes all else out of the window, keys included: what is not allowed can be neither seen nor done from now on.
-/// Panels that lead to files or printers go, too, and so do the window's context menus; of panels only those are there
-/// that are known to be for the hand.
+/// Hides and disables everything in the window that the class does not allow, including keys, context menus, and all
+/// panels except those known not to lead to files or printers.
 void lockWindow(QMainWindow* window, const Actions& actions, const Classroom& classroom);
 
-/// Which of the switches are on; all but those of VR, which belong to the person in the headset.
+/// Returns which checkable actions are on. VR's are excluded, because they belong to the person in the headset.
 QHash<QString, bool> switchesOf(const Actions& actions);
-/// As they were.
+/// Restores the states that switchesOf() returned.
 void setSwitches(const Actions& actions, const QHash<QString, bool>& switches);
 } // namespace ui

@@ -14,9 +14,9 @@ namespace ui
 {
 namespace
 {
-constexpr int narrowWidth = 720, lowHeight = 520; ///< pixels, below which margins are small
+constexpr int narrowWidth = 720, lowHeight = 520; ///< pixels; smaller panels get small margins
 
-/// Returns whether the key is left to the window. Alt leads to the buttons of the panel, and of the window.
+/// Returns true if the window may handle the key: combinations with Alt (mnemonics of buttons), function keys, Quit.
 bool isLeftToTheWindow(const QKeyEvent& key)
 {
     const bool isFunctionKey = key.key() >= Qt::Key_F1 && key.key() <= Qt::Key_F35;
@@ -25,7 +25,7 @@ bool isLeftToTheWindow(const QKeyEvent& key)
 }
 } // namespace
 
-/// A scroll area as large as its widget where there is room.
+/// A scroll area that takes its widget's full size if there is room.
 class CardScroll : public QScrollArea
 {
 public:
@@ -37,7 +37,7 @@ public:
         setWidget(content);
     }
 
-    /// Sets how much room there is across, in pixels.
+    /// Sets the available width, pixels.
     void setRoom(int width)
     {
         m_room = width;
@@ -71,8 +71,8 @@ private:
     {
         return widget()->hasHeightForWidth() ? widget()->heightForWidth(width) : widget()->sizeHint().height();
     }
-    /// Shows the upright bar, and a gap beside it, if the whole width makes it necessary. (Qt's own choice keeps a bar
-    /// that only the narrower width beside it needs.)
+    /// Shows the vertical scroll bar, with a gap beside it, only if the content is too high at full width. (Qt also
+    /// keeps a bar that is needed only because the bar itself takes width.)
     void placeBar()
     {
         const bool isWider = widget()->minimumSizeHint().width() > width();
@@ -88,7 +88,7 @@ private:
 CoverPanel::CoverPanel(QWidget* over) : QFrame(over), m_over(over), m_column(new QVBoxLayout(this))
 {
     m_column->setSizeConstraint(
-        QLayout::SetNoConstraint); // it is as large as the widget below, whatever the card needs
+        QLayout::SetNoConstraint); // the panel has the size of the covered widget, whatever the card's size
     setAutoFillBackground(true);
     over->installEventFilter(this);
     connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) { showFocused(now); });
@@ -122,7 +122,7 @@ void CoverPanel::close()
     m_over->setFocus();
 }
 
-/// Takes the events that no child takes, which would reach the widget below.
+/// Accepts events that no child accepted, so that they do not reach the covered widget.
 bool CoverPanel::event(QEvent* event)
 {
     switch (event->type()) {
@@ -155,7 +155,7 @@ bool CoverPanel::eventFilter(QObject* watched, QEvent* event)
     return QFrame::eventFilter(watched, event);
 }
 
-/// Leaves the card its margins only where there is room for them.
+/// Reduces the card's margins if the panel is small.
 void CoverPanel::resizeEvent(QResizeEvent* event)
 {
     QFrame::resizeEvent(event);
@@ -168,7 +168,7 @@ void CoverPanel::resizeEvent(QResizeEvent* event)
     m_scroll->setRoom(width() - 2 * (around + across + m_card->parentWidget()->contentsMargins().left()));
 }
 
-/// Moves the focus round within the panel: to the next in the window's order that takes it by Tab, as Qt does.
+/// Moves the focus to the next widget of the panel that accepts Tab, in the window's tab order; wraps around.
 bool CoverPanel::focusNextPrevChild(bool next)
 {
     QWidget* const from = focusWidget() ? focusWidget() : this;
@@ -183,7 +183,8 @@ bool CoverPanel::focusNextPrevChild(bool next)
     return false;
 }
 
-/// Brings what has the focus into sight; while a mouse button is down it would move away under the pointer.
+/// Scrolls the focused widget into view. Not while a mouse button is down, because the widget would move away from the
+/// pointer.
 void CoverPanel::showFocused(QWidget* now)
 {
     if (m_scroll && now && m_scroll->isAncestorOf(now) && QGuiApplication::mouseButtons() == Qt::NoButton)

@@ -9,9 +9,9 @@ namespace ui
 {
 class CardScroll;
 
-/// A panel that lies over all of a widget, which nobody reaches meanwhile, with a card in its middle. While the focus
-/// is inside, keys are the card's, too: of the window's shortcuts those with Alt, the function keys and Quit are left,
-/// and Tab goes round within the panel. Hidden at first. Thread: gui.
+/// A panel that covers another widget completely and blocks its input, with a card in the middle. While the panel has
+/// the focus, it consumes all keys except combinations with Alt, function keys and Quit; Tab cycles within the panel.
+/// Hidden at first. Thread: gui.
 class CoverPanel : public QFrame
 {
     Q_OBJECT
@@ -19,14 +19,14 @@ class CoverPanel : public QFrame
 public:
     explicit CoverPanel(QWidget* over);
 
-    /// Gives the keys back to the widget below.
+    /// Hides the panel and gives the focus back to the covered widget.
     void close();
 
 protected:
-    /// Makes the card: `content`, which scrolls where it has no room, and `buttons` below, which stay in sight.
-    /// `width`: pixels that the content takes where there is room; more, if its own hint is larger.
+    /// Builds the card: `content`, which scrolls if there is too little room, above `buttons`, which are always
+    /// visible. `width`: preferred width of the content in pixels, unless its size hint is wider.
     void setCard(QWidget* content, QLayout* buttons, int width);
-    /// Shows it on top, as large as the widget below.
+    /// Shows the panel above the widget, with the same size.
     void cover();
     bool event(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -37,7 +37,7 @@ private:
     void showFocused(QWidget* now);
 
     QWidget* m_over;
-    QVBoxLayout *m_column, *m_card = nullptr; ///< around the card, and in it
+    QVBoxLayout *m_column, *m_card = nullptr; ///< layout around the card; layout in the card
     CardScroll* m_scroll = nullptr;
 };
 } // namespace ui

@@ -19,7 +19,7 @@ LessonChoice::LessonChoice(const QList<LessonCard>& lessons)
     connect(this, &QComboBox::activated, this, &LessonChoice::choose);
 }
 
-/// Adds one that is not there before the last entry, which asks for a file.
+/// Adds an entry for an unknown lesson, before the last entry, which asks for a file.
 void LessonChoice::setLesson(const QString& lesson)
 {
     m_lesson = lesson;
@@ -32,7 +32,7 @@ void LessonChoice::setLesson(const QString& lesson)
     setCurrentIndex(index);
 }
 
-/// Stays with the lesson there was while a file is asked for.
+/// Chooses an entry. The last entry asks for a file; meanwhile the box shows the previous lesson.
 void LessonChoice::choose(int index)
 {
     if (index < count() - 1) {

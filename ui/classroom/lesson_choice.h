@@ -6,7 +6,7 @@
 
 namespace ui
 {
-/// Chooses the lesson of a class: none, one of ours, or one from a file. Thread: gui.
+/// A combo box for the lesson of a class: none, a bundled lesson, or a lesson from a file. Thread: gui.
 class LessonChoice : public QComboBox
 {
     Q_OBJECT
@@ -14,7 +14,7 @@ class LessonChoice : public QComboBox
 public:
     explicit LessonChoice(const QList<LessonCard>& lessons);
 
-    /// Returns the lesson as Classroom has it.
+    /// Returns the lesson as stored in Classroom::lesson.
     QString lesson() const { return m_lesson; }
     void setLesson(const QString& lesson);
 

@@ -17,7 +17,7 @@ namespace
 constexpr int nameLines = 3;
 constexpr qsizetype maxNamesInWord = 4;
 
-/// Returns each line that has a name, repeated ones too.
+/// Returns the lines that contain a name; repeated names are kept.
 QStringList linesOf(const QString& text)
 {
     QStringList lines;

@@ -8,8 +8,8 @@ class QPlainTextEdit;
 
 namespace ui
 {
-/// The names of a class's pupils, a line for each. A sentence below says what of them is not taken as it was typed.
-/// Thread: gui.
+/// An editor for the names of a class's pupils, one on each line. A remark below reports names that are repeated or not
+/// acceptable. Thread: gui.
 class NamesField : public QWidget
 {
     Q_OBJECT
@@ -18,9 +18,9 @@ public:
     NamesField();
 
     void setNames(const QStringList& names);
-    /// Returns the names as a class's file keeps them: each once, without what ends a name there.
+    /// Returns the names as a class file stores them: without duplicates and without the separator ";".
     QStringList names() const;
-    /// Returns why a class cannot have these names, one sentence; empty: it can.
+    /// Returns why these names are not acceptable, one sentence; empty: acceptable.
     QString fault() const;
 
 private:

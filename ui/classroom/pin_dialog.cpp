@@ -21,7 +21,7 @@ namespace
 constexpr int pinTextWidth = 320;
 constexpr int freeAttempts = 3;
 constexpr int firstLockout = 5, maxLockout = 300; ///< seconds
-constexpr int maxDoublings = 6;                   ///< until the longest lockout
+constexpr int maxDoublings = 6;                   ///< doublings of the first lockout until it reaches maxLockout
 constexpr int tickMs = 500;
 
 class PinDialog : public QDialog

@@ -11,8 +11,8 @@ class QWidget;
 
 namespace ui
 {
-/// Asks for a PIN before something is done, in a dialog of our own. After three wrong ones it refuses more for a while,
-/// longer each time, so that nobody can try all. Thread: gui.
+/// Asks for the class PIN before an action. After three wrong PINs, further attempts are refused for a time that grows
+/// with each error, so that nobody can try all PINs. Thread: gui.
 class PinPrompt : public QObject
 {
     Q_OBJECT
@@ -21,19 +21,19 @@ public:
     using IsPin = std::function<bool(const QString& text)>;
     PinPrompt(IsPin isPin, QWidget* window);
 
-    /// Returns at once; `proceed` is called when the right one was typed. While it asks already, nothing new begins.
+    /// Opens the dialog and returns at once; `proceed` is called after the right PIN. Ignored while the dialog is open.
     void ask(const QString& why, const std::function<void()>& proceed);
 
-    /// Whether that is the PIN. False during a lockout.
+    /// Returns true if the PIN is right; always false during a lockout.
     bool isRight(const QString& pin);
-    /// Seconds until the lockout ends; 0: there is none.
+    /// Returns the seconds until the lockout ends; 0: no lockout.
     int lockoutSeconds() const;
 
 private:
     IsPin m_isPin;
     QWidget* m_window;
     QPointer<QDialog> m_dialog;
-    int m_wrong = 0; ///< in a row
+    int m_wrong = 0; ///< consecutive wrong PINs
     QDeadlineTimer m_lockout{0};
 };
 } // namespace ui

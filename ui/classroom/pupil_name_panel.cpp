@@ -25,11 +25,11 @@ namespace
 constexpr QSize starterSize{64, 64};
 constexpr int starterWidth = 84, nameWidth = 320, maxRows = 10;
 constexpr int nameRole = Qt::UserRole;
-constexpr int lessonTile = 1000; ///< no starter
+constexpr int lessonTile = 1000; ///< tile of the lesson; not a value of core::Starter
 constexpr double headScale = 1.6;
 } // namespace
 
-/// Tiles of one size in a row, or in as many as the width makes necessary.
+/// Lays out tiles of one size in as many rows as the width requires.
 class TileRows : public QWidget
 {
 public:
@@ -46,7 +46,7 @@ public:
         if (isFirst && !m_tiles.isEmpty())
             setTabOrder(tile, m_tiles.constFirst());
         m_tiles.insert(isFirst ? 0 : m_tiles.size(), tile);
-        setHidden(m_tiles.size() == 1); // there is nothing to choose
+        setHidden(m_tiles.size() == 1); // a single tile is no choice
     }
     QSize sizeHint() const override { return {widthOf(static_cast<int>(m_tiles.size())), tileSize().height()}; }
     QSize minimumSizeHint() const override { return tileSize(); }
@@ -127,7 +127,7 @@ QWidget* PupilNamePanel::content(const Classroom& classroom, const Actions& acti
     column->addWidget(title);
     column->addWidget(m_pupils);
     column->addWidget(m_name);
-    column->addWidget(m_tiles); // first: without a parent it would be shown as a window
+    column->addWidget(m_tiles); // before the tiles get children, which would otherwise be shown as windows
     addTiles(classroom.starters, actions);
     return content;
 }
@@ -200,7 +200,7 @@ void PupilNamePanel::open()
         m_name->setFocus();
 }
 
-/// Return begins, wherever the focus is: a tile leaves it to the panel.
+/// Begins the turn on Return, wherever the focus is; tiles ignore Return, so it arrives here.
 bool PupilNamePanel::event(QEvent* event)
 {
     const bool isReturn =

@@ -21,24 +21,24 @@ class TileRows;
 struct Classroom;
 struct LessonCard;
 
-/// Asks who sculpts next, and with what to begin, before a turn. Thread: gui.
+/// Asks before a turn for the pupil's name and for the starter or lesson. Thread: gui.
 class PupilNamePanel : public CoverPanel
 {
     Q_OBJECT
 
 public:
-    /// The starters look as their actions do, in the class's order.
+    /// The starters have the icons of their actions and the class's order.
     PupilNamePanel(const Classroom& classroom, const Actions& actions, QWidget* over);
 
-    /// Shows the panel with no name entered, and with the lesson, or else the first starter, chosen.
+    /// Shows the panel with an empty name. The lesson is preselected, or the first starter if there is no lesson.
     void open();
-    /// Offers a lesson, too: before the starters, and chosen at first.
+    /// Adds a lesson before the starters and preselects it.
     void offerLesson(const LessonCard& lesson);
     /// Marks the pupils who have had a turn today.
     void setHadTurn(const QStringList& pupils);
 
 Q_SIGNALS:
-    /// The name has no space at its ends, and is not empty. No starter: the lesson.
+    /// The user has confirmed. `pupil`: not empty, without space at its ends. `starter`: nullopt for the lesson.
     void begun(const QString& pupil, const std::optional<core::Starter>& starter);
 
 protected:
@@ -52,9 +52,9 @@ private:
     void begin();
 
     QLineEdit* m_name;
-    QListWidget* m_pupils; ///< shown if the class has names
+    QListWidget* m_pupils; ///< visible if the class has names
     TileRows* m_tiles;
-    QButtonGroup* m_starters; ///< by core::Starter, and the lesson
+    QButtonGroup* m_starters; ///< ids: core::Starter, or the lesson's tile
     QPushButton* m_begin;
 };
 } // namespace ui

@@ -34,7 +34,7 @@ QuestionnairePanel::QuestionnairePanel(QWidget* over)
     setObjectName(QStringLiteral("questionnairePanel"));
     setAccessibleName(tr("Questions after the turn"));
     setCard(content(), buttons(), formWidth);
-    setTabOrder(m_done, m_skip); // Return after Return ends with Done
+    setTabOrder(m_done, m_skip); // pressing Return repeatedly leads to Done
 }
 
 QWidget* QuestionnairePanel::content()
@@ -69,7 +69,7 @@ QLayout* QuestionnairePanel::buttons()
     named(m_skip, "skipQuestions", tr("Continues without answers; nothing is saved."));
     named(m_done, "questionsDone", tr("Saves the answers with the work, and continues."));
     for (QPushButton* button : {m_skip, m_done})
-        button->setAutoDefault(true); // Return presses it
+        button->setAutoDefault(true); // Return presses the focused button
     connect(m_skip, &QPushButton::clicked, this, &QuestionnairePanel::skip);
     connect(m_done, &QPushButton::clicked, this, &QuestionnairePanel::finished);
     auto* row = new QHBoxLayout;

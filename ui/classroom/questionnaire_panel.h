@@ -12,7 +12,7 @@ namespace ui
 {
 class AnswerScale;
 
-/// The six questions after a turn, which can all be left out. Thread: gui.
+/// A form with the six questions after a turn; all are optional. Thread: gui.
 class QuestionnairePanel : public CoverPanel
 {
     Q_OBJECT
@@ -20,14 +20,14 @@ class QuestionnairePanel : public CoverPanel
 public:
     explicit QuestionnairePanel(QWidget* over);
 
-    /// Opens the form, without answers, for this pupil.
+    /// Opens the form for this pupil with all answers empty.
     void open(const QString& pupil);
     Questionnaire questionnaire() const;
 
 Q_SIGNALS:
-    /// Emitted with all answers so far when one is given or taken back.
+    /// An answer was given or cleared. `soFar`: all answers.
     void answered(const ui::Questionnaire& soFar);
-    /// Emitted when Done or Skip is pressed. Skip takes all answers back first.
+    /// Done or Skip was pressed. Skip clears all answers first.
     void finished();
 
 private:

@@ -14,7 +14,7 @@ namespace
 {
 constexpr int shownSide = 80; ///< CSS pixels
 
-// The light and dark greens and reds are the Model panel's.
+// CSS of the page. Its light and dark greens and reds are those of the Model panel.
 constexpr char pageStyle[] = R"(
 :root { color-scheme: light dark; }
 :root { --ink: #1c1c1e; --faint: #5c5c63; --paper: #fff; --line: #d5d5da; --shade: #f3f3f6; --link: #0b57b8;
@@ -64,7 +64,8 @@ button:hover, button:focus-visible { text-decoration: underline; }
 }
 )";
 
-// A head's button sorts by its column: numbers by data-key, words as people do. What has none stays at the end.
+// Script of the page: buttons in the heads sort by that column, numbers by data-key, words in the language's order.
+// Cells without data-key are sorted last.
 constexpr char pageScript[] = R"(
 const table = document.querySelector("table"), body = table.tBodies[0];
 const order = new Intl.Collator(document.documentElement.lang, { numeric: true });
@@ -109,10 +110,11 @@ QString pictureData(const QImage& picture)
     return QStringLiteral("data:image/png;base64,") + QLatin1StringView(png.data().toBase64());
 }
 
-/// None: what there is nothing of, last whichever way it is sorted.
+/// Returns the attribute data-key, by which the script sorts. nullopt: no attribute, so the row is sorted last in
+/// either direction.
 QString keyed(const std::optional<double>& key)
 {
-    constexpr int digits = 10; // that order the figures
+    constexpr int digits = 10; // significant digits
     return key ? QStringLiteral(" data-key=\"%1\"").arg(QString::number(*key, 'g', digits)) : QString();
 }
 
@@ -172,7 +174,7 @@ QString headRow()
     return text + QStringLiteral("</tr>\n");
 }
 
-/// Returns the table of questions; an empty text if nobody answered.
+/// Returns the table of questions as HTML; empty if nobody answered.
 QString questionTable(const ClassReport& report)
 {
     const QList<QuestionCells> rows = questionCellsOf(report);
@@ -183,7 +185,7 @@ QString questionTable(const ClassReport& report)
     QString kind;
     for (const QString& head : questionHeads()) {
         text += QStringLiteral("<th scope=\"col\"%1>%2</th>\n").arg(kind, escaped(head));
-        kind = QStringLiteral(" class=\"figure\""); // of all but the first
+        kind = QStringLiteral(" class=\"figure\""); // all columns except the first
     }
     text += QStringLiteral("</tr>\n</thead>\n<tbody>\n");
     for (const QuestionCells& row : rows) {

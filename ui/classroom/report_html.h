@@ -8,8 +8,8 @@ namespace ui
 {
 struct ClassReport;
 
-/// One page, alone in its file: pictures, style and the few lines of script that sort are inside of it, nothing is
-/// fetched, and no script but ours would run. Without scripts all can be read, in the rows' order. `path`: of the page,
-/// for its links. UTF-8.
+/// Returns the report as one self-contained HTML page in UTF-8: pictures, style and the sorting script are embedded,
+/// and nothing is fetched. Its security policy blocks other scripts. Without scripts everything is readable, unsorted.
+/// `path`: file of the page, for relative links to the models.
 QByteArray reportHtml(const ClassReport& report, const std::filesystem::path& path);
 } // namespace ui

@@ -1,5 +1,5 @@
-// lay out each row -> deal them to pages -> paint page by page. Everything is placed in 1/100 mm, so that fonts, which
-// have whole sizes, can be of any.
+// Steps: lay out each row, distribute the rows to pages, paint page by page. Layout is in units of 1/100 mm: font sizes
+// are whole numbers of units, so small units allow nearly any size.
 #include "ui/classroom/report_pdf.h"
 
 #include "ui/classroom/class_report.h"
@@ -28,18 +28,18 @@ struct PageText
     Q_DECLARE_TR_FUNCTIONS(ui::ClassReport)
 };
 
-constexpr int unitsPerMm = 100, reportDotsPerInch = 1200; ///< of the painter, a mm; of the file
+constexpr int unitsPerMm = 100, reportDotsPerInch = 1200; ///< units of the painter in a mm; resolution of the file
 constexpr double mmPerInch = 25.4;
 constexpr QSizeF paperSize{210, 297};
 constexpr double pageMargin = 12, gapAcross = 2.5, gapDown = 1.6, pictureSide = 18;       ///< mm
-constexpr double titleHeight = 5.5, headHeight = 2.7, cellHeight = 2.8, noteHeight = 2.5; ///< mm, of letters
+constexpr double titleHeight = 5.5, headHeight = 2.7, cellHeight = 2.8, noteHeight = 2.5; ///< mm; heights of letters
 constexpr double titleSpace = 17, headerSpace = 6, footerSpace = 7;                       ///< mm
 
 const QColor inkColor(Qt::black), faintColor(90, 90, 96), ruleColor(190, 190, 196);
-/// Those of the page for a browser.
+/// Colours of the HTML page (report_html.cpp).
 const QColor readyColor(0x1e, 0x7a, 0x3a), notReadyColor(0xb3, 0x26, 0x1e), linkColor(0x0b, 0x57, 0xb8);
 
-/// Beside the picture; in the order of reportHeads().
+/// A column to the right of the picture, in the order of reportHeads().
 struct ReportColumn
 {
     double width; ///< mm
@@ -69,11 +69,11 @@ QFont fontOf(const TextStyle& style)
     return font;
 }
 
-/// Words broken into lines of a width.
+/// A text wrapped to a given width.
 class TextBlock
 {
 public:
-    /// `link`: where a click on it leads; empty: nowhere. A width in mm.
+    /// `link`: target of a click on the text; empty: none. `width`: mm.
     TextBlock(const QString& text, const TextStyle& style, double width, const QString& link = {})
         : m_layout(text, fontOf(style))
         , m_color(style.color)
@@ -106,10 +106,10 @@ public:
 private:
     QTextLayout m_layout;
     QColor m_color;
-    double m_height = 0; ///< of the painter
+    double m_height = 0; ///< height in painter units (1/100 mm)
 };
 
-/// What stands in one column of a row, one below the other.
+/// Text blocks of one cell, from top to bottom.
 using TextCell = std::vector<std::unique_ptr<TextBlock>>;
 
 double heightOf(const TextCell& cell)
@@ -160,10 +160,10 @@ RowLayout layoutOf(const ReportRow& row, const std::filesystem::path& path)
 }
 
 constexpr double tableWidth = paperSize.width() - 2 * pageMargin;    ///< mm
-constexpr double figureWidth = 15, pointWidth = 9;                   ///< mm, at least
+constexpr double figureWidth = 15, pointWidth = 9;                   ///< smallest widths, mm
 constexpr double questionsTitleHeight = 4, questionsTitleSpace = 16; ///< mm
 
-/// The table of questions: a row of heads, and one for each question.
+/// The table of questions: a row of heads and a row for each question.
 class QuestionTable
 {
 public:
@@ -185,7 +185,7 @@ public:
         }
     }
 
-    /// Returns the height in mm; 0 if nobody was asked.
+    /// Returns the height, mm; 0 if nobody answered.
     double height() const
     {
         double height = m_rows.empty() ? 0 : questionsTitleSpace;
@@ -199,8 +199,8 @@ public:
 private:
     using QuestionRow = std::vector<TextCell>;
 
-    /// Returns the widths of the columns in mm: of number of answers and mean, whose heads need not be broken, of each
-    /// point, and of the question, which stands first and has what they leave.
+    /// Returns the widths of the columns, mm. The columns for answers and mean are wide enough for their heads; the
+    /// points have a fixed width; the question, which is first, gets the rest.
     static std::vector<double> widthsFor(const QStringList& heads, const TextStyle& style)
     {
         const QFontMetricsF metrics(fontOf(style));
@@ -234,14 +234,14 @@ private:
     std::vector<QuestionRow> m_rows;
 };
 
-/// Of the first page, and of those that follow.
+/// Returns the height left for rows on the first page or on a later page, mm.
 double availableHeight(bool isFirst)
 {
     return paperSize.height() - 2 * pageMargin - headerSpace - footerSpace - (isFirst ? titleSpace : 0);
 }
 
-/// Returns how many rows each page has. A row that is higher than a page has one to itself; what comes behind the rows,
-/// `end` mm high, stands on the last page, which may have none.
+/// Returns the number of rows on each page. A row higher than a page gets its own page. The content after the rows,
+/// `end` mm high, is on the last page, which may have no rows.
 std::vector<std::size_t> paginated(std::span<const RowLayout> rows, double end)
 {
     std::vector<std::size_t> pages{0};
@@ -265,7 +265,7 @@ void paintRule(QPainter& painter, double y)
     painter.drawLine(QPointF(pageMargin, y) * unitsPerMm, QPointF(paperSize.width() - pageMargin, y) * unitsPerMm);
 }
 
-/// Shortened where it does not fit on one line.
+/// Paints one line; elides the text if it is too long.
 void paintLine(QPainter& painter, const QString& text, const TextStyle& style, const QPointF& at)
 {
     const double width = paperSize.width() - pageMargin - at.x();

@@ -8,7 +8,8 @@ namespace ui
 {
 struct ClassReport;
 
-/// A4, upright: the heads on each page, no row cut by a page's end, "2 / 4" at the foot; names are links. `path`: of
-/// the file, for these. Needs a QGuiApplication, whose fonts it uses. Any thread.
+/// Returns the report as a PDF of upright A4 pages. Heads are repeated on each page, rows are not split across pages,
+/// and the foot has "2 / 4". Names link to the models. `path`: file of the PDF, for the links. Precondition: a
+/// QGuiApplication exists, because fonts are used. Thread: any.
 QByteArray reportPdf(const ClassReport& report, const std::filesystem::path& path);
 } // namespace ui

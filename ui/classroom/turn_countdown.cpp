@@ -13,8 +13,8 @@ namespace
 {
 constexpr int lastSeconds = 60;
 constexpr int minLetters = 32, maxLetters = 140; ///< pixels
-constexpr int leastLetters = 12;                 ///< where the view is too narrow
-constexpr int viewShare = 10;                    ///< of the view's height
+constexpr int leastLetters = 12;                 ///< smallest letters in a narrow view, pixels
+constexpr int viewShare = 10;                    ///< letter height as a divisor of the view's height: 10 means 1/10
 } // namespace
 
 TurnCountdown::TurnCountdown(QWidget* over) : QLabel(over)
@@ -42,7 +42,7 @@ void TurnCountdown::setTime(const std::optional<TurnTime>& time)
     setVisible(isShown);
 }
 
-/// Stands at the middle of the upper edge, where it hides the least clay.
+/// Places the text at the middle of the upper edge, where it covers least of the model.
 void TurnCountdown::place()
 {
     QFont letters = font();

@@ -8,8 +8,8 @@ namespace ui
 {
 struct TurnTime;
 
-/// Large words over a view, to be read from the back of a room: the seconds of a turn's last minute, then that its time
-/// is up and for how long. Takes no input from the view below. Thread: gui.
+/// Large text over a view, readable from the back of a room: the last 60 seconds of a turn, then the time since its
+/// end. Lets input through to the view. Thread: gui.
 class TurnCountdown : public QLabel
 {
     Q_OBJECT
@@ -17,7 +17,7 @@ class TurnCountdown : public QLabel
 public:
     explicit TurnCountdown(QWidget* over);
 
-    /// Takes nothing where the turn has no end, or it is nobody's.
+    /// nullopt: the turn has no end, or it is nobody's turn; hides the text.
     void setTime(const std::optional<ui::TurnTime>& time);
 
 protected:

@@ -7,17 +7,18 @@ class QPushButton;
 
 namespace ui
 {
-/// Says before a class ends how many works are still on this computer, and offers to copy them. Accepted, and rejected:
-/// the class ends. Thread: gui.
+/// Says before a class ends how many works are still on this computer only, and offers to copy them. The class ends
+/// however the dialog is closed. Thread: gui.
 class WaitingWorksDialog : public QDialog
 {
     Q_OBJECT
 
 public:
-    /// `problem`: why they are, one sentence. `folder`: where they are. Deletes itself when it closes.
+    /// `problem`: why the works are not in the class's folder, one sentence. `folder`: their folder on this computer.
+    /// The dialog deletes itself when it closes.
     WaitingWorksDialog(int works, const QString& problem, const QString& folder, QWidget* parent);
 
-    /// Says what came of the copying.
+    /// Shows the result of the copying.
     void showCopied(const QString& sentence);
 
 Q_SIGNALS:

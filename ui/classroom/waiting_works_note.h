@@ -7,16 +7,18 @@ class QPushButton;
 
 namespace ui
 {
-/// Says that works of classes wait on this computer, and offers to move them. Hidden while there are none. Thread: gui.
+/// A note that works of classes are still on this computer only, with a button that moves them. Hidden if there are
+/// none. Thread: gui.
 class WaitingWorksNote : public QWidget
 {
     Q_OBJECT
 
 public:
-    /// `width`: of its sentences.
+    /// `width`: of its sentences, pixels.
     explicit WaitingWorksNote(int width);
 
-    /// Shows what waits, a sentence a line; nothing waits: hides the button. Below it stands what came of the moving.
+    /// Shows the waiting works, one sentence on each line, and below them `outcome`, the result of the last move. No
+    /// sentences: hides the button.
     void setWaiting(const QString& sentences, const QString& outcome = {});
 
 Q_SIGNALS:
