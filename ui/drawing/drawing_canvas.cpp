@@ -15,7 +15,7 @@ namespace
 constexpr double maxZoom = 40, zoomPerKey = 1.25;
 constexpr int stepPerKey = 32, edge = 8;
 
-/// All that a picture depends on.
+/// All inputs of a picture, passed by value to the background thread.
 struct Order
 {
     SharedDrawing drawing;
@@ -95,7 +95,8 @@ void DrawingCanvas::moveBy(const QPointF& step)
     render();
 }
 
-/// One picture at a time; what changes meanwhile is in the next.
+/// Starts rendering unless a picture is being rendered. In that case the next picture starts when the present one is
+/// finished, with all changes made meanwhile.
 void DrawingCanvas::render()
 {
     m_isOutdated = m_isRendering;

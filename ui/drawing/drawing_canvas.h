@@ -12,9 +12,9 @@ namespace ui
 {
 using SharedDrawing = std::shared_ptr<const core::LineDrawing>;
 
-/// Shows a drawing: fitted, or as far as it is zoomed and moved by wheel, drag and keys (+, -, arrows; 0 or a double
-/// click fits it again). However many lines it has, the gui thread only shows the picture that another thread made of
-/// it.
+/// A view of a drawing, fitted to the widget or zoomed and moved by wheel, drag and keys (+, -, arrows). 0 or a double
+/// click fits it again. A background thread renders the picture; the gui thread only shows it, so its cost does not
+/// depend on the number of lines.
 class DrawingCanvas : public QWidget
 {
     Q_OBJECT
@@ -32,7 +32,7 @@ public:
     QSize minimumSizeHint() const override { return {160, 120}; }
 
 Q_SIGNALS:
-    void painted(); ///< the picture is up to date
+    void painted(); ///< the picture shows the latest drawing, options and zoom
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -53,10 +53,10 @@ private:
     SharedDrawing m_drawing;
     DrawingSettings m_options;
     double m_zoom = 1;
-    QPointF m_shift; ///< of the drawing's middle from the canvas's, pixels
+    QPointF m_shift; ///< from the canvas's centre to the drawing's centre, pixels
     QPointF m_draggedFrom;
     QImage m_picture;
     bool m_isRendering = false, m_isOutdated = false;
-    BackgroundThread m_background; ///< last
+    BackgroundThread m_background; ///< last member: destroyed first, before the members that its callbacks use
 };
 } // namespace ui

@@ -30,7 +30,8 @@ public:
     }
 };
 
-/// Of the text's height: what views leave free around them, and where a dimension's line stands.
+/// Units: text heights. Space above a view for its caption, space beside a view with and without a dimension, distance
+/// of the dimension line, size of its arrows.
 constexpr double captionSpace = 1.6, dimensionSpace = 2.0, dimensionAt = 1.5, plainSpace = 0.6, arrowLength = 0.5,
                  arrowWidth = 0.16;
 
@@ -177,7 +178,7 @@ void DrawingLayout::paintView(QPainter& painter, const Cell& cell, const QPointF
     paintDimensions(painter, cell, view);
 }
 
-/// In mm of the model, y up.
+/// Paints a view's lines and shading. Transforms the painter to mm of the model, y upwards.
 void DrawingLayout::paintLines(QPainter& painter, const Cell& cell, const QPointF& bottomLeft, double scale) const
 {
     const core::DrawnView& view = m_drawing->view(cell.side);
@@ -221,7 +222,7 @@ void DrawingLayout::paintDimensions(QPainter& painter, const Cell& cell, const Q
     }
 }
 
-/// A line with an arrow at each end, and its length above it.
+/// Paints a dimension: a line with an arrow at each end, and the length above it. `value`: mm.
 void DrawingLayout::paintDimension(QPainter& painter, const QPointF& from, const QPointF& to, double value) const
 {
     painter.save();

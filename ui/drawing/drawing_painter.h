@@ -15,29 +15,30 @@ class QPainter;
 
 namespace ui
 {
-/// Lengths are the painter's units.
+/// Pens and font of a drawing. Units: the painter's.
 struct DrawingStyle
 {
-    QColor ink, faint; ///< lines; words and dimensions
-    double line = 1.5; ///< width of outlines; creases have half
-    QFont font;        ///< with its pixel size set
+    QColor ink, faint; ///< colour of lines; colour of text and dimensions
+    double line = 1.5; ///< width of outlines; creases have half this width
+    QFont font;        ///< has its pixel size set
 };
 
-/// How drawings stand on a sheet or in a panel: the top view above the front view, the right view beside it, each with
-/// its name, and dimensions where they are asked for. Any thread; the drawing must outlive the layout.
+/// The layout of a drawing's views on a sheet or in a panel: by default the top view above the front view and the right
+/// view beside it, each with its name. Dimensions are optional. Precondition: the drawing outlives the layout. Thread:
+/// any.
 class DrawingLayout
 {
 public:
     enum class Arrangement { Projection, Row, Column };
 
-    /// In Row and Column the views stand side by side, or one below the other.
+    /// Row and Column arrange the views side by side, or one below the other.
     DrawingLayout(const core::LineDrawing& drawing, const DrawingSettings& options, const DrawingStyle& style,
                   Arrangement arrangement);
 
-    /// The largest scale, in units a mm, at which it fits; 0 if none does.
+    /// Returns the largest scale at which the layout fits, in painter units for each mm; 0 if none.
     double scaleFor(const QSizeF& available) const;
     QSizeF sizeAt(double scale) const;
-    /// Antialiased, about the given centre.
+    /// Paints the layout antialiased, centred at `centre`.
     void paint(QPainter& painter, const QPointF& centre, double scale) const;
 
 private:
@@ -45,7 +46,7 @@ private:
     {
         core::DrawnSide side;
         int column, row;
-        bool hasWidth, hasHeight; ///< dimensions
+        bool hasWidth, hasHeight; ///< the dimension of this side is drawn
     };
 
     double left(int column) const;
@@ -61,11 +62,11 @@ private:
     const core::LineDrawing* m_drawing;
     DrawingSettings m_options;
     DrawingStyle m_style;
-    double m_text; ///< height of the font
+    double m_text; ///< height of the font, painter units
     std::vector<Cell> m_cells;
 };
 
-/// The arrangement that shows the drawing largest.
+/// Returns the layout with the arrangement that shows the drawing largest.
 DrawingLayout bestLayout(const core::LineDrawing& drawing, const DrawingSettings& options, const DrawingStyle& style,
                          const QSizeF& available);
 } // namespace ui

@@ -1,5 +1,5 @@
-// The page: views in the middle, below them a strip with name, measures and scale. Everything is placed in 1/100 mm, so
-// that fonts, which have whole sizes, can be of any.
+// A sheet: the views in the middle, and below them a strip with name, size and scale. Layout is in units of 1/100 mm:
+// font sizes are whole numbers of units, so small units allow nearly any size.
 #include "ui/drawing/drawing_sheet.h"
 
 #include "ui/drawing/drawing_painter.h"
@@ -29,12 +29,12 @@ struct SheetText
     Q_DECLARE_TR_FUNCTIONS(ui::DrawingSheet)
 };
 
-constexpr int unit = 100;                                     ///< of the painter, a mm
+constexpr int unit = 100;                                     ///< painter units in a mm
 constexpr double sheetMargin = 10, stripHeight = 24, pad = 4; ///< mm
-constexpr double smallText = 3, largeText = 5;                ///< mm
+constexpr double smallText = 3, largeText = 5;                ///< mm, heights of the text
 constexpr int pngDotsPerInch = 300, svgDotsPerInch = 254, pdfDotsPerInch = 1200;
 constexpr double mmPerInch = 25.4;
-constexpr double maxBarLength = 50; ///< mm of paper
+constexpr double maxBarLength = 50; ///< longest scale bar, mm of paper
 
 QRectF frame()
 {
@@ -65,13 +65,13 @@ DrawingStyle style()
     return {Qt::black, QColor(70, 70, 70), 0.35 * unit, textOf(smallText)};
 }
 
-/// The layout keeps a reference to the sheet's drawing.
+/// Returns the layout of the views; it keeps a reference to the sheet's drawing.
 DrawingLayout layoutOf(const DrawingSheet& sheet)
 {
     return {sheet.drawing, {DrawnSides::All, sheet.shaded, true}, style(), DrawingLayout::Arrangement::Projection};
 }
 
-/// The largest of 1, 2 and 5 times a power of ten that is not larger than `most`.
+/// Returns the largest number of the form 1, 2 or 5 times a power of ten that is at most `max`.
 double roundBelow(double max)
 {
     const double power = std::pow(10.0, std::floor(std::log10(max) + 1e-9));
@@ -95,10 +95,10 @@ QRectF inUnits(const QRectF& mm)
 struct Field
 {
     QString name, value;
-    double share; ///< of the strip's width
+    double share; ///< fraction of the strip's width
 };
 
-/// A label above its value, which is shortened where it does not fit.
+/// Paints a label and, below it, its value, elided if it is too long.
 void paintField(QPainter& painter, const Field& field, const QRectF& area)
 {
     painter.setPen(style().faint);
@@ -129,7 +129,7 @@ void paintScaleBar(QPainter& painter, const DrawingSheet& sheet)
                      SheetText::tr("%1 mm").arg(QLocale().toString(length)));
 }
 
-/// The cone that says on which side of the front view the others stand: as seen from there.
+/// Paints the standard's sign of the projection: a truncated cone, seen from the front and from the side.
 void paintProjectionSign(QPainter& painter, const QPointF& at)
 {
     painter.setPen(QPen(Qt::black, 0.2 * unit));
@@ -189,7 +189,7 @@ void paintSvg(QBuffer& file, const DrawingSheet& sheet)
     generator.setResolution(svgDotsPerInch);
     generator.setSize((sheetSize * (svgDotsPerInch / mmPerInch)).toSize());
     generator.setViewBox(QRectF({}, sheetSize * unit));
-    generator.setTitle(sheet.name.toHtmlEscaped()); // Qt writes it as it is
+    generator.setTitle(sheet.name.toHtmlEscaped()); // Qt does not escape it
     QPainter painter(&generator);
     paintSheet(painter, sheet);
 }
@@ -227,7 +227,7 @@ QStringList drawingEndings()
 
 core::DrawingDetail sheetDetail(bool shaded)
 {
-    constexpr int pixels = 3072; // along the longest side
+    constexpr int pixels = 3072; // along the longest side of the model
     constexpr std::size_t maxEdges = 300'000;
     return {pixels, shaded, maxEdges};
 }
@@ -286,7 +286,7 @@ void writeSheet(const std::filesystem::path& path, const DrawingSheet& sheet)
     const QString ending = QString::fromStdU16String(path.extension().u16string()).mid(1).toLower();
     const auto format = std::ranges::find(formats, ending, &Format::ending);
     Q_ASSERT(format != std::end(formats));
-    core::AtomicFile file(path); // what cannot be written is not painted
+    core::AtomicFile file(path); // opened first: an unwritable path fails before any painting
     QBuffer bytes;
     bytes.open(QIODevice::WriteOnly);
     format->paint(bytes, sheet);

@@ -14,39 +14,40 @@ class QPdfWriter;
 
 namespace ui
 {
-/// "pdf", "svg", "png".
+/// Returns the suffixes "pdf", "svg" and "png".
 QStringList drawingEndings();
 
-/// What one page says. Any thread.
+/// The content of a sheet. Thread: any.
 struct DrawingSheet
 {
-    QString name; ///< of the model
+    QString name; ///< name of the model
     QDate date;
     core::LineDrawing drawing;
     bool shaded = false;
 };
 
-/// A4 across, in mm of paper.
+/// size of A4 landscape paper, mm
 inline constexpr QSizeF sheetSize{297, 210};
 
-/// How fine a sheet's drawing is.
+/// Returns the level of detail of a sheet's drawing.
 core::DrawingDetail sheetDetail(bool shaded);
 
-/// Paper to model: the largest of ... 10, 5, 2, 1, 1/2, 1/5, 1/10 ... at which the three views fit; 0 if there is no
-/// model.
+/// Returns the ratio of paper to model: the largest of ..., 10, 5, 2, 1, 1/2, 1/5, 1/10, ... at which the three views
+/// fit; 0 if there is no model.
 double sheetScale(const DrawingSheet& sheet);
-/// The bar under the views, in mm of paper: it is a round number of the model's mm long.
+/// Returns the rectangle of the scale bar below the views, mm of paper. Its length is a round number of mm of the
+/// model.
 QRectF sheetScaleBar(const DrawingSheet& sheet);
-/// "1:2"
+/// Returns the scale as text, such as "1:2".
 QString sheetScaleText(double scale);
 
-/// A PDF whose pages are sheets, and its painter, before the first of them.
+/// Prepare a PDF writer and its painter for sheets, before the first page is painted.
 void prepareForSheets(QPdfWriter& writer, const QString& title);
 void scaleToSheet(QPainter& painter);
-/// Black on white, in units of 1/100 mm of paper.
+/// Paints the sheet in black on white, in units of 1/100 mm of paper.
 void paintSheet(QPainter& painter, const DrawingSheet& sheet);
 
-/// In the format that the ending says, one of drawingEndings(); true to scale when printed at 100 %. All or nothing is
-/// written. Throws core::FileError. May take a second with many lines: not for the gui thread.
+/// Writes the sheet atomically in the format of the file's suffix, one of drawingEndings(). Its scale is true when
+/// printed at 100 %. Throws core::FileError. Cost: up to a second for many lines; not for the gui thread.
 void writeSheet(const std::filesystem::path& path, const DrawingSheet& sheet);
 } // namespace ui

@@ -24,7 +24,7 @@ namespace ui
 namespace
 {
 
-/// The controls above the canvas, or beside it where there is little height.
+/// The content of the panel: controls above the canvas, or beside it if the panel is low.
 class Content : public QWidget
 {
 public:
@@ -126,7 +126,7 @@ QComboBox* PreviewPanel::choiceBox(const QString& name, const QString& text, con
     return box;
 }
 
-/// By the controls, which tell.
+/// Sets the controls, whose signals then update the options.
 void PreviewPanel::show(const DrawingSettings& options)
 {
     m_sides->setCurrentIndex(static_cast<int>(options.sides));
@@ -168,7 +168,8 @@ void addPreview(QMainWindow* window, Settings* settings, QAction* exporting, con
                 QMenu* toggles)
 {
     auto* panel = new PreviewPanel(settings, exporting);
-    window->setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea); // the panels there need the height
+    // gives the corner to the right dock area, whose panels need the height
+    window->setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     window->addDockWidget(Qt::BottomDockWidgetArea, panel);
     panel->hide();
     toggles->addAction(panel->toggleViewAction());

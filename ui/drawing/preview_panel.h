@@ -18,26 +18,27 @@ namespace ui
 {
 class Settings;
 
-/// The 2D preview: the model as front, side and top drawings while it changes. Makes no drawing: it says by
-/// drawingRequested() when it can be seen, and shows what it is given. Thread: gui.
+/// A dock with the 2D preview: front, side and top drawings of the model, updated while it changes. The panel makes no
+/// drawings: drawingRequested() says when it needs them, and setDrawing() shows one. Thread: gui.
 class PreviewPanel : public QDockWidget
 {
     Q_OBJECT
 
 public:
-    /// `exporting`: the command that writes a sheet; it stands beside the choices. The settings must outlive the panel.
+    /// `exporting`: the action that writes a sheet; its button is beside the choices. Precondition: the settings
+    /// outlive the panel.
     PreviewPanel(Settings* settings, QAction* exporting, QWidget* parent = nullptr);
 
-    /// Asks where a sheet of the model named so shall be written.
+    /// Asks for the file of a sheet and emits exportRequested(). `modelName`: proposed name.
     void exportAs(const QString& modelName);
 
 public Q_SLOTS:
     void setDrawing(ui::SharedDrawing drawing);
 
 Q_SIGNALS:
-    /// The panel came into sight or left it, or needs colours now, or no more.
+    /// The panel has become visible or hidden, or needs shaded drawings now or no longer.
     void drawingRequested(bool isSeen, bool shaded);
-    /// The dialog has asked about overwriting. The ending says the format: pdf, svg or png.
+    /// The user has chosen a file and agreed to overwriting. Its suffix is the format: pdf, svg or png.
     void exportRequested(const QString& path, const QString& modelName, bool shaded);
 
 private:
@@ -57,8 +58,8 @@ private:
     DrawingCanvas* m_canvas = nullptr;
 };
 
-/// The panel at the window's bottom, hidden at first, with an entry in `toggles`. `exporting` asks where the model is
-/// to be drawn to.
+/// Adds the panel at the window's bottom, hidden at first, and its toggle to the menu `toggles`. The action `exporting`
+/// asks for the file of a sheet.
 void addPreview(QMainWindow* window, Settings* settings, QAction* exporting, const std::function<QString()>& modelName,
                 QMenu* toggles);
 } // namespace ui

@@ -10,9 +10,9 @@
 
 namespace ui
 {
-/// Sheets of several models in one PDF, a page each, as writeSheet() makes one. Nothing is seen under the path before
-/// commit(), and nothing remains without it. Needs a QGuiApplication, whose fonts it uses. One thread. Constructor and
-/// commit() throw core::FileError.
+/// A PDF with sheets of several models, one on each page, painted as by writeSheet(). The file appears under its path
+/// at commit(); without commit() nothing remains. Precondition: a QGuiApplication exists, because fonts are used.
+/// Throws core::FileError from constructor and commit(). Thread: one at a time.
 class SheetBook
 {
 public:
@@ -20,13 +20,13 @@ public:
 
     void add(const DrawingSheet& sheet);
     bool isEmpty() const { return !m_painter.isActive(); }
-    /// With one page at least.
+    /// Writes the file. Precondition: at least one page was added.
     void commit();
 
 private:
-    core::AtomicFile m_file; ///< what cannot be written is not painted
+    core::AtomicFile m_file; ///< first member: an unwritable path fails before any painting
     QBuffer m_bytes;
     QPdfWriter m_writer{&m_bytes};
-    QPainter m_painter; ///< last: it ends before its device; active from the first page on
+    QPainter m_painter; ///< last member: destroyed before its device; active from the first page on
 };
 } // namespace ui

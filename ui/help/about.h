@@ -4,6 +4,6 @@ class QWidget;
 
 namespace ui
 {
-/// What this program is, and its version. Returns at once.
+/// Shows a dialog with the program's purpose and version. Returns at once.
 void showAbout(QWidget* parent);
 } // namespace ui

@@ -26,12 +26,12 @@ namespace ui
 {
 namespace
 {
-constexpr QSize defaultSize{1040, 700}; // the pictures are up to 700 pixels wide
-constexpr QSize frameRoom{16, 48};      ///< for the frame that a window manager gives it
+constexpr QSize defaultSize{1040, 700}; // fits the pictures, which are up to 700 pixels wide
+constexpr QSize frameRoom{16, 48};      ///< pixels for the window manager's frame
 constexpr int contentsWidth = 235;
 enum Role { Id = Qt::UserRole, Text };
 
-/// Lines between the rows only, and no row for headings that are not there.
+/// Formats a table: horizontal lines only, and removes the empty heading row that Markdown requires.
 void layOut(QTextTable* table, const QColor& line)
 {
     QTextTableFormat format = table->format();
@@ -46,7 +46,7 @@ void layOut(QTextTable* table, const QColor& line)
     table->removeRows(0, 1);
 }
 
-/// Room between the lines of text, and above the headings.
+/// Formats a page: larger line spacing and space above the headings.
 void layOut(QTextDocument* document, const QColor& line)
 {
     for (QTextFrame* frame : document->rootFrame()->childFrames())
@@ -185,7 +185,7 @@ void GuideWindow::search()
     markFound();
 }
 
-/// Every place of the first word; the view goes to the first.
+/// Highlights every occurrence of the first search word and scrolls to the first occurrence.
 void GuideWindow::markFound()
 {
     const QString word = m_words->text().section(u' ', 0, 0, QString::SectionSkipEmpty);
@@ -204,7 +204,7 @@ void GuideWindow::markFound()
         findNext();
 }
 
-/// Round and round.
+/// Selects the next occurrence of the first search word, wrapping around at the end.
 void GuideWindow::findNext()
 {
     const QString word = m_words->text().section(u' ', 0, 0, QString::SectionSkipEmpty);
@@ -214,7 +214,8 @@ void GuideWindow::findNext()
     }
 }
 
-/// Return would press a button, and the arrows move in the line.
+/// Handles keys in the search field: Return finds the next occurrence instead of pressing a button, and Up and Down
+/// move in the contents.
 bool GuideWindow::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() != QEvent::KeyPress)
@@ -233,7 +234,7 @@ bool GuideWindow::eventFilter(QObject* watched, QEvent* event)
     }
 }
 
-/// Colours of links are those of the palette when the text was set.
+/// Renders the page again, because its link colours are those of the palette at the time it was set.
 void GuideWindow::changeEvent(QEvent* event)
 {
     QDialog::changeEvent(event);

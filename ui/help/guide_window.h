@@ -12,18 +12,18 @@ namespace ui
 {
 class Actions;
 
-/// The user guide: contents and search at the left, the page at the right. Words that are sought leave only the pages
-/// that have them, and are marked; Return goes on to the next place. Pages about commands that are hidden, as in a
-/// class, are left out. Stays open beside the main window. Thread: gui.
+/// The user guide: contents and search field at the left, page at the right. A search shows only the pages that contain
+/// all its words, and highlights the first word; Return finds the next occurrence. Stays open beside the main window.
+/// Thread: gui.
 class GuideWindow : public QDialog
 {
     Q_OBJECT
 
 public:
-    /// The actions must outlive it.
+    /// Precondition: `actions` outlives the window.
     explicit GuideWindow(const Actions& actions, QWidget* parent);
 
-    /// By its id; the first if there is no such page. As the keys are now.
+    /// Shows the page with this id, or the first page if there is none. The page names the current shortcuts.
     void openPage(const QString& page);
 
 protected:

@@ -13,7 +13,7 @@ namespace ui
 {
 namespace
 {
-/// There is one, made when it is first wanted.
+/// Opens the guide. Its window is created at first use and then reused.
 void openGuide(const Actions& actions, QWidget* window)
 {
     auto* guide = window->findChild<GuideWindow*>();

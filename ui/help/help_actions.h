@@ -8,7 +8,7 @@ class Actions;
 class Settings;
 class StartPage;
 
-/// The Help menu's commands. The start page lies over the window's middle. Actions and settings must outlive the
-/// window. Thread: gui.
+/// Connects the actions of the Help menu and creates the start page, which covers the middle of the window.
+/// Precondition: `actions` and `settings` outlive the window. Thread: gui.
 StartPage* connectHelp(const Actions& actions, Settings* settings, QMainWindow* window);
 } // namespace ui

@@ -53,7 +53,7 @@ struct HelpText
     Q_DECLARE_TR_FUNCTIONS(ui::HelpText)
 };
 
-/// Null if there is none.
+/// Returns null if the table has no such action.
 const ActionInfo* rowOf(const QString& id)
 {
     const auto row = std::ranges::find_if(actionTable(),
@@ -61,7 +61,7 @@ const ActionInfo* rowOf(const QString& id)
     return row != actionTable().end() ? &*row : nullptr;
 }
 
-/// As code, where no sign of it means anything to Markdown.
+/// Returns the key as inline code, in which Markdown has no special characters.
 QString asKey(const QString& key)
 {
     return u'`' + key + u'`';

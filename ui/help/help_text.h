@@ -9,22 +9,22 @@ namespace ui
 {
 class Actions;
 
-/// A page of the guide: resources/help/<language>/<id>.md, in the order of reading.
+/// A page of the guide, from resources/help/<language>/<id>.md. The table is in reading order.
 struct HelpPage
 {
     const char* id;
-    const char* picture = ""; ///< of a lesson, file in resources/help/pictures
-    const char* command = ""; ///< id of the action that the page is about; without that action the page is left out
+    const char* picture = ""; ///< picture of a lesson, a file in resources/help/pictures; empty: not a lesson
+    const char* command = ""; ///< id of the action that the page is about; the page is left out while it is hidden
     bool isLesson() const { return *picture; }
 };
 std::span<const HelpPage> helpPages();
 
-/// Where the pages lie in the best of the languages that there are; English else.
+/// Returns the folder of the pages in the locale's best available language; English if none is available.
 QString helpFolder(const QLocale& locale);
 
-/// The page as Markdown. In its source {key:ID} is an action's key now, {menu:ID} the way to it through the menus,
-/// {invert} and {smooth} what is held; an unknown one stays as it is. Empty if there is no such page.
+/// Returns the page as Markdown; empty if there is no such page. Replaces {key:ID} by the action's current shortcut,
+/// {menu:ID} by its menu path, and {invert} and {smooth} by the modifier keys. Unknown placeholders stay unchanged.
 QString helpText(const QString& id, const Actions& actions);
-/// The first line, without its mark.
+/// Returns the title, which is the first line without "# ".
 QString helpTitle(const QString& text);
 } // namespace ui

@@ -27,7 +27,8 @@ namespace
 {
 constexpr QSize pictureSize{150, 100}, starterSize{64, 64};
 constexpr int starterWidth = 84, recentWidth = 260;
-constexpr int leastRecentHeight = 72, recentHeight = 160; ///< the list gives way before the page scrolls
+/// pixels; the list shrinks to its smallest height before the page gets a scroll bar
+constexpr int leastRecentHeight = 72, recentHeight = 160;
 
 QLabel* heading(const QString& text)
 {
@@ -206,7 +207,7 @@ void StartPage::close()
     m_over->setFocus();
 }
 
-/// Stands in the middle of the view, and over what is beside that if the view is too narrow.
+/// Centres the page in the view. If the view is too narrow, the page extends over its neighbours.
 void StartPage::place()
 {
     const QRect view(m_over->mapTo(window(), QPoint()), m_over->size());
@@ -220,7 +221,7 @@ void StartPage::place()
     move(corner);
 }
 
-/// Esc may be a command's, else.
+/// Closes the page on Esc. Handles ShortcutOverride too, because Esc is a shortcut of the action Stop.
 bool StartPage::event(QEvent* event)
 {
     const bool isKey = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;

@@ -13,17 +13,17 @@ class RecentFiles;
 class Settings;
 struct LessonCard;
 
-/// What to begin with: a starter, a recent file, a lesson. Lies over the middle of a widget until something is chosen,
-/// Esc, or a press beside it, which is that widget's as ever. Thread: gui.
+/// A page of starters, recent files and lessons, over the middle of a widget. It closes when something is chosen, on
+/// Esc, or on a press outside, which the widget below handles as usual. Thread: gui.
 class StartPage : public QFrame
 {
     Q_OBJECT
 
 public:
-    /// The actions and the settings must outlive it.
+    /// Precondition: `actions` and `settings` outlive the page.
     StartPage(const Actions& actions, Settings* settings, QWidget* over);
 
-    /// That can be begun with; at first there are none.
+    /// Sets the lessons to offer; initially there are none.
     void setLessons(const QList<LessonCard>& lessons);
 
     void open();

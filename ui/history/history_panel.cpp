@@ -26,7 +26,7 @@ namespace
 constexpr qint64 megabyte = 1 << 20;
 } // namespace
 
-/// A row a state: its name, and what it took.
+/// The rows of the list: one for each state, with the name and the size of its step.
 class HistoryPanel::Model : public QAbstractTableModel
 {
 public:

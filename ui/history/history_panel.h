@@ -18,22 +18,23 @@ class Timeline;
 struct HistoryStep
 {
     QString name;
-    QString icon;     ///< file in :/icons without ending
-    quint64 dabs = 0; ///< 0: it was no stroke
+    QString icon;     ///< file in :/icons without its suffix
+    quint64 dabs = 0; ///< dabs of the stroke; 0: the step is not a stroke
     quint64 fusions = 0;
 };
 
-/// What the panel shows. State 0 is the model as it was opened, state i the one after step i - 1.
+/// The history as shown by the panel. State 0 is the model as it was opened; state i is the model after steps[i - 1].
 struct History
 {
     QList<HistoryStep> steps;
-    int present = 0;         ///< state
-    int first = 0, last = 0; ///< states that can be reached; what lies beyond has expired
-    qint64 bytes = 0;        ///< in memory
+    int present = 0;         ///< present state
+    int first = 0, last = 0; ///< first and last reachable state; the steps of other states have been discarded
+    qint64 bytes = 0;        ///< memory of the history
 };
 
-/// The steps that were done, a click or Return goes to any that is still kept, a timeline through them, and how much
-/// memory they may take. Knows no document: it shows what it is given, and asks. Thread: gui.
+/// A list of the model's steps, a timeline through them, and a limit for their memory. A click or Return goes to any
+/// state that is still kept. Knows no document: setHistory() provides what is shown, and signals request changes.
+/// Thread: gui.
 class HistoryPanel : public QWidget
 {
     Q_OBJECT
@@ -42,16 +43,16 @@ public:
     explicit HistoryPanel(Settings* settings, QWidget* parent = nullptr);
     ~HistoryPanel() override;
 
-    /// Cost: the rows in sight.
+    /// Cost: proportional to the number of visible rows.
     void setHistory(History history);
-    qint64 cap() const; ///< bytes
+    qint64 cap() const; ///< limit for the history's memory, bytes
 
 Q_SIGNALS:
     void jumpRequested(int state);
-    /// By the timeline; many in a row, of which only the newest counts.
+    /// The timeline requests a state. Emitted repeatedly during a drag; only the latest counts.
     void stateRequested(int state);
     void capChanged(qint64 bytes);
-    /// It can be seen, and may show what is old.
+    /// The panel has become visible, and its content may be outdated.
     void shown();
 
 protected:
@@ -66,6 +67,6 @@ private:
     QSpinBox* m_cap;
 };
 
-/// Adds the panel to the column.
+/// Adds the panel to the column and returns it.
 HistoryPanel* addHistoryPanel(SideColumn* column, Settings* settings);
 } // namespace ui

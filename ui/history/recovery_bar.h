@@ -6,7 +6,7 @@
 
 namespace ui
 {
-/// What was not saved when the program ended, and may be had again.
+/// A model with changes that were not saved when the program ended.
 struct UnsavedModel
 {
     QString name;
@@ -14,7 +14,7 @@ struct UnsavedModel
     int steps = 0;
 };
 
-/// Offers a model that was not saved. Thread: gui.
+/// A bar that offers to recover the changes of an unsaved model. Thread: gui.
 class RecoveryBar : public MessageBar
 {
     Q_OBJECT
@@ -24,7 +24,7 @@ public:
 
 Q_SIGNALS:
     void recoverRequested();
-    /// After a question.
+    /// The user has confirmed that the changes are to be deleted.
     void discardRequested();
 
 private:

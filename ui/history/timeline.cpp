@@ -19,7 +19,7 @@ namespace ui
 {
 namespace
 {
-constexpr int playIntervalMs = 400; ///< a step; slow enough to see what each did
+constexpr int playIntervalMs = 400; ///< pause between states during playback; slow enough to see each step
 constexpr int statesPerPage = 10;
 } // namespace
 
@@ -61,7 +61,8 @@ Timeline::Timeline(QWidget* parent)
     setHistory({});
 }
 
-/// Whatever else happens to the history is not ours: what was wanted is forgotten, and nothing plays.
+/// Shows a changed history. If it was changed by anything else than this timeline's request, forgets the request and
+/// stops playing.
 void Timeline::setHistory(const History& history)
 {
     QStringList names;
@@ -71,7 +72,8 @@ void Timeline::setHistory(const History& history)
     const bool hasOtherNames = std::exchange(m_names, names) != names;
     const auto away = [this](int state) { return std::abs(state - m_requested.value_or(state)); };
     const bool isLost =
-        m_requested && m_present != before && away(m_present) >= away(before); // somebody else went elsewhere
+        // the state moved away from the requested one, so somebody else changed it
+        m_requested && m_present != before && away(m_present) >= away(before);
     if (hasOtherNames || isLost || m_requested == m_present)
         m_requested.reset();
     if (hasOtherNames || isLost)
@@ -115,7 +117,7 @@ void Timeline::setPlaying(bool isPlaying)
     m_playTimer.start();
 }
 
-/// No faster than the model comes.
+/// Plays the next step. Waits while a requested state has not been reached.
 void Timeline::playNext()
 {
     if (m_requested)

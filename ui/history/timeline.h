@@ -13,8 +13,9 @@ namespace ui
 {
 struct History;
 
-/// A slider over the states of the model, from the first that is kept to the last, with number and name of the step;
-/// Left and Right go by one. It plays them, too. Knows no document: it shows what it is given, and asks. Thread: gui.
+/// A slider over the kept states of the model, with the number and name of the step; Left and Right move by one state.
+/// A button plays the states. Knows no document: setHistory() provides what is shown, and stateRequested() requests
+/// changes. Thread: gui.
 class Timeline : public QWidget
 {
     Q_OBJECT
@@ -22,11 +23,11 @@ class Timeline : public QWidget
 public:
     explicit Timeline(QWidget* parent = nullptr);
 
-    /// While the model is on its way to the state that was asked for, the slider stays there.
+    /// Shows a changed history. The slider stays at a requested state until the model has reached it.
     void setHistory(const History& history);
 
 Q_SIGNALS:
-    /// Many in a row while somebody drags: only the newest counts.
+    /// The user wants this state. Emitted repeatedly during a drag; only the latest counts.
     void stateRequested(int state);
 
 protected:
@@ -39,9 +40,9 @@ private:
     void playNext();
     QString nameOf(int state) const;
 
-    QStringList m_names; ///< of the steps
+    QStringList m_names; ///< names of the steps
     int m_present = 0;
-    std::optional<int> m_requested; ///< not reached yet
+    std::optional<int> m_requested; ///< state that was requested and has not been reached
     QSlider* m_slider;
     QLabel* m_text;
     QToolButton* m_play;
