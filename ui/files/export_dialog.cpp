@@ -20,9 +20,9 @@ namespace ui
 namespace
 {
 constexpr int textWidth = 380;
-constexpr int gameTriangles = 20'000; ///< what such programs usually take
+constexpr int gameTriangles = 20'000; ///< usual triangle budget of game engines
 
-/// A row of the dialog; they stand as in `exportUses`.
+/// A row of the dialog; in the order of `exportUses`.
 struct Preset
 {
     const char* title;
@@ -108,7 +108,7 @@ private:
         connect(m_limits, &QCheckBox::toggled, m_max, &QWidget::setEnabled);
     }
 
-    /// Seen where there is a slicer.
+    /// Adds the check box for slicing; it is visible only if a slicer is installed.
     void addSlicerCheck(QVBoxLayout* column)
     {
         m_slices = named(new QCheckBox(tr("&Test in PrusaSlicer")), "slices",
@@ -134,7 +134,7 @@ private:
         m_slices->setEnabled(prints());
     }
 
-    /// 0: all
+    /// Sets the limit of triangles; 0: no limit.
     void setTriangles(quint64 max)
     {
         m_limits->setChecked(max > 0);

@@ -11,8 +11,9 @@ namespace ui
 {
 class Settings;
 
-/// What it is for, and with how many triangles; as last time, which the settings keep. Returns at once; the callback is
-/// called when the person agreed, and never else. It slices only where there is a slicer and the file is for print.
+/// Asks for the purpose of an export and the number of triangles; the last choice is stored in the settings. Slicing is
+/// offered only for prints, and only if a slicer is installed. Returns at once; `callback` is called only if the user
+/// accepts.
 void askForExportChoice(QWidget* parent, const ModelInfo& modelInfo, Settings* settings,
                         const std::function<void(const ExportSettings&)>& callback);
 } // namespace ui

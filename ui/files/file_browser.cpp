@@ -34,7 +34,7 @@ namespace ui
 {
 namespace
 {
-constexpr int listDelayMs = 200, thumbnailDelayMs = 30; ///< what comes at once is done once
+constexpr int listDelayMs = 200, thumbnailDelayMs = 30; ///< delays that merge several changes into one update
 
 QHBoxLayout* row(std::initializer_list<QWidget*> widgets)
 {
@@ -163,7 +163,7 @@ QLayout* FileBrowser::buildFoot()
 void FileBrowser::buildActions()
 {
     m_open = on("files.open", [this] { activate(m_grid->currentIndex()); });
-    m_rename = on("files.rename", [this] { // in its place; the command may have come from elsewhere
+    m_rename = on("files.rename", [this] { // focuses the grid, because the command may come from elsewhere
         m_grid->setFocus();
         m_grid->scrollTo(m_grid->currentIndex());
         m_grid->edit(m_grid->currentIndex());
@@ -178,7 +178,7 @@ void FileBrowser::buildActions()
         const QString path = m_files->entry(m_sorter->mapToSource(m_grid->currentIndex())).path;
         revealFile(path, this, [this](const QString& word) { Q_EMIT noticed(word); });
     });
-    m_up = on("files.up", [this] { // to the next one that is there: this one's own may be gone with it
+    m_up = on("files.up", [this] { // to the nearest existing parent, because the folder's own parent may be deleted too
         const QString from = m_options.folder;
         QString folder = QFileInfo(from).path();
         while (!QDir(folder).exists() && !QDir(folder).isRoot())
@@ -220,7 +220,7 @@ void FileBrowser::renameTo(const QString& path, const QString& name)
     change([=] { return FileJobs::rename(path, name); }, report);
 }
 
-// --- the folder: looking into it, what is there, what is done with it
+// --- the folder: listing, showing and changing its content
 
 void FileBrowser::goTo(const QString& folder)
 {
@@ -236,7 +236,7 @@ void FileBrowser::goTo(const QString& folder)
     list();
 }
 
-/// Sets the controls to the options, except the folder.
+/// Sets the controls to the options. The folder is not changed.
 void FileBrowser::setControls(const FileBrowserSettings& options)
 {
     const QSignalBlocker quiet(m_size);
@@ -246,7 +246,7 @@ void FileBrowser::setControls(const FileBrowserSettings& options)
     choose();
 }
 
-/// Takes the options from the controls.
+/// Updates the options from the controls.
 void FileBrowser::choose()
 {
     m_options.order = static_cast<FileOrder>(m_order->currentIndex());
@@ -323,7 +323,7 @@ void FileBrowser::change(const FileJob& job, const std::function<void(const File
     });
 }
 
-/// Requests the thumbnails in sight first, then those of files not yet read.
+/// Requests thumbnails: first of the visible files, then of all files that have not been read.
 void FileBrowser::requestThumbnails()
 {
     m_thumbnailTimer.stop();
@@ -351,7 +351,7 @@ void FileBrowser::setThumbnail(const FileEntry& file, const Thumbnail& thumbnail
 {
     m_files->setThumbnail(file, thumbnail);
     if (!thumbnail.problem.isEmpty())
-        m_listTimer.start(); // it may be gone
+        m_listTimer.start(); // the file may have been deleted
     showState();
 }
 
@@ -423,7 +423,8 @@ void FileBrowser::focusGrid()
     m_grid->setFocus();
 }
 
-/// Reads the folder's dates again when the window comes to the front: the watcher reports changed names only.
+/// Lists the folder again when the window is activated, because the watcher reports changed names but not changed
+/// dates.
 bool FileBrowser::event(QEvent* event)
 {
     if (event->type() == QEvent::WindowActivate)

@@ -32,30 +32,30 @@ class Settings;
 class ThumbnailMaker;
 struct Thumbnail;
 
-/// A folder of models as pictures: to open, rename, duplicate, put into the trash, and show where they lie. Asks the
-/// disk and draws in other threads, and only while it can be seen. Thread: gui.
+/// A panel that shows the models of a folder as pictures. Commands open, rename, duplicate, trash and reveal a file.
+/// Reads the disk and draws on other threads, and only while visible. Thread: gui.
 class FileBrowser : public QWidget
 {
     Q_OBJECT
 
 public:
-    /// Both must outlive the panel.
+    /// Precondition: `settings` and `actions` outlive the panel.
     FileBrowser(Settings* settings, const Actions& actions, QWidget* parent = nullptr);
     ~FileBrowser() override;
 
     void goTo(const QString& folder);
     const QString& folder() const { return m_options.folder; }
-    /// Goes where the last model's file lies, if that is another place than at the last call and the panel is hidden.
+    /// Shows the folder of the last opened model, if it has changed since the previous call and the panel is hidden.
     void followModel();
-    /// The keyboard goes to the grid.
+    /// Gives the keyboard focus to the grid.
     void focusGrid();
 
 Q_SIGNALS:
     void openRequested(const QString& path);
     void renamed(const QString& from, const QString& to);
-    /// Files may be gone.
+    /// Files were moved to the trash.
     void trashed();
-    /// One sentence.
+    /// There is a message for the user.
     void noticed(const QString& sentence);
 
 protected:
@@ -80,7 +80,7 @@ private:
     void list();
     void setFolderContent(const FolderContent& content);
     void select(const QStringList& paths);
-    /// `done`: after it, with what became of it.
+    /// Runs a job on the disk thread, then lists the folder again. `done`: called with the outcome.
     void change(const FileJob& job, const std::function<void(const FileOutcome&)>& done = {});
     void requestThumbnails();
     void setThumbnail(const FileEntry& file, const Thumbnail& thumbnail);
@@ -92,10 +92,11 @@ private:
     Settings* m_settings;
     const Actions& m_actions;
     FileBrowserSettings m_options;
-    QString m_problem;                            ///< of the folder
-    QString m_modelFolder;                        ///< at the last call of followModel()
-    bool m_isListed = false, m_isStopped = false; ///< stopped: by hand, until another folder is looked at
-    QStringList m_toSelect;                       ///< when they appear
+    QString m_problem;     ///< why the folder cannot be listed; empty: none
+    QString m_modelFolder; ///< last folder at the previous call of followModel()
+    /// stopped: the user has stopped the thumbnails, until another folder is shown or the panel is shown again
+    bool m_isListed = false, m_isStopped = false;
+    QStringList m_toSelect; ///< paths to select once they are listed
 
     FileListModel* m_files;
     FileSorter* m_sorter;
@@ -110,19 +111,20 @@ private:
 
     QFileSystemWatcher m_watcher;
     QTimer m_listTimer, m_thumbnailTimer;
-    std::unique_ptr<ThumbnailMaker> m_maker; ///< from the first look on
+    std::unique_ptr<ThumbnailMaker> m_maker; ///< created at first use
     std::stop_source m_listing;
-    BackgroundThread m_disk; ///< last
+    BackgroundThread m_disk; ///< last member: destroyed first, as its jobs use the others
 };
 
 struct FileBrowserContext
 {
     QMainWindow* window;
     QMenu* toggles;
-    ModelFiles* opener; ///< of what is chosen
+    ModelFiles* opener; ///< opens the chosen files
 };
 
-/// As a dock at the window's left, where it has the height, hidden at first, with its entry among the toggles.
+/// Adds the panel as a dock at the left of the window, hidden at first, with its toggle in the menu. `notice` shows a
+/// short message.
 void addFileBrowser(const FileBrowserContext& context, Settings* settings, const Actions& actions,
                     const std::function<void(const QString&)>& notice);
 } // namespace ui

@@ -5,14 +5,14 @@
 
 namespace ui
 {
-/// A file or folder as the disk had it when it was asked. Equal ones have the same content, as far as can be told
-/// without reading it.
+/// A file or folder with its state on disk at the time of listing. Equal entries have the same content, as far as size
+/// and date can tell.
 struct FileEntry
 {
     QString path; ///< absolute
     bool isFolder = false;
-    qint64 size = 0;       ///< bytes; a folder's means nothing
-    qint64 modifiedMs = 0; ///< since 1970, UTC
+    qint64 size = 0;       ///< bytes; meaningless for a folder
+    qint64 modifiedMs = 0; ///< ms since 1970, UTC
 
     bool operator==(const FileEntry&) const = default;
 };

@@ -17,7 +17,8 @@ FileGrid::FileGrid(QWidget* parent) : QListView(parent)
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // else the columns jump
+    // a scroll bar that comes and goes would change the number of columns
+    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
     setUniformItemSizes(true);
     setContextMenuPolicy(Qt::CustomContextMenu);
 }
@@ -36,14 +37,14 @@ void FileGrid::setPicture(int size)
     Q_EMIT moved();
 }
 
-/// Two columns.
+/// Returns the size of two columns and two rows.
 QSize FileGrid::sizeHint() const
 {
     const QSize cell = m_cells->cell(fontMetrics());
     return {2 * cell.width() + verticalScrollBar()->sizeHint().width() + 2 * frameWidth() + 2, 2 * cell.height()};
 }
 
-/// The cells share the width.
+/// Divides the width evenly among the columns.
 void FileGrid::layCells()
 {
     if (!m_cells)

@@ -8,7 +8,8 @@ namespace ui
 {
 class FileItemDelegate;
 
-/// Files as a grid of pictures. The keys of its own actions win over the window's while it has the focus.
+/// A view of files as a grid of pictures. While it has the focus, the shortcuts of its own actions take precedence over
+/// the window's.
 class FileGrid : public QListView
 {
     Q_OBJECT
@@ -25,7 +26,7 @@ public:
     QSize sizeHint() const override;
 
 Q_SIGNALS:
-    /// Emitted when other rows may be visible.
+    /// Other rows may be visible now.
     void moved();
 
 protected:

@@ -16,7 +16,8 @@ namespace
 constexpr int iconSize = 40;
 constexpr double cornerRadius = 6;
 
-/// Each pixel the mean of those that it stands for, which drawing to scale does not do.
+/// Returns the picture reduced smoothly, each pixel the mean of those it replaces; painting at a smaller scale would
+/// alias. Results are cached.
 QPixmap scaled(const QPixmap& picture, int size, double ratio)
 {
     const QString key = QStringLiteral("thumbnail/%1/%2/%3").arg(picture.cacheKey()).arg(size).arg(ratio);

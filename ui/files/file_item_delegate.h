@@ -7,7 +7,7 @@ namespace ui
 class FileListModel;
 class FileSorter;
 
-/// A file in the grid: its picture, and under it name, vertices, size and date. The name is edited in its place.
+/// Paints a cell of the grid: the picture, and below it name, vertices, size and date. The name can be edited in place.
 class FileItemDelegate : public QStyledItemDelegate
 {
     Q_OBJECT
@@ -15,14 +15,15 @@ class FileItemDelegate : public QStyledItemDelegate
 public:
     FileItemDelegate(const FileListModel* files, const FileSorter* sorter, QObject* parent = nullptr);
 
-    /// Of the picture, in logical pixels.
+    /// Sets the width and height of the picture, in logical pixels.
     void setPicture(int size) { m_picture = size; }
     QSize cell(const QFontMetrics& metrics) const;
 
     void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
     QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
-    /// Filled once, when it is made: its picture may come while a name is typed.
+    /// Does nothing: createEditor() sets the text once, and a picture that arrives while the user types must not reset
+    /// it.
     void setEditorData(QWidget*, const QModelIndex&) const override {}
     void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
                               const QModelIndex& index) const override;

@@ -27,7 +27,8 @@ bool isModel(const QFileInfo& file)
     return modelEndings().contains(file.suffix().toLower());
 }
 
-/// Where the home's trash cannot be made, Qt 6.4 takes the folder that the program runs in for one.
+/// Returns true if the user's trash folder exists or can be created. If it cannot, Qt 6.4 would use the working
+/// directory as trash.
 bool hasTrash()
 {
 #if defined(Q_OS_UNIX) && !defined(Q_OS_MACOS)
@@ -91,7 +92,7 @@ FileOutcome FileJobs::rename(const QString& path, const QString& name)
     return {{}, {target}};
 }
 
-/// What some system or other forbids: a model shall be able to go to any of them.
+/// Returns why the name is forbidden on Windows, macOS or Linux; empty: allowed on all.
 QString FileJobs::nameProblem(const QString& name)
 {
     static const QRegularExpression forbidden(QStringLiteral("[/\\\\:*?\"<>|]")),
@@ -126,7 +127,7 @@ FileOutcome FileJobs::duplicate(const QStringList& paths)
     return outcome;
 }
 
-/// A copy's copy is numbered on.
+/// Returns the first free path for a copy. The copy of a copy gets the next number instead of a second suffix.
 QString FileJobs::copyOf(const QString& path)
 {
     const QFileInfo file(path);

@@ -13,34 +13,34 @@ namespace ui
 struct FolderContent
 {
     QString folder;
-    QList<FileEntry> entries; ///< its folders, and the files whose endings are models'; in no order
-    QString problem;          ///< one sentence: it could not be read
+    QList<FileEntry> entries; ///< folders, and files with the suffix of a model format; unsorted
+    QString problem;          ///< why the folder could not be read, one sentence; empty: none
 };
 
-/// What became of a change on disk.
+/// The result of a change on disk.
 struct FileOutcome
 {
-    QString sentence;  ///< for the person; may be empty if all went well
-    QStringList paths; ///< what there is now: the new name, the copies
+    QString sentence;  ///< message for the user; may be empty if all went well
+    QStringList paths; ///< paths that exist now: the new name, or the copies
 };
 
-/// What the files panel does on disk, in words for people. Nothing is overwritten, and nothing deleted but into the
-/// trash. May take long: not for the gui thread.
+/// Disk operations of the files panel, with messages for the user. They overwrite nothing, and they delete only by
+/// moving to the trash. Cost: may take long; not for the gui thread.
 class FileJobs
 {
     Q_DECLARE_TR_FUNCTIONS(ui::FileJobs)
 
 public:
     static FolderContent list(const QString& folder, const std::stop_token& stop);
-    /// As it is now.
+    /// Returns the entry with its present size and date.
     static FileEntry entryOf(const QString& path);
-    /// `name` is without the ending, which stays.
+    /// Renames a file. `name`: without the suffix, which stays.
     static FileOutcome rename(const QString& path, const QString& name);
-    /// Beside the files: "lion copy.stl", "lion copy 2.stl".
+    /// Copies each file into its folder, named "lion copy.stl", "lion copy 2.stl" and so on.
     static FileOutcome duplicate(const QStringList& paths);
     static FileOutcome trash(const QStringList& paths);
-    /// "vase.glb" and "vase-002.glb" give "vase-003.glb" where that is the first number after all that are there,
-    /// whatever the endings.
+    /// Returns a numbered path beside the file: "vase.glb" and "vase-002.glb" give "vase-003.glb". The number is above
+    /// those of all files with this base name, whatever their suffixes.
     static QString numberedCopyOf(const QString& path);
 
 private:

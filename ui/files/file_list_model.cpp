@@ -15,7 +15,7 @@ namespace
 {
 constexpr qsizetype pictureBytes = 64 << 20;
 
-/// Asked for at each comparison.
+/// Returns the name by string operations only, because sorting calls it for each comparison.
 QString fileName(const FileEntry& entry)
 {
     return entry.path.mid(entry.path.lastIndexOf(QLatin1Char('/')) + 1);
@@ -52,7 +52,7 @@ void FileListModel::setEntries(const QList<FileEntry>& entries)
         const FileEntry* entry = added.take(m_rows[row].entry.path);
         if (entry && *entry == m_rows[row].entry)
             continue;
-        if (entry) { // its old picture stays until there is a new one
+        if (entry) { // the old picture stays until a new one is set
             m_rows[row] = {*entry, -1, {}};
             Q_EMIT dataChanged(index(row), index(row));
             continue;
@@ -74,7 +74,7 @@ void FileListModel::setEntries(const QList<FileEntry>& entries)
 void FileListModel::setThumbnail(const FileEntry& file, const Thumbnail& thumbnail)
 {
     const QModelIndex index = indexOf(file.path);
-    if (!index.isValid() || entry(index) != file) // another file of that name meanwhile
+    if (!index.isValid() || entry(index) != file) // the file has changed since the request
         return;
     m_rows[index.row()].vertices = thumbnail.vertices;
     m_rows[index.row()].problem = thumbnail.problem;

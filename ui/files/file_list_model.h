@@ -12,8 +12,7 @@
 
 namespace ui
 {
-/// The folders and models of one folder, with what is known of each. Of the pictures it keeps as many as some 64 MB
-/// hold. Thread: gui.
+/// The folders and models of a folder, with vertex counts and pictures. Pictures are cached up to 64 MB. Thread: gui.
 class FileListModel : public QAbstractListModel
 {
     Q_OBJECT
@@ -24,32 +23,33 @@ public:
     explicit FileListModel(QObject* parent = nullptr);
 
     void clear();
-    /// Rows that stay keep their place and what is known of them.
+    /// Replaces the entries. Unchanged files keep their row, vertex count and picture.
     void setEntries(const QList<FileEntry>& entries);
     void setThumbnail(const FileEntry& file, const Thumbnail& thumbnail);
 
     const FileEntry& entry(const QModelIndex& index) const { return m_rows[index.row()].entry; }
     QModelIndex indexOf(const QString& path) const;
-    /// Nothing is known of the file yet; or it has a picture that is not at hand.
+    /// Returns true if the file has not been read yet. lacksPicture(): the picture is not in the cache, and no problem
+    /// is known.
     bool isUnknown(const QModelIndex& index) const;
     bool lacksPicture(const QModelIndex& index) const;
 
     int rowCount(const QModelIndex& parent = {}) const override;
     Qt::ItemFlags flags(const QModelIndex& index) const override;
     QVariant data(const QModelIndex& index, int role) const override;
-    /// A name without ending, which is asked for by renameRequested().
+    /// Emits renameRequested() with the new name, without the suffix.
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
-    /// Three lines: name; vertices, or what is wrong; size and date.
+    /// Return the three lines of a cell: name; number of vertices or the problem; size and date.
     QString name(const QModelIndex& index) const;
     QString measure(const QModelIndex& index) const;
     QString stamp(const QModelIndex& index) const;
-    /// About as long as a third line can be.
+    /// Returns a third line of about the greatest length, for the width of cells.
     static QString longStamp();
 
 Q_SIGNALS:
     void renameRequested(const QString& path, const QString& name);
-    /// A picture that is in sight is not at hand any more.
+    /// A visible picture is no longer in the cache.
     void pictureMissed() const;
 
 private:
@@ -66,10 +66,10 @@ private:
     QVariant picture(const Row& row) const;
 
     QList<Row> m_rows;
-    QCache<QString, QPixmap> m_pictures; ///< by path, in bytes
+    QCache<QString, QPixmap> m_pictures; ///< by path; cost in bytes
 };
 
-/// The same in order: folders first, what is not known last, names as people count.
+/// Sorts and filters a FileListModel: folders first, unread files last, numbers in names by value.
 class FileSorter : public QSortFilterProxyModel
 {
     Q_OBJECT
@@ -78,7 +78,7 @@ public:
     explicit FileSorter(FileListModel* files);
 
     void order(FileOrder by, bool descending);
-    /// Names that hold these letters, in either case.
+    /// Shows only names that contain `part`, ignoring case.
     void filter(const QString& part);
 
 protected:

@@ -31,7 +31,7 @@ constexpr std::pair<const char*, core::Starter> starterIds[] = {
     {"new.slab", core::Starter::Slab},    {"new.vase", core::Starter::Vase}, {"new.head", core::Starter::Head},
     {"new.tablet", core::Starter::Tablet}};
 
-/// The first local file that is being dragged, or nothing.
+/// Returns the path of the first dragged local file; empty if there is none.
 QString droppedFile(const QMimeData* data)
 {
     for (const QUrl& url : data->urls())
@@ -95,7 +95,7 @@ void ModelFiles::showRecent()
         m_recent->addSeparator();
         const auto clear = [this] {
             m_settings->set(&Setting::recentFiles, {});
-            showRecent(); // which ends this action
+            showRecent(); // deletes this action, hence the queued connection
         };
         connect(m_recent->addAction(tr("&Clear This List")), &QAction::triggered, this, clear, Qt::QueuedConnection);
     }
@@ -133,7 +133,7 @@ void ModelFiles::insert()
 
 void ModelFiles::save()
 {
-    m_afterSave = nullptr; // an earlier question was not answered to the end
+    m_afterSave = nullptr; // drops the continuation of an earlier question that was not answered
     if (m_path.isEmpty() || !isWritten(m_path))
         return saveAs(m_settings->lastFolder(), m_name);
     checkFile();
@@ -143,7 +143,7 @@ void ModelFiles::save()
         askToOverwrite();
 }
 
-/// What somebody else wrote meanwhile is lost only if the person says so.
+/// Asks before overwriting a file that another program has changed since it was read.
 void ModelFiles::askToOverwrite()
 {
     const QString name = QFileInfo(m_path).fileName();
@@ -231,7 +231,7 @@ void ModelFiles::exportElsewhere(const QString& path)
     exportAs(file.path(), file.fileName());
 }
 
-/// The report lies beside the models, unless the person wants it elsewhere.
+/// Asks for the folder of models and for the report's file; the file dialog begins in the same folder.
 void ModelFiles::report()
 {
     askForFolder(m_window, m_settings->lastFolder(), [this](const QString& folder) {
@@ -284,7 +284,8 @@ void ModelFiles::setSaved(const ModelInfo& model)
         proceed();
 }
 
-/// What is dropped is asked for after the event, so that whoever dragged need not wait for our questions.
+/// Handles a drop after the event has been delivered, so that the program the file is dragged from does not wait for
+/// our questions.
 bool ModelFiles::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::WindowActivate)

@@ -21,59 +21,60 @@ class Actions;
 class Settings;
 struct ModelInfo;
 
-/// Where models come from and where they go: the dialogs, drag and drop onto the window, and the question about changes
-/// that no file holds. Opens and writes nothing: it asks by signals. Thread: gui.
+/// File dialogs of models, drag and drop onto the window, and the question about unsaved changes. Opens and writes
+/// nothing itself, but requests it by signals. Thread: gui.
 class ModelFiles : public QObject
 {
     Q_OBJECT
 
 public:
-    /// Neither is owned. In the settings the last folder and the last files are kept.
+    /// `settings` and `window` are not owned. Settings store the last folder and the recent files.
     ModelFiles(Settings* settings, QWidget* window);
 
-    /// Into the File menu, which has its actions already: New and Open Recent. What the actions do is connected, too.
+    /// Adds New and Open Recent to the File menu, which already contains the actions, and connects the actions.
     void addMenus(QMenu* fileMenu, const Actions& actions);
-    /// From now on nothing can be dropped on the window.
+    /// Disables drops on the window for good.
     void refuseDrops();
-    /// True if the changes may be lost. If the person would rather save them, `proceed` is called when that is done.
+    /// Asks whether unsaved changes may be discarded and returns true if so. If the user prefers to save, `proceed` is
+    /// called after saving.
     bool askToDiscard(const std::function<void()>& proceed);
     void setOpened(const ModelInfo& model);
-    /// Asks what for, and where to.
+    /// Asks for purpose and file of an export.
     void exportFor(const ModelInfo& model);
-    /// Asks for another place, as the model could not be written to that path.
+    /// Asks for another file, because the model could not be written to `path`.
     void saveElsewhere(const QString& path);
     void exportElsewhere(const QString& path);
-    /// The present model has a file of its own now.
+    /// The model was saved to its file, which may be new.
     void setSaved(const ModelInfo& model);
-    /// Perhaps to the model's own file.
+    /// A file was exported; it may be the model's own file.
     void setExported(const QString& path);
-    /// A file of the disk has another name now: perhaps the model's, perhaps one among the last.
+    /// A file was renamed on disk; updates the model's path and the recent files.
     void setRenamed(const QString& from, const QString& to);
-    /// Whether the model's file is still there; it is looked at by itself when the window comes to the front.
+    /// Checks whether the model's file still exists. Also called when the window is activated.
     void checkFile();
 
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 Q_SIGNALS:
-    /// The person does not want to lose changes, and saves nothing either.
+    /// The user has answered the question about unsaved changes with Cancel.
     void discardDeclined();
-    /// A local path; nothing about it is checked.
+    /// `path`: local path, unchecked.
     void openRequested(const QString& path);
     void starterRequested(core::Starter starter);
-    /// The file is the model's own, or a dialog has asked about overwriting. The ending says the format.
+    /// The path is the model's own file, or the user has agreed to overwriting. Its suffix is the format.
     void saveRequested(const QString& path);
-    /// With at most so many triangles; 0: all. Perhaps a slicer tries it.
+    /// `maxTriangles`: 0 means all. `slices`: a slicer shall test the file.
     void exportRequested(const QString& path, quint64 maxTriangles = 0, bool slices = false);
-    /// A class report of the models in a folder.
+    /// A report on the models in `folder` is to be written to `path`.
     void reportRequested(const QString& folder, const QString& path);
-    /// By drag and drop: a local path that is named like an image.
+    /// A file with the suffix of an image was dropped. `path`: local path.
     void pictureDropped(const QString& path);
     void insertRequested(const ui::InsertRequest& insertion);
-    /// The model's own file is called so now.
+    /// The model's own file was renamed to `path`.
     void renamed(const QString& path);
-    /// The model's own file is not there any more.
+    /// The model's own file no longer exists.
     void fileDeleted();
-    /// One sentence.
+    /// There is a message for the user.
     void noticed(const QString& sentence);
 
 private:
@@ -93,11 +94,11 @@ private:
     QWidget* m_window;
     QMenu* m_recent = nullptr;
     QAction* m_revert = nullptr;
-    QString m_name, m_path; ///< of the model; no path: it comes from no file
-    FileEntry m_file;       ///< at the path, when the model was read or written
+    QString m_name, m_path; ///< name and path of the model; empty path: not read from a file
+    FileEntry m_file;       ///< state of the file when the model was read or written
     bool m_isFileDeleted = false;
     bool m_refusesDrops = false;
-    bool m_formatNoticeShown = false;  ///< that the file does not hold all of the document
-    std::function<void()> m_afterSave; ///< which was preferred to losing changes
+    bool m_formatNoticeShown = false;  ///< the user was told that the file's format does not store the whole document
+    std::function<void()> m_afterSave; ///< continuation after saving, set by askToDiscard()
 };
 } // namespace ui

@@ -16,7 +16,7 @@ namespace
 {
 constexpr QSize pictureSize{44, 44};
 
-/// Keeps the names in one line while pictures are made.
+/// Returns a placeholder, so that names are aligned before the pictures are made.
 QIcon emptyPicture()
 {
     QPixmap picture(pictureSize);
@@ -36,7 +36,7 @@ RecentFiles::RecentFiles(const Settings* settings, QWidget* parent) : QListWidge
             Q_EMIT chosen(path);
     };
     connect(this, &QListWidget::itemClicked, this, choose);
-    connect(this, &QListWidget::itemActivated, this, choose); // by a key
+    connect(this, &QListWidget::itemActivated, this, choose); // Return or Enter
 }
 
 RecentFiles::~RecentFiles()

@@ -13,17 +13,17 @@ class ThumbnailMaker;
 struct FileEntry;
 struct Thumbnail;
 
-/// The files that were open before, with their pictures. Asks the disk and draws in other threads. Thread: gui.
+/// A list of recently opened files with pictures. Reads the disk and draws on other threads. Thread: gui.
 class RecentFiles : public QListWidget
 {
     Q_OBJECT
 
 public:
-    /// The settings must outlive it.
+    /// Precondition: `settings` outlives the list.
     explicit RecentFiles(const Settings* settings, QWidget* parent = nullptr);
     ~RecentFiles() override;
 
-    /// Lists the files of the settings; those that turn out to be gone leave the list.
+    /// Lists the recent files of the settings; files that do not exist are then removed from the list.
     void fill();
 
 Q_SIGNALS:
@@ -35,8 +35,8 @@ private:
     QListWidgetItem* itemOf(const QString& path) const;
 
     const Settings* m_settings;
-    std::unique_ptr<ThumbnailMaker> m_maker; ///< from the first file on
+    std::unique_ptr<ThumbnailMaker> m_maker; ///< created for the first file
     int m_fills = 0;
-    BackgroundThread m_disk; ///< last
+    BackgroundThread m_disk; ///< last member: destroyed first, as its jobs use the others
 };
 } // namespace ui

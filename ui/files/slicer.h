@@ -4,6 +4,6 @@
 
 namespace ui
 {
-/// Of prusa-slicer, where it stands on the PATH; else empty.
+/// Returns the path of prusa-slicer, searched on PATH; empty if it is not installed.
 QString installedSlicer();
 } // namespace ui

@@ -13,7 +13,7 @@ namespace ui
 namespace
 {
 const QString verticesText = QStringLiteral("Fettle.Vertices"), versionText = QStringLiteral("Fettle.Version");
-const QString version = QStringLiteral("1"); ///< of what is drawn: another one lets old pictures go
+const QString version = QStringLiteral("1"); ///< version of the drawing; pictures of another version are ignored
 } // namespace
 
 ThumbnailCache::ThumbnailCache(const QString& folder, int capacity) : m_folder(folder), m_capacity(capacity) {}
@@ -55,7 +55,7 @@ void ThumbnailCache::store(const QByteArray& key, const Thumbnail& thumbnail)
         ++m_count;
 }
 
-/// A tenth at once, so that the folder is not read for each picture.
+/// Deletes a tenth of the pictures at once if the cache is full, so that the folder is not listed for each new picture.
 void ThumbnailCache::evictOldest()
 {
     QDir folder(m_folder);

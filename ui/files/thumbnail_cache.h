@@ -8,26 +8,26 @@
 
 namespace ui
 {
-/// A picture of a model, or why there is none.
+/// The picture of a model, or the reason why there is none.
 struct Thumbnail
 {
-    QImage picture;       ///< thumbnailPixels square, transparent around the model; null: see problem
-    qint64 vertices = -1; ///< -1: not known
-    QString problem;      ///< one sentence
+    QImage picture;       ///< thumbnailPixels wide and high, transparent around the model; null: see problem
+    qint64 vertices = -1; ///< -1: unknown
+    QString problem;      ///< one sentence; empty: none
 };
 
 inline constexpr int thumbnailPixels = 256;
 
-/// Pictures by the content that they show, as PNG files in a folder. They may vanish at any time, and where none can be
-/// written there are none: a cache is no promise. Several programs may use one folder. One thread.
+/// A cache of pictures in a folder, as PNG files named by the content of the model file. Errors are ignored: pictures
+/// may vanish at any time, or never be stored. Several programs may share the folder. Thread: one at a time.
 class ThumbnailCache
 {
 public:
-    /// The folder is made when it is first needed. Beyond `capacity` the least recently used are deleted.
+    /// The folder is created at first use. Beyond `capacity` pictures the least recently used ones are deleted.
     explicit ThumbnailCache(const QString& folder = defaultFolder(), int capacity = 1000);
     static QString defaultFolder();
 
-    /// `key`: names the content; letters and digits.
+    /// `key`: identifies the content; consists of letters and digits.
     std::optional<Thumbnail> find(const QByteArray& key) const;
     void store(const QByteArray& key, const Thumbnail& thumbnail);
 

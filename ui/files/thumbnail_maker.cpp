@@ -17,7 +17,8 @@ namespace ui
 {
 namespace
 {
-constexpr qint64 hashChunkBytes = 1 << 20, maxHashedBytes = qint64(1) << 31; ///< a larger file is refused anyway
+/// larger files are refused by the readers anyway
+constexpr qint64 hashChunkBytes = 1 << 20, maxHashedBytes = qint64(1) << 31;
 constexpr qsizetype maxCachedKeys = 20'000;
 } // namespace
 
@@ -79,7 +80,7 @@ void ThumbnailMaker::run()
     }
 }
 
-/// Nothing if it was stopped.
+/// Returns nullopt if stopped.
 std::optional<Thumbnail> ThumbnailMaker::make(const FileEntry& file, const std::stop_token& stop)
 {
     try {
@@ -88,7 +89,7 @@ std::optional<Thumbnail> ThumbnailMaker::make(const FileEntry& file, const std::
             if (const std::optional<Thumbnail> known = m_cache.find(key))
                 return known;
         const Thumbnail thumbnail = draw(file, stop);
-        if (!key.isEmpty() && FileJobs::entryOf(file.path) == file) // else it is of other bytes
+        if (!key.isEmpty() && FileJobs::entryOf(file.path) == file) // otherwise the file changed while it was read
             m_cache.store(key, thumbnail);
         return thumbnail;
     } catch (const core::ReadingCancelled&) {
@@ -110,7 +111,7 @@ Thumbnail ThumbnailMaker::draw(const FileEntry& file, const std::stop_token& sto
     return {toImage(*picture), static_cast<qint64>(mesh.points.size()), {}};
 }
 
-/// Of the bytes and the ending, which says how they are read. Empty if they cannot be read to the end.
+/// Returns a hash of the file's content and suffix, which selects the reader. Empty if the file cannot be read.
 QByteArray ThumbnailMaker::keyOf(const FileEntry& file, const std::stop_token& stop)
 {
     if (const auto known = m_keys.constFind(file); known != m_keys.constEnd())

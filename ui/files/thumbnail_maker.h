@@ -21,29 +21,30 @@ struct ModelThumbnail;
 
 namespace ui
 {
-/// Returns a copy of the picture.
+/// Converts the picture; the result is a copy.
 QImage toImage(const core::ModelThumbnail& picture);
 
-/// Makes pictures of model files on a thread of its own, with the lowest priority. A picture that was drawn before
-/// comes from a cache, whatever the file's name. Thread: gui; all functions return at once, except the destructor.
+/// Draws pictures of model files on its own low-priority thread. A cache returns pictures drawn before, whatever the
+/// file's name. Thread: gui; all functions except the destructor return at once.
 class ThumbnailMaker : public QObject
 {
     Q_OBJECT
 
 public:
     explicit ThumbnailMaker(const QString& cacheFolder = ThumbnailCache::defaultFolder(), QObject* parent = nullptr);
-    /// Waits for the thread, at most some 100 ms.
+    /// Waits for the thread; up to about 100 ms.
     ~ThumbnailMaker() override;
 
-    /// Requests pictures of these files, in this order, instead of those requested before. A picture that is being made
-    /// of another file is given up within some 100 ms.
+    /// Requests pictures of these files in this order and cancels earlier requests. A picture being drawn of a file not
+    /// among them is cancelled within about 100 ms.
     void request(QList<FileEntry> files);
 
-    /// Returns the number of pictures that were drawn, since the cache did not have them. Thread: any.
+    /// Returns the number of pictures drawn because the cache did not contain them. Thread: any.
     int drawn() const { return m_drawn; }
 
 Q_SIGNALS:
-    /// Emitted once for each requested file. If the file cannot be read, or is gone, the thumbnail has the reason.
+    /// The picture of a requested file is ready; emitted once for each file. If the file cannot be read, the thumbnail
+    /// contains the reason.
     void made(const ui::FileEntry& file, const ui::Thumbnail& thumbnail);
 
 private:
@@ -53,17 +54,17 @@ private:
     QByteArray keyOf(const FileEntry& file, const std::stop_token& stop);
 
     ThreadMailbox m_mail;
-    std::mutex m_mutex; ///< guards the next five
+    std::mutex m_mutex; ///< guards the next five members
     std::condition_variable m_wake;
     QList<FileEntry> m_requested;
-    FileEntry m_present; ///< being made
+    FileEntry m_present; ///< file whose picture is being made
     std::stop_source m_stop;
     bool m_isEnding = false;
 
     std::atomic<int> m_drawn = 0;
-    ThumbnailCache m_cache;              ///< used by the thread alone, as the next
-    QHash<FileEntry, QByteArray> m_keys; ///< of files that were read
+    ThumbnailCache m_cache;              ///< used by the background thread only, as is m_keys
+    QHash<FileEntry, QByteArray> m_keys; ///< keys of files that were read
 
-    std::thread m_thread; ///< last: it uses the others
+    std::thread m_thread; ///< last member: its function uses the others
 };
 } // namespace ui
