@@ -8,7 +8,7 @@ namespace ui
 {
 namespace
 {
-/// Returns the place that the model's turn brought to where `hit` was.
+/// Returns the material point that the model's turn by `angle` (radians, about Y) moved to `hit`.
 core::SurfaceHit turnedBack(core::SurfaceHit hit, double angle)
 {
     const Eigen::AngleAxisd back(-angle, core::Vec3::UnitY());
@@ -47,7 +47,7 @@ std::optional<HoverQuery::Request> HoverQuery::takeAnswer(const std::optional<co
     return answered;
 }
 
-/// The request counts as one of the present view.
+/// Sends the waiting request, which then counts as a request of the present view.
 void HoverQuery::sendNext()
 {
     if (!m_next || m_inFlight)

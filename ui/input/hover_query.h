@@ -12,8 +12,9 @@
 
 namespace ui
 {
-/// Queries where the surface is under a pixel, and keeps the newest answer. At most one request is in flight; of those
-/// that wait only the newest is kept, but a press's is never displaced. Thread: gui.
+/// Finds the surface under a pixel asynchronously and keeps the latest answer. At most one request is in flight and one
+/// is waiting. A newer request replaces the waiting one, except that a press is replaced only by another press. Thread:
+/// gui.
 class HoverQuery : public QObject
 {
     Q_OBJECT
@@ -24,33 +25,34 @@ public:
         OrbitCamera::Pixel pixel;
         core::Ray ray;
         bool isForPress = false;
-        quint64 view = 0;  ///< m_view when it was made
-        double turned = 0; ///< m_turned when it was made
+        quint64 view = 0;  ///< m_view at the time of the request
+        double turned = 0; ///< m_turned at the time of the request
     };
 
     using QObject::QObject;
 
     void request(const OrbitCamera::Pixel& pixel, const core::Ray& ray, bool isForPress = false);
-    /// Takes the answer to the request in flight. Returns that request; nothing if there is none.
+    /// Stores the answer to the request in flight. Returns that request; nullopt if there is none.
     std::optional<Request> takeAnswer(const std::optional<core::SurfaceHit>& hit,
                                       const std::shared_ptr<const core::Footprint>& footprint);
-    /// Sends the request that waits, unless one is in flight.
+    /// Sends the waiting request unless another one is in flight.
     void sendNext();
-    /// Drops the request that waits, unless it is a press's.
+    /// Drops the waiting request unless it is a press's.
     void dropNext();
 
-    /// The camera moved: answers to earlier requests are not of this view.
+    /// Invalidates the answers to earlier requests, because the camera has moved.
     void viewMoved();
-    /// The model turned about the Y axis, in radians; in its own space the pointer goes the other way.
+    /// Turns the answer with the model, by `angle` radians about the Y axis. Answers are in model space, where the
+    /// pointer moves backwards.
     void turnModel(double angle);
-    /// The answers so far belong to another model.
+    /// Forgets all answers, because there is another model.
     void clear();
     void clearFootprint() { m_footprint.reset(); }
 
     const std::optional<core::SurfaceHit>& hit() const { return m_hit; }
-    /// What the brush would touch at the hit, if that was requested and the surface has not changed.
+    /// Returns the vertices under the brush at the hit; null if not requested, or if the surface has changed.
     const std::shared_ptr<const core::Footprint>& footprint() const { return m_footprint; }
-    /// True if the answer is about this pixel in this view.
+    /// Returns true if the answer is for this pixel in the present view.
     bool isAbout(const OrbitCamera::Pixel& pixel) const { return m_answeredPixel == pixel; }
 
 Q_SIGNALS:
@@ -59,10 +61,10 @@ Q_SIGNALS:
 private:
     void send(const Request& request);
 
-    quint64 m_view = 0;  ///< grows when an older answer no longer fits
-    double m_turned = 0; ///< of the model in the world, about Y; radians
+    quint64 m_view = 0;  ///< incremented whenever earlier answers become invalid
+    double m_turned = 0; ///< angle of the model in the world about Y, radians
     std::optional<Request> m_inFlight, m_next;
-    std::optional<OrbitCamera::Pixel> m_answeredPixel; ///< none: the answer is not of this view, or there is none
+    std::optional<OrbitCamera::Pixel> m_answeredPixel; ///< pixel of the answer; nullopt: no answer for the present view
     std::optional<core::SurfaceHit> m_hit;
     std::shared_ptr<const core::Footprint> m_footprint;
 };

@@ -6,7 +6,7 @@
 
 namespace ui
 {
-/// A reading of mouse or pen. Nobody asks later which it was.
+/// An event of mouse, pen or finger in a common form.
 struct PointerEvent
 {
     enum class Kind { Press, Move, Release };
@@ -17,6 +17,6 @@ struct PointerEvent
     Qt::KeyboardModifiers modifiers;
     double time = 0; ///< seconds
     double pressure = 1;
-    bool isEraser = false; ///< a pen's other end: it does the opposite
+    bool isEraser = false; ///< eraser end of a pen, which inverts the tool
 };
 } // namespace ui

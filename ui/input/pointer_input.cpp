@@ -7,9 +7,9 @@ namespace ui
 {
 namespace
 {
-constexpr double zoomPerHeight = 0.1; ///< a zooming drag over the view's height comes so much nearer
-constexpr double clickDistance = 4;   ///< pixels that a hand may move while it clicks
-constexpr double samePixel = 1;       ///< how far a known point may lie from the pointer and still be what is under it
+constexpr double zoomPerHeight = 0.1; ///< factor on the distance for a zoom drag over the whole height of the view
+constexpr double clickDistance = 4;   ///< pixels; largest motion of the pointer during a click
+constexpr double samePixel = 1;       ///< pixels; largest distance at which a known hit counts as under the pointer
 } // namespace
 
 PointerInput::PointerInput(const BrushSettings* brush, OrbitCamera* camera, QObject* parent)
@@ -77,7 +77,8 @@ void PointerInput::setGestureCenter(const OrbitCamera::Pixel& pixel)
     refreshHover();
 }
 
-/// Lets panning and zooming hold the surface under the pixel, if it is known: the view never runs through it.
+/// Sets the depth for panning and zooming to that of the surface under the pixel, if known. The surface then follows
+/// the pointer, and zooming cannot pass through it.
 void PointerInput::setTargetDepthAt(const OrbitCamera::Pixel& pixel)
 {
     const std::optional<core::SurfaceHit>& hit = m_query.hit();
@@ -139,8 +140,8 @@ core::StrokeSettings PointerInput::stroke() const
     return strokeOpen() ? m_stroke.settings() : strokeFor(m_modifiers, m_isEraser);
 }
 
-/// Returns the settings of a stroke. A tool that follows the hand follows every reading of it. The key that smooths has
-/// no effect where Smooth is not offered.
+/// Returns the settings of a stroke with these modifier keys. Drag tools sample every event (spacing 0). Shift is
+/// ignored if Smooth is not offered.
 core::StrokeSettings PointerInput::strokeFor(Qt::KeyboardModifiers modifiers, bool eraser) const
 {
     modifiers.setFlag(Qt::ShiftModifier,
@@ -154,7 +155,7 @@ core::StrokeSettings PointerInput::strokeFor(Qt::KeyboardModifiers modifiers, bo
     return stroke;
 }
 
-/// Returns where the brush is, or would be.
+/// Returns the pixel of the brush: in an open stroke its own, else the pointer's.
 OrbitCamera::Pixel PointerInput::brushAt() const
 {
     return strokeOpen() ? m_stroke.brushAt() : m_last;
@@ -184,7 +185,7 @@ void PointerInput::process(const PendingEvent& pending)
     m_last = pending.event.pixel;
 }
 
-/// A click of the right button asks for the palette; a drag has moved the view.
+/// Ends the drag. A click of the right button without modifier keys requests the palette.
 void PointerInput::release(const PointerEvent& event)
 {
     const bool isClick = movesView() && !m_hasMoved && event.button == Qt::RightButton && !event.modifiers;
@@ -193,7 +194,7 @@ void PointerInput::release(const PointerEvent& event)
         Q_EMIT paletteRequested(event.pixel);
 }
 
-/// The right button takes back the stroke that another one draws; else a second button during a drag is ignored.
+/// Handles a press. During a stroke, the right button cancels the stroke; other presses during a drag are ignored.
 void PointerInput::press(const PendingEvent& pending, const std::optional<core::SurfaceHit>& hit)
 {
     if (m_drag == Drag::Stroke && pending.event.button == Qt::RightButton)
@@ -206,13 +207,13 @@ void PointerInput::press(const PendingEvent& pending, const std::optional<core::
         begin(pending, hit);
 }
 
-/// True unless the press moves the view wherever it is.
+/// Returns true if the press is for the brush: left button, without modifier keys that move the view.
 bool PointerInput::isForBrush(const PointerEvent& press) const
 {
     return press.button == Qt::LeftButton && viewDrag(press.button, press.modifiers, m_preferences) == Drag::None;
 }
 
-/// Asks for a ball on the surface, or beside the model across the middle of what is seen.
+/// Requests a ball on the surface; beside the model, the ball is at the depth of the camera's pivot.
 void PointerInput::addSphere(const PendingEvent& press, const std::optional<core::SurfaceHit>& hit)
 {
     core::StrokeSample sample;
@@ -279,7 +280,7 @@ void PointerInput::move(const PendingEvent& pending)
     m_query.request(at, m_camera->ray(at));
 }
 
-/// A zooming drag to the right or up comes nearer to where it began.
+/// Moves the view. A zoom drag to the right or upwards zooms in on the pixel at which it began.
 void PointerInput::moveView(const OrbitCamera::Pixel& delta)
 {
     const double nearer = (delta.x() - delta.y()) / m_camera->viewport().y();
@@ -298,7 +299,7 @@ void PointerInput::emitViewMovedByUser()
     viewMoved();
 }
 
-/// The model turns on the screen; in its own space, in which everything is kept, camera and pointer turn the other way.
+/// Turns the model on the screen. All data is in model space, so camera and pointer are turned the other way.
 void PointerInput::turnModel(double angle, double seconds)
 {
     m_camera->turnModel(angle);
@@ -328,7 +329,8 @@ void PointerInput::clearHover()
     refreshHover();
 }
 
-/// A footprint is of no use to a press, which shall be answered soon, and in a stroke.
+/// Emits hoverRequested(). A footprint is not requested for presses, whose answer is urgent, or during drags and
+/// gestures, which do not show it.
 void PointerInput::sendQuery(const HoverQuery::Request& request)
 {
     const core::StrokeSettings settings = m_brush->stroke();
@@ -353,7 +355,7 @@ void PointerInput::setHover(const std::optional<core::SurfaceHit>& hit,
     Q_EMIT hoverChanged();
 }
 
-/// Processes the press at the front, which is decided now, and the events after it, up to the next press that needs an
+/// Processes the front press, whose hit is now known, and the events after it, up to the next press that needs an
 /// answer.
 void PointerInput::processPending(const std::optional<core::SurfaceHit>& hit)
 {
@@ -373,7 +375,7 @@ void PointerInput::processPending(const std::optional<core::SurfaceHit>& hit)
     }
 }
 
-/// True for a press for the brush at a place that no answer is about.
+/// Returns true for a press of the brush at a pixel for which there is no answer yet.
 bool PointerInput::isUndecided(const PointerEvent& event) const
 {
     return event.kind == PointerEvent::Kind::Press && isForBrush(event) && m_drag == Drag::None &&

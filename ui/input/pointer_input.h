@@ -17,112 +17,112 @@
 
 namespace ui
 {
-/// Decides what a drag is: a stroke, or a turn, a move or a zoom of the view. A left press is a stroke if it is on the
-/// model, else it turns the view; a hover query tells, and events that come before its answer wait in a queue. The
-/// other buttons, and any with Alt, move the view wherever they are pressed. The view turns about the place of the last
-/// stroke. No widget, no OpenGL. Thread: gui.
+/// Decides whether a drag is a stroke or an orbit, pan or zoom of the view. A left press on the model begins a stroke;
+/// beside the model it moves the view. A hover query finds out which, and events wait in a queue for its answer. Other
+/// buttons, and presses with Alt, always move the view. The view orbits about the place of the last stroke. No widget,
+/// no OpenGL. Thread: gui.
 class PointerInput : public QObject
 {
     Q_OBJECT
 
 public:
-    /// Takes the brush and the camera, which it does not own.
+    /// The brush and the camera are not owned.
     PointerInput(const BrushSettings* brush, OrbitCamera* camera, QObject* parent = nullptr);
 
     void handle(const PointerEvent& event);
     void setInputPreferences(const InputPreferences& preferences);
-    /// `factor` < 1 comes nearer; what lies under the pixel stays there.
+    /// Zooms towards a pixel, whose content stays in place; `factor` < 1 zooms in.
     void zoom(double factor, const OrbitCamera::Pixel& toward);
     void pan(const OrbitCamera::Pixel& delta);
     void orbit(const OrbitCamera::Pixel& delta);
-    /// Two fingers move the view about that pixel: requests the surface there, so that zoom() uses its depth, without
-    /// showing a cursor.
+    /// Moves the centre of a two-finger gesture. Requests the surface at that pixel, so that zoom() uses its depth; no
+    /// cursor is shown.
     void setGestureCenter(const OrbitCamera::Pixel& pixel);
-    /// The pointer left the view.
+    /// Handles that the pointer has left the view.
     void pointerLeft();
-    /// Ends whatever drag is going on, as a release would, except that a stroke may be taken back.
+    /// Ends the present drag like a release; `how`: whether a stroke is kept or taken back.
     void finish(core::StrokeEnd how = core::StrokeEnd::Kept);
-    /// The keys changed while the pointer rests.
+    /// Updates the modifier keys while the pointer does not move.
     void setModifiers(Qt::KeyboardModifiers modifiers);
-    /// The surface changed under the pointer.
+    /// Requests the surface under the pointer again, because the mesh has changed.
     void refreshHover();
-    /// The brush under the pointer takes something else.
+    /// Requests the footprint again, because the brush has changed.
     void brushChanged();
-    /// The model turns under the hand, about the Y axis, by so many radians in so many seconds. An open stroke is
-    /// sampled anew.
+    /// Turns the model about the Y axis by `angle` radians in `seconds`, while the pointer stays. An open stroke gets a
+    /// sample.
     void turnModel(double angle, double seconds);
-    /// The camera was moved by somebody else.
+    /// Handles a motion of the camera that was not made by this class.
     void viewMoved();
-    /// Forgets what is under the pointer: there is another model.
+    /// Forgets the surface under the pointer, because there is another model.
     void clearHover();
 
-    /// Takes the answer to hoverRequested(). Each is answered once, in order, at any later time: with the surface's
-    /// point, or with nothing if the ray misses or there is no model. `footprint`: of the brush that was asked about;
-    /// it belongs to the mesh as it is drawn, or soon will be.
+    /// Receives the answer to hoverRequested(). Each request is answered once and in order, at any later time. `hit`:
+    /// nullopt if the ray misses the model or there is none. `footprint`: of the requested brush, valid for the mesh
+    /// that is drawn now or soon.
     void setHover(const std::optional<core::SurfaceHit>& hit,
                   const std::shared_ptr<const core::Footprint>& footprint = {});
 
-    /// Add and Pick end with the next press for the brush: by sphereRequested(), wherever it is, and by picked(). While
-    /// Point is on, a press on the model does nothing.
-    /// Off: sculpts again if that mode was on.
+    /// Switches a mode on, or off if it is the present mode. Add and Pick end at the next press for the brush, which
+    /// emits sphereRequested() (on the model or beside it) or picked(). In Point mode, presses on the model do nothing.
     void setMode(PointerMode mode, bool on = true);
     PointerMode mode() const { return m_mode; }
 
-    /// Returns the place that the pointer shows to others; nothing beside the model and in other modes.
+    /// Returns the place that the pointer shows to the person in VR; nullopt beside the model and in other modes.
     std::optional<core::SurfaceHit> pointed() const;
-    /// Returns the place of the cursor: the newest answer, unless the pointer left or turns the view; if armed, the
-    /// place of the sphere; in an anchored stroke its beginning.
+    /// Returns the place of the cursor: the latest answer; nullopt outside the view and while it is moved. In Add mode:
+    /// the place of the ball. In an anchored stroke: its beginning.
     std::optional<core::SurfaceHit> hover() const;
-    /// A press there would begin a stroke.
+    /// Returns true if a press at the pointer would begin a stroke.
     bool wouldStroke() const;
-    /// Returns the vertices that a stroke of the ray brush would take first, if that was asked about.
+    /// Returns the vertices that a stroke of the ray brush would affect first; null if not requested.
     std::shared_ptr<const core::Footprint> footprint() const;
-    /// The line that an open stroke shows, in pixels: the string of a steady one, the way dragged of an anchored one.
+    /// The line shown during a stroke, in pixels: from brush to pointer in a steady stroke, from the beginning in an
+    /// anchored stroke.
     struct Stabilizer
     {
         OrbitCamera::Pixel pointer, brush;
     };
     std::optional<Stabilizer> stabilizer() const;
-    /// Returns the logical pixels that 1 mm covers at the cursor, else at the depth that the view turns about.
+    /// Returns the logical pixels for 1 mm at the depth of the cursor, or of the camera's pivot if there is no cursor.
     double pixelsPerMm() const;
     bool strokeOpen() const { return m_drag == Drag::Stroke; }
-    /// A press waits for its answer: a stroke may still come of it.
+    /// Returns true while a press waits for its answer; it may still become a stroke.
     bool isPressPending() const { return !m_pending.empty(); }
-    /// Returns the settings of the open stroke, else of one that would begin now.
+    /// Returns the settings of the open stroke, or of a stroke that would begin now.
     core::StrokeSettings stroke() const;
 
 Q_SIGNALS:
-    /// Asks where the surface is, one request at a time. `brush`: its footprint is wanted, too; none for a spherical
-    /// brush, whose region is seen without asking.
+    /// Requests the surface along a ray; one request at a time. `brush`: its footprint is requested too; nullopt for
+    /// spherical brushes, whose region is drawn without a request.
     void hoverRequested(const core::Ray& ray, const std::optional<core::StrokeSettings>& brush);
     void hoverChanged();
-    /// A stroke: began, one sample or more (the first at the press), ended; in this order, never nested. Its placement
-    /// is Ray. The settings are those at the press.
+    /// A stroke: strokeBegan, one or more strokeSampled (the first at the press), strokeEnded; never nested. Its
+    /// placement is Ray. `settings`: those at the time of the press.
     void strokeBegan(const core::StrokeSettings& settings);
-    /// Each event of mouse or pen, none left out. `time`: the event's own, seconds; `position`, `direction`: the ray
-    /// through the pixel, in mm, not rounded to the lattice.
+    /// Emitted for every event of mouse or pen. `sample.time`: of the event, seconds. `position` and `direction`: ray
+    /// through the pixel, mm, not rounded to the lattice.
     void strokeSampled(const core::StrokeSample& sample);
     void strokeEnded(core::StrokeEnd how);
     void pressDecided();
     void modeChanged(ui::PointerMode mode);
-    /// Tells of a press in Pick mode; nothing if it was not on the model.
+    /// The model was pressed in Pick mode; nullopt: the press was beside it.
     void picked(const std::optional<core::SurfaceHit>& hit);
     void viewChanged();
-    /// The right button was clicked there.
+    /// The right button was clicked at this pixel.
     void paletteRequested(const ui::OrbitCamera::Pixel& pixel);
-    /// The user turned, moved or zoomed the view; viewChanged() follows.
+    /// The user has turned, moved or zoomed the view; viewChanged() follows.
     void viewMovedByUser();
-    /// One dab that adds a sphere of the brush's radius at the sample's position and does nothing else.
+    /// A ball is to be added, as one dab with the brush's radius at the sample's position.
     void sphereRequested(const core::StrokeSettings& settings, const core::StrokeSample& sample);
 
 private:
-    /// An event with what was true when it came.
+    /// An event together with the state at the time it arrived.
     struct PendingEvent
     {
         PointerEvent event;
         core::Ray ray;
-        core::StrokeSettings settings; ///< of a press
-        double stabilizerLength = 0;   ///< pixels; of a press
+        core::StrokeSettings settings; ///< settings of the stroke; set for presses only
+        double stabilizerLength = 0;   ///< pixels; set for presses only
     };
 
     void process(const PendingEvent& pending);
@@ -150,16 +150,16 @@ private:
 
     Drag m_drag = Drag::None;
     Qt::MouseButton m_dragButton = Qt::NoButton;
-    OrbitCamera::Pixel m_pressed{0, 0};       ///< where the drag began
-    std::optional<core::SurfaceHit> m_anchor; ///< the place there, of an anchored stroke
+    OrbitCamera::Pixel m_pressed{0, 0};       ///< pixel at which the drag began
+    std::optional<core::SurfaceHit> m_anchor; ///< surface at m_pressed, in an anchored stroke
     OrbitCamera::Pixel m_last{0, 0};
-    bool m_hasMoved = false; ///< farther than a click, in the present drag
+    bool m_hasMoved = false; ///< the present drag has moved farther than a click may
     bool m_inside = false;
-    bool m_isGesture = false; ///< fingers are inside, no pointer
+    bool m_isGesture = false; ///< a two-finger gesture is inside the view, no pointer
     PointerMode m_mode = PointerMode::Sculpt;
     InputPreferences m_preferences;
     Qt::KeyboardModifiers m_modifiers;
-    bool m_isEraser = false;            ///< the last that moved
-    std::deque<PendingEvent> m_pending; ///< the first is a press that nobody knows about yet
+    bool m_isEraser = false;            ///< the last event was from an eraser
+    std::deque<PendingEvent> m_pending; ///< waiting events; the first is a press whose hit is unknown
 };
 } // namespace ui

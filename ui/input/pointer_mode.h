@@ -2,7 +2,7 @@
 
 namespace ui
 {
-/// What a press for the brush does: it sculpts, adds one sphere, picks one colour, or nothing while the pointer shows a
-/// place to others.
+/// Effect of a press for the brush: sculpts, adds one ball, picks one colour, or only points (the pointer's place is
+/// shown in VR).
 enum class PointerMode { Sculpt, Add, Pick, Point };
 } // namespace ui

@@ -10,8 +10,8 @@ namespace ui
 {
 namespace
 {
-constexpr double minPressureRadius = 0.1;             ///< of the brush, under the lightest touch
-constexpr std::chrono::milliseconds restInterval(20); ///< of samples while the pointer rests
+constexpr double minPressureRadius = 0.1;             ///< fraction of the brush's radius at the lightest pressure
+constexpr std::chrono::milliseconds restInterval(20); ///< interval of samples while the pointer does not move
 } // namespace
 
 StrokeBuilder::StrokeBuilder(const BrushSettings* brush, const OrbitCamera* camera, QObject* parent)
@@ -36,7 +36,7 @@ void StrokeBuilder::begin(const Start& start)
         m_rest.start();
 }
 
-/// Samples the resting pointer again, with the time that has passed.
+/// Repeats the sample of a pointer that does not move, with the elapsed time added.
 void StrokeBuilder::rest()
 {
     if (m_sinceSample.elapsed() < restInterval.count())
@@ -45,10 +45,10 @@ void StrokeBuilder::rest()
     sample(m_camera->ray(m_brushAt));
 }
 
-/// The pointer drags the brush once it is farther away than the length of the stabilizer.
+/// Moves the pointer. A steady brush is dragged behind it at the stabilizer's length.
 void StrokeBuilder::moveTo(const PointerEvent& pointer, const core::Ray& ray)
 {
-    const double time = std::max(pointer.time, m_pointer.time); // a sample of the resting pointer may be ahead
+    const double time = std::max(pointer.time, m_pointer.time); // repeated samples may be later than the event
     m_pointer = pointer;
     m_pointer.time = time;
     if (m_stabilizerLength == 0) {

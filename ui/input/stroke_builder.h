@@ -12,45 +12,45 @@
 
 namespace ui
 {
-/// Builds a stroke from pointer events. In a steady stroke the brush follows the pointer at the length of the
-/// stabilizer, and reaches it when the stroke ends. Where the model turns under a resting pointer the stroke goes on,
-/// and so it does with an airbrush where the pointer rests. Thread: gui.
+/// Builds a stroke from pointer events. In a steady stroke the brush follows the pointer at the stabilizer's length,
+/// and reaches it at the end. A pointer that does not move adds samples if the model turns under it or the brush is an
+/// airbrush. Thread: gui.
 class StrokeBuilder : public QObject
 {
     Q_OBJECT
 
 public:
-    /// A press, with what was set then.
+    /// The press that begins a stroke, with the settings at that time.
     struct Start
     {
         PointerEvent pointer;
-        core::Ray ray; ///< through its pixel
+        core::Ray ray; ///< through the pointer's pixel
         core::StrokeSettings settings;
-        double stabilizerLength = 0; ///< in pixels; 0: the brush is where the pointer is
+        double stabilizerLength = 0; ///< pixels; 0: the brush is at the pointer
     };
 
-    /// Neither is owned.
+    /// `brush` and `camera` are not owned.
     StrokeBuilder(const BrushSettings* brush, const OrbitCamera* camera, QObject* parent = nullptr);
 
     void setInputPreferences(const InputPreferences& preferences) { m_preferences = preferences; }
 
     void begin(const Start& start);
-    /// `ray`: through the pointer's pixel, when it was there.
+    /// `ray`: through the pointer's pixel, computed when the event arrived.
     void moveTo(const PointerEvent& pointer, const core::Ray& ray);
-    /// The pointer is released there.
+    /// Sets the pixel and time (seconds) of the release.
     void setReleasePoint(const OrbitCamera::Pixel& pixel, double time);
     void end(core::StrokeEnd how = core::StrokeEnd::Kept);
 
-    /// The model turned about the Y axis by so many radians in so many seconds, and the camera went with the hand.
+    /// Turns the model by `angle` radians about the Y axis in `seconds`. The camera has been turned already.
     void turnModel(double angle, double seconds);
     void resetTurn() { m_turned = 0; }
 
     bool isOpen() const { return m_isOpen; }
-    /// Of the open stroke, or the last.
+    /// Returns the settings of the open stroke, or of the last one.
     const core::StrokeSettings& settings() const { return m_settings; }
-    /// Of the open stroke: where the brush is.
+    /// Returns the pixel of the brush in the open stroke.
     const OrbitCamera::Pixel& brushAt() const { return m_brushAt; }
-    /// Returns where the pointer is if the stroke is steady, else where the brush is.
+    /// Returns the pixel of the pointer in a steady stroke, else the pixel of the brush.
     const OrbitCamera::Pixel& pointerAt() const { return m_stabilizerLength > 0 ? m_pointer.pixel : m_brushAt; }
 
 Q_SIGNALS:
@@ -68,10 +68,10 @@ private:
     bool m_isOpen = false;
     core::StrokeSettings m_settings;
     double m_stabilizerLength = 0; ///< pixels
-    PointerEvent m_pointer;        ///< its place and pressure now
+    PointerEvent m_pointer;        ///< latest position and pressure
     OrbitCamera::Pixel m_brushAt{0, 0};
-    QTimer m_rest;               ///< goes as long as a stroke with an airbrush is open
-    QElapsedTimer m_sinceSample; ///< on the wall
-    double m_turned = 0;         ///< of the model in the world, about Y; radians
+    QTimer m_rest;               ///< runs while an airbrush stroke is open
+    QElapsedTimer m_sinceSample; ///< wall-clock time since the last sample
+    double m_turned = 0;         ///< angle of the model in the world about Y, radians
 };
 } // namespace ui

@@ -12,7 +12,7 @@ namespace
 {
 using Pixel = OrbitCamera::Pixel;
 
-constexpr double minDistance = 8; ///< logical pixels; fingers that are nearer to each other do not zoom
+constexpr double minDistance = 8; ///< logical pixels; fingers closer together do not zoom
 
 Pixel pixelOf(const QPointF& position)
 {
@@ -51,8 +51,8 @@ void TouchInput::oneFinger(const QTouchEvent& event)
         send(lifted ? PointerEvent::Kind::Release : PointerEvent::Kind::Move, at, event);
 }
 
-/// Zooms by the ratio of the fingers' distances, toward the place between them; then follows that place, which is on
-/// the surface if that is known there.
+/// Zooms by the ratio of the fingers' distances towards their midpoint, then pans with the midpoint. The pan is at the
+/// depth of the surface under the midpoint, if known.
 void TouchInput::twoFingers(const QTouchEvent& event)
 {
     if (m_pressed)

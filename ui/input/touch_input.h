@@ -6,18 +6,19 @@ class QTouchEvent;
 
 namespace ui
 {
-/// One finger is the left button, two move the view: pinching zooms, dragging pans. A finger counts as pressed when it
-/// has moved a little or is lifted, so that a second one that comes late leaves no dab. Thread: gui.
+/// Touch input: one finger acts as the left button, two fingers move the view (pinching zooms, dragging pans). A finger
+/// counts as pressed after a small motion or when lifted, so that a second finger that touches later leaves no dab.
+/// Thread: gui.
 class TouchInput
 {
 public:
-    /// Not owned.
+    /// `input` is not owned.
     explicit TouchInput(PointerInput* input) : m_input(input) {}
 
     void handle(const QTouchEvent& event);
 
 private:
-    /// The two that move the view.
+    /// The two fingers of a gesture.
     struct Fingers
     {
         int idA = -1, idB = -1;
@@ -29,9 +30,9 @@ private:
     void send(PointerEvent::Kind kind, const OrbitCamera::Pixel& pixel, const QTouchEvent& event);
 
     PointerInput* m_input;
-    bool m_pressed = false; ///< the one finger, as a left button
-    bool m_gesture = false; ///< there were two fingers since the first came
+    bool m_pressed = false; ///< the single finger acts as a pressed left button
+    bool m_gesture = false; ///< two fingers have touched since the first one did
     Fingers m_fingers;
-    OrbitCamera::Pixel m_start{0, 0}; ///< of the one finger
+    OrbitCamera::Pixel m_start{0, 0}; ///< first position of the single finger
 };
 } // namespace ui

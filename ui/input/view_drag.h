@@ -6,12 +6,13 @@
 
 namespace ui
 {
-/// What a drag does.
+/// Effects of a drag.
 enum class Drag { None, Stroke, Orbit, Pan, Zoom };
 
-/// How a press moves the view, wherever it is; None: it does not, or that depends on what is under it.
+/// Returns how a press moves the view regardless of what it hits. None: the press does not move the view, or its hit
+/// decides.
 Drag viewDrag(Qt::MouseButton button, Qt::KeyboardModifiers modifiers, const InputPreferences& preferences);
 
-/// What a left press there is, if viewDrag() leaves it to what is under it.
+/// Returns the effect of a left drag beside the model. Precondition: viewDrag() returns None for the press.
 Drag dragBesideModel(Qt::KeyboardModifiers modifiers, const InputPreferences& preferences);
 } // namespace ui
