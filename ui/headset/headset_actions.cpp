@@ -17,7 +17,7 @@ namespace
 const QString enterId = QStringLiteral("vr.enter"), followId = QStringLiteral("vr.follow"),
               findId = QStringLiteral("vr.status"), pointId = QStringLiteral("vr.point"),
               takeOverId = QStringLiteral("vr.takeOver");
-constexpr qint64 heldMs = 400; ///< a key that is down for longer is held, not struck
+constexpr qint64 heldMs = 400; ///< a key that is down for longer counts as held instead of tapped
 } // namespace
 
 HeadsetActions::HeadsetActions(const Parts& parts, QObject* parent)
@@ -68,7 +68,7 @@ void HeadsetActions::connectTakeOver()
             [this](bool on) { m_parts.actions->rename(takeOverId, on ? tr("&Give Back") : m_takeOverText); });
 }
 
-/// A key that was held points no longer than it is down.
+/// Stops pointing when the key is released after being held; a tapped key leaves pointing on.
 bool HeadsetActions::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::KeyRelease && m_parts.viewport->spotlight()->isOn() &&

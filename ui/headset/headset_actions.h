@@ -12,10 +12,10 @@ class Actions;
 class PartnerBar;
 class Viewport;
 
-/// Changing: on the way in or out.
+/// State of the VR session. Changing: entering or leaving.
 enum class HeadsetState { Out, Changing, In };
 
-/// The VR menu's commands, as far as they fit the state; the headset is looked for elsewhere. Thread: gui.
+/// The actions of the VR menu, updated to the session's state. They do not look for a headset. Thread: gui.
 class HeadsetActions : public QObject
 {
     Q_OBJECT
@@ -28,10 +28,11 @@ public:
         PartnerBar* bar;
     };
 
-    /// None is owned; all must outlive it.
+    /// Precondition: the parts, which are not owned, outlive this object.
     explicit HeadsetActions(const Parts& parts, QObject* parent = nullptr);
 
-    /// Out: the viewport shows nobody, nobody points, and what was taken over is given back.
+    /// Updates the actions to the state. Out: hides the person in VR, stops pointing, and gives back what was taken
+    /// over.
     void show(HeadsetState state);
 
 Q_SIGNALS:

@@ -10,8 +10,8 @@ class BrushCaption;
 class BrushSettings;
 class Viewport;
 
-/// For the one at the desktop while somebody is in VR: a large caption of the brush for those who watch, and buttons to
-/// point and to take over. It is there only while VR is worn. Thread: gui.
+/// A tool bar for the person at the desktop while another person is in VR: a large caption of the brush for the
+/// audience, and buttons to point and to take over. Visible only while the headset is worn. Thread: gui.
 class PartnerBar : public QToolBar
 {
     Q_OBJECT
@@ -24,19 +24,20 @@ public:
         Viewport* viewport;
     };
 
-    /// None is owned, and all outlive the bar. Shows itself in the window.
+    /// Adds the bar to the window. Precondition: the parts, which are not owned, outlive the bar.
     PartnerBar(const Parts& parts, QMainWindow* window);
 
-    /// A length without its unit, as one reads it aloud: three figures at most, and no noughts after them.
+    /// Returns a length without its unit: three significant digits, no trailing zeros.
     static QString figures(double mm);
 
     void setWorn(bool isWorn);
-    /// Whose brush radius the caption shows; none: not known yet.
+    /// Sets the person in VR, whose brush radius the caption shows; nullopt: unknown.
     void setAvatar(const std::optional<HeadsetAvatar>& avatar);
-    /// Of a class's turn; nothing: it has no end.
+    /// Sets the remaining time of a class's turn; nullopt: the turn has no end.
     void setTime(const std::optional<TurnTime>& time);
 
-    /// What the window's own state, which is kept, says of it does not count.
+    /// Ignores `visible`: the bar is visible while the headset is worn. QMainWindow::restoreState() would otherwise
+    /// hide or show it.
     void setVisible(bool visible) override;
 
 private:
@@ -46,7 +47,7 @@ private:
     BrushCaption* m_caption;
     QAction* m_captionCell;
     bool m_isWorn = false;
-    std::optional<double> m_radius; ///< the avatar's, mm
+    std::optional<double> m_radius; ///< brush radius of the person in VR, mm
     std::optional<TurnTime> m_time;
 };
 } // namespace ui

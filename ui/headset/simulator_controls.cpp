@@ -11,17 +11,17 @@ using core::Vec3;
 using Eigen::AngleAxisd;
 using Eigen::Isometry3d;
 
-// Metres and radians.
+// Units: metres and radians.
 constexpr double maxOffset = 3, minEyeHeight = 0.3, maxEyeHeight = 2.5;
 constexpr double steepest = 1.4;
 constexpr double minReach = 0.15, maxReach = 2;
-constexpr double standOff = 0.15; ///< of a tip that points, from the place at which it does
-/// The right one, as seen from the eyes: a wand comes from there, out of the view's way.
+constexpr double standOff = 0.15; ///< metres from the tip of a pointing wand to the place it points at
+/// The right wrist in head space; the wand extends from the wrist without covering the view.
 const Vec3 wrist{0.14, -0.24, 0.08};
-/// The right one's tip, as seen from the eyes of a head that looks straight: so far in that a panel above it is seen
-/// whole.
+/// The tip of the resting right wand in head space, for a level head. It is far enough ahead that a panel above it is
+/// fully visible.
 const Vec3 restPosition{0.12, -0.4, -0.5};
-constexpr double restPitch = 0.3; ///< a wand at rest points so far up
+constexpr double restPitch = 0.3; ///< pitch of a resting wand, radians upwards
 
 double sideOf(SimulatedHand hand)
 {
@@ -33,7 +33,7 @@ Vec3 mirrored(const Vec3& right, SimulatedHand hand)
     return {sideOf(hand) * right.x(), right.y(), right.z()};
 }
 
-/// At that place, and its -Z from there to it. Upright as far as it can be.
+/// Returns a pose at `to` whose -Z axis points from `from` to `to`, with Y as upright as possible.
 Isometry3d pointing(const Vec3& from, const Vec3& to)
 {
     Eigen::Matrix3d axes;
@@ -45,7 +45,7 @@ Isometry3d pointing(const Vec3& from, const Vec3& to)
     return pose;
 }
 
-/// As seen from the body.
+/// Returns the pose of the resting wand in body space.
 Isometry3d restPose(SimulatedHand hand)
 {
     return Eigen::Translation3d(mirrored(restPosition, hand)) * AngleAxisd(restPitch, Vec3::UnitX());
@@ -69,7 +69,7 @@ Isometry3d SimulatorControls::head() const
     return body() * AngleAxisd(m_pitch, Vec3::UnitX());
 }
 
-/// Returns the direction as seen from the eye, of unit length.
+/// Returns the direction through the mouse in head space, a unit vector.
 Vec3 SimulatorControls::way() const
 {
     return Vec3(m_place.x() * sideTangent, m_place.y() * upTangent, -1).normalized();

@@ -14,23 +14,24 @@ namespace
 {
 using core::Vec3;
 
-/// A press that sculpts half as strongly as a whole one: the middle between where a trigger begins to count and its
-/// end.
+/// Trigger value of a press at half strength: midway between the value at which a trigger begins to act and 1.
 constexpr double halfPull = 0.725;
-constexpr double padEdge = 0.8;                  ///< where a thumb presses a side of the pad
-constexpr double radiansPerPixel = 0.004;        ///< of looking about
-constexpr double slidePerPixel = 1.0 / 120;      ///< of the thumb, in radii of the pad
-constexpr double reachPerNotch = 0.02;           ///< metres
-constexpr double radiansPerNotch = 0.2;          ///< of a wand that turns
-constexpr double notch = 120;                    ///< of a wheel, in Qt's units
-constexpr double walkingSpeed = 0.8;             ///< metres a second
-constexpr double leastDepth = 0.005;             ///< metres that are told
-constexpr double textMargin = 6, textAbove = 40; ///< pixels: around the depth, and from the mouse up to it
+/// distance of the thumb from the pad's centre when it presses a side, in radii
+constexpr double padEdge = 0.8;
+constexpr double radiansPerPixel = 0.004;   ///< head turn for a pixel of mouse motion
+constexpr double slidePerPixel = 1.0 / 120; ///< thumb motion for a pixel of mouse motion, in pad radii
+constexpr double reachPerNotch = 0.02;      ///< metres for each notch of the wheel
+constexpr double radiansPerNotch = 0.2;     ///< rotation of the wand for each notch of the wheel
+constexpr double notch = 120;               ///< one notch of a wheel in Qt's units (1/8 degree)
+constexpr double walkingSpeed = 0.8;        ///< metres per second
+constexpr double leastDepth = 0.005;        ///< metres; smaller depths are not shown
+/// pixels; margin around the depth text, distance from the mouse up to it
+constexpr double textMargin = 6, textAbove = 40;
 
 struct WalkingKey
 {
     int key;
-    Vec3 way; ///< right, up, back
+    Vec3 way; ///< unit vector: right, up, backwards
 };
 const WalkingKey walkingKeys[] = {{Qt::Key_W, -Vec3::UnitZ()}, {Qt::Key_S, Vec3::UnitZ()}, {Qt::Key_A, -Vec3::UnitX()},
                                   {Qt::Key_D, Vec3::UnitX()},  {Qt::Key_E, Vec3::UnitY()}, {Qt::Key_Q, -Vec3::UnitY()}};
@@ -45,7 +46,7 @@ const PadKey padKeys[] = {{Qt::Key_Left, {-padEdge, 0}},
                           {Qt::Key_Up, {0, padEdge}},
                           {Qt::Key_Down, {0, -padEdge}}};
 
-/// Returns what is said of a tip so far behind the surface under the mouse; empty if it is there.
+/// Returns the text for a tip `depth` metres behind the surface under the mouse; empty if the tip is at the surface.
 QString depthText(double depth)
 {
     if (std::abs(depth) < leastDepth)
@@ -56,7 +57,7 @@ QString depthText(double depth)
                      : SimulatorView::tr("%1 cm behind the surface").arg(centimetres);
 }
 
-/// Above the mouse, where neither the wand nor its labels are, and within the picture.
+/// Paints a text above the mouse, where neither the wand nor its labels are, moved into the picture if necessary.
 void paintAbove(QPainter& painter, const QString& text, const QPointF& mouse, const QRectF& picture)
 {
     if (text.isEmpty())
@@ -107,7 +108,7 @@ void SimulatorView::advance(double seconds)
             m_controls.walk(walkingSpeed * seconds * walk.way);
 }
 
-/// The picture's, as large as it fits.
+/// Returns the rectangle of the picture, as large as fits the widget.
 QRectF SimulatorView::frame() const
 {
     const QSizeF size =
@@ -189,7 +190,7 @@ void SimulatorView::keyReleaseEvent(QKeyEvent* event)
         QWidget::keyReleaseEvent(event);
 }
 
-/// False: the key is none of ours.
+/// Handles a key of the simulator. Returns false if the key has no function here.
 bool SimulatorView::press(const QKeyEvent& event, bool isDown)
 {
     const int key = event.key();
@@ -225,7 +226,7 @@ bool SimulatorView::press(const QKeyEvent& event, bool isDown)
     return true;
 }
 
-/// A key that goes up lets both go: another hand may be the mouse's by now.
+/// Sets the squeeze buttons. A released key releases both hands, because the mouse may have changed hands meanwhile.
 void SimulatorView::squeeze(std::initializer_list<SimulatedHand> hands, bool isDown)
 {
     for (SimulatedButtons* each : {&m_controls.buttons(SimulatedHand::Left), &m_controls.buttons(SimulatedHand::Right)})
@@ -251,7 +252,7 @@ void SimulatorView::pressTrigger(bool isDown, Qt::KeyboardModifiers modifiers)
     Q_EMIT buttonsChanged();
 }
 
-/// By pixels. A thumb that comes to the edge stays there.
+/// Moves the thumb on the pad by pixels of mouse motion; it stops at the edge.
 void SimulatorView::slide(const QPointF& by)
 {
     if (!buttons().touchesPad)
@@ -272,7 +273,7 @@ void SimulatorView::changeHand()
     Q_EMIT handChanged();
 }
 
-/// Releases all buttons when the focus leaves.
+/// Releases all buttons when the widget loses the focus.
 void SimulatorView::focusOutEvent(QFocusEvent* event)
 {
     m_walking.clear();

@@ -10,8 +10,8 @@
 
 namespace ui
 {
-/// Shows what the simulated headset shows, and controls it: mouse and keys move the simulated user's head and wands.
-/// Thread: gui.
+/// Shows the picture of the simulated headset, and translates mouse and keys into motions of the simulated user's head
+/// and wands. Thread: gui.
 class SimulatorView : public QWidget
 {
     Q_OBJECT
@@ -20,33 +20,33 @@ public:
     explicit SimulatorView(QWidget* parent = nullptr);
 
     const SimulatorControls& controls() const { return m_controls; }
-    /// Takes what is under the mouse, as SimulatorControls::meet() has it.
+    /// Forwards to SimulatorControls::meet().
     void meet(const std::optional<SimulatorControls::Surface>& surface, SimulatorControls::Following following,
               bool isRay)
     {
         m_controls.meet(surface, following, isRay);
     }
-    /// A new one, with nothing pressed, and nothing to see yet.
+    /// Begins a session: initial pose, no button pressed, no picture.
     void begin();
     void setPicture(const QImage& picture);
-    /// Turns the head as SimulatorControls::turnHead() does.
+    /// Forwards to SimulatorControls::turnHead().
     void turnHead(double left, double up) { m_controls.turnHead(left, up); }
-    /// Gives the mouse to the other hand. The hand before goes on squeezing, as both do that stretch the model; else it
-    /// lets go.
+    /// Lets the other hand follow the mouse. The previous hand keeps squeezing, because two-handed stretching needs
+    /// both; its other buttons are released.
     void changeHand();
-    /// So much time has passed: keys that are down walk.
+    /// Walks as the pressed keys say, for `seconds`.
     void advance(double seconds);
 
-    /// Where a place of the picture, -1 to 1 right and up, is in this widget.
+    /// Returns the widget position of a point of the picture. Units: -1 to 1, right and up.
     QPointF placeOf(const Eigen::Vector2d& place) const;
     const QImage& picture() const { return m_picture; }
     QSize sizeHint() const override { return {810, 720}; }
     QSize minimumSizeHint() const override { return {360, 320}; }
 
 Q_SIGNALS:
-    /// Buttons of a wand are pressed or released.
+    /// A button of a wand was pressed or released.
     void buttonsChanged();
-    /// Another hand follows the mouse.
+    /// The other hand follows the mouse now.
     void handChanged();
     /// The mouse has turned the head.
     void headTurned();
@@ -61,10 +61,10 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
     void keyReleaseEvent(QKeyEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
-    bool focusNextPrevChild(bool) override { return false; } // Tab is a key here
+    bool focusNextPrevChild(bool) override { return false; } // Tab is a key of the simulator
 
 private:
-    /// Of the hand that follows the mouse.
+    /// Returns the buttons of the hand that follows the mouse.
     SimulatedButtons& buttons() { return m_controls.buttons(m_controls.hand()); }
     QRectF frame() const;
     bool press(const QKeyEvent& event, bool isDown);
@@ -75,7 +75,7 @@ private:
 
     SimulatorControls m_controls;
     QImage m_picture;
-    QSet<int> m_walking; ///< keys that are down
-    QPointF m_mouse;     ///< where it was last
+    QSet<int> m_walking; ///< pressed walking keys
+    QPointF m_mouse;     ///< last position
 };
 } // namespace ui

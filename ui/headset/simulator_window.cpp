@@ -103,12 +103,13 @@ void SimulatorWindow::begin()
     showQuestion();
 }
 
-/// To its right, as far as the screen goes.
+/// Places the window to the right of the main window, moved back onto the screen if necessary.
 void SimulatorWindow::placeBesideMain()
 {
     const QRect main = parentWidget()->window()->frameGeometry();
     const QRect screen =
-        parentWidget()->screen()->availableGeometry().adjusted(edge, edge, -edge, -edge); // a frame comes around it
+        // leaves room for the window frame
+        parentWidget()->screen()->availableGeometry().adjusted(edge, edge, -edge, -edge);
     resize(size().boundedTo(screen.size()));
     move(std::clamp(main.right() + 1, screen.left(), std::max(screen.left(), screen.right() + 1 - width())),
          std::clamp(main.top(), screen.top(), std::max(screen.top(), screen.bottom() + 1 - height())));
@@ -120,8 +121,8 @@ void SimulatorWindow::showHand()
                                                                      : tr("The mouse moves the right controller."));
 }
 
-/// A question of the program's, without whose answer nothing goes on here, is not hidden behind this window, which
-/// comes back after that.
+/// Keeps modal dialogs of the program visible: raises the dialog when it blocks this window, and raises this window
+/// when the dialog closes.
 bool SimulatorWindow::event(QEvent* event)
 {
     if (event->type() == QEvent::WindowBlocked)

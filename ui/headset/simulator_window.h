@@ -8,7 +8,8 @@ namespace ui
 {
 class SimulatorView;
 
-/// The VR simulator's window, beside the program's: what the headset shows, and which key does what. Thread: gui.
+/// The window of the VR simulator, beside the main window: the picture of the headset and a legend of the keys. Thread:
+/// gui.
 class SimulatorWindow : public QWidget
 {
     Q_OBJECT
@@ -17,11 +18,11 @@ public:
     explicit SimulatorWindow(QWidget* main);
 
     SimulatorView* view() const { return m_view; }
-    /// Shows the window at the start of a visit, with nothing pressed.
+    /// Shows the window at the start of a session, with no button pressed.
     void begin();
 
 Q_SIGNALS:
-    /// Somebody closed it, and so wants to leave VR.
+    /// The user has closed the window, which requests to leave VR.
     void closed();
 
 protected:
