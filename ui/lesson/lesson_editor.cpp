@@ -22,8 +22,8 @@ namespace ui
 {
 namespace
 {
-constexpr int stepsShown = 4;   ///< rows of the list, at most
-constexpr int stepHeight = 168; ///< pixels, at least: of the pages of a step
+constexpr int stepsShown = 4;   ///< largest number of rows of the list
+constexpr int stepHeight = 168; ///< smallest height of the pages of a step, pixels
 
 QLabel* head(const QString& text)
 {
@@ -42,8 +42,8 @@ QString nameOfLanguage(const QString& code)
     return name.isEmpty() ? code : name;
 }
 
-/// Those of the program, as far as the lesson does not have them under a plainer code, and then those that only the
-/// lesson has.
+/// Returns the program's languages, then other languages of the lesson. If the lesson uses a plain code ("zh") for a
+/// program's language ("zh_CN"), the plain code is returned.
 QStringList languagesOf(const core::Lesson& lesson)
 {
     QStringList own;
@@ -133,7 +133,7 @@ void LessonEditor::addEditor()
     auto* page = new QWidget;
     QVBoxLayout* rows = panelLayout(page);
     addHead(rows);
-    addRecorder(rows); // in sight, however high the pages are
+    addRecorder(rows); // above the pages, so that it is visible at any height
     addSteps(rows);
     m_step->setMinimumHeight(stepHeight);
     rows->addWidget(m_step, 1);
@@ -227,7 +227,7 @@ std::size_t LessonEditor::step() const
     return static_cast<std::size_t>(std::max(m_steps->currentRow(), 0));
 }
 
-/// That of the window, if it is among them.
+/// Fills the list of languages and selects the window's language if it is in the list.
 void LessonEditor::fillLanguages()
 {
     m_language->clear();
@@ -263,7 +263,7 @@ void LessonEditor::showTexts()
         const auto found = text.words.find(language());
         const QString instead = QString::fromStdString(text.in(language()));
         field->setText(found == text.words.end() ? QString() : QString::fromStdString(found->second));
-        field->setCursorPosition(0); // the beginning is read first
+        field->setCursorPosition(0); // shows the beginning of a long text
         field->setPlaceholderText(instead.isEmpty() ? none : instead);
     };
     show(m_title, m_draft->lesson().title, m_title->accessibleName());
@@ -331,7 +331,8 @@ void LessonEditor::showChanges()
         m_steps->item(row)->setText(lineOf(static_cast<std::size_t>(row)));
 }
 
-/// A sign and words: colour alone says nothing. The step that is recorded is the one in sight.
+/// Shows the state of the recording, by a symbol and words as well, not by colour alone. Selects the step that is
+/// recorded.
 void LessonEditor::setRecording(bool isRecording)
 {
     if (isRecording && !m_isRecording)

@@ -20,8 +20,8 @@ namespace ui
 class SideColumn;
 struct LessonCard;
 
-/// Where a teacher makes and changes a lesson: first with what to begin, then its words and steps. Changes the draft as
-/// it is changed, and says what else is wanted. Thread: gui.
+/// A panel in which a teacher makes and edits a lesson: first the choice of a beginning, then texts and steps. Edits
+/// are written into the draft at once; everything else is requested by signals. Thread: gui.
 class LessonEditor : public QWidget
 {
     Q_OBJECT
@@ -30,27 +30,28 @@ public:
     explicit LessonEditor(const Actions& actions, QWidget* parent = nullptr);
 
     void setDescribe(DescribeStroke describe) { m_step->setDescribe(std::move(describe)); }
-    /// That can be changed, besides those in files.
+    /// Sets the lessons that can be edited, besides those in files.
     void setLessons(const QList<LessonCard>& lessons);
 
-    /// All of it, at that step. The draft must live until another is shown, or none.
+    /// Shows the whole draft, with this step selected. Precondition: the draft lives until another draft or none is
+    /// shown.
     void showDraft(core::LessonDraft* draft, std::size_t step = 0);
     void showStarts();
     bool isOpen() const { return m_draft != nullptr; }
     std::size_t step() const;
 
-    /// Strokes or a checkpoint were changed by others.
+    /// Updates the editor after other code has changed strokes or a checkpoint.
     void showChanges();
-    /// As the last one, which is shown then.
+    /// Appends a step and selects it.
     void addStep();
     void setRecording(bool isRecording);
 
 Q_SIGNALS:
-    /// A lesson that begins so; nothing: with the model as it is.
+    /// A new lesson shall begin with this starter; nullopt: with the present model.
     void startChosen(const std::optional<core::Starter>& starter);
     void lessonChosen(const QString& name);
     void fileRequested();
-    /// What the steps leave is about to be another model than it was.
+    /// An edit is about to change the model that a step ends with.
     void aboutToChange();
     void recordRequested(bool on);
     void factsRequested();
@@ -83,6 +84,6 @@ private:
     QPushButton* m_record = nullptr;
 };
 
-/// Adds the panel to the column; lesson.record opens it.
+/// Adds the panel to the column; the action lesson.record opens it.
 void addLessonEditor(SideColumn* column, const Actions& actions);
 } // namespace ui

@@ -22,10 +22,10 @@ namespace ui
 namespace
 {
 constexpr double speeds[] = {0.25, 0.5, 1, 2, 4};
-constexpr int defaultSpeed = 2;                                    ///< its place
+constexpr int defaultSpeed = 2;                                    ///< index of the default speed
 constexpr int pictureSide = 80, cardSide = 72, progressHeight = 8; ///< pixels
 
-/// Other words do not make the panel wider: the model stays where it is.
+/// Returns a label that never widens the panel, so that the view keeps its size when the text changes.
 QLabel* label(const char* name)
 {
     auto* label = named(new QLabel, name);
@@ -55,7 +55,7 @@ QPixmap pixmapOf(const QImage& picture, int side)
 
 LessonPanel::LessonPanel(QWidget* parent) : QWidget(parent), m_stack(new QStackedWidget)
 {
-    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum); // all of the text is shown: the column scrolls
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum); // as high as its content, because the column scrolls
     auto* all = new QVBoxLayout(this);
     all->setContentsMargins(0, 0, 0, 0);
     all->addWidget(m_stack);
@@ -106,7 +106,7 @@ void LessonPanel::addHead(QVBoxLayout* page)
     words->addWidget(m_lesson);
     words->addStretch();
     auto* row = new QHBoxLayout;
-    row->addStrut(pictureSide); // with or without a picture, what follows stays where it is
+    row->addStrut(pictureSide); // reserves the picture's height, so that the content below stays in place
     row->addWidget(m_picture);
     row->addLayout(words, 1);
     page->addLayout(row);
@@ -155,7 +155,7 @@ void LessonPanel::addTeacher(QVBoxLayout* page)
     connect(m_teachers, &QPushButton::clicked, this, &LessonPanel::teachersModelRequested);
 }
 
-/// Adds what changes its height while a pupil works below all that is to be pressed.
+/// Adds the goals, whose height changes during a step, below all buttons, which therefore stay in place.
 void LessonPanel::addGoals(QVBoxLayout* page)
 {
     auto* handout = named(new QPushButton(tr("Handout as PDF…")), "lessonHandout",
@@ -229,7 +229,7 @@ void LessonPanel::showPage(const LessonPage& page, const QList<LessonMark>& mark
     m_stack->setCurrentIndex(1);
 }
 
-/// The next lesson begins as the first one did: another pupil may take it.
+/// Shows the list of lessons and resets the options, because another pupil may take the next lesson.
 void LessonPanel::showLessons()
 {
     m_speed->setCurrentIndex(defaultSpeed);
@@ -268,8 +268,8 @@ void LessonPanel::setProgress(double share)
     m_progress->setValue(static_cast<int>(std::lround(m_progress->maximum() * share)));
 }
 
-/// A sign and words: colour alone says nothing. Within a step the room for them only grows, so that nothing below moves
-/// up and down.
+/// Shows the marks by symbol and words, not by colour alone. Within a step the label only grows, so that its neighbours
+/// do not move up and down.
 void LessonPanel::setMarks(const QList<LessonMark>& marks, bool areOfPresent)
 {
     QStringList lines;

@@ -19,34 +19,34 @@ namespace ui
 class Actions;
 class SideColumn;
 
-/// A lesson that may be chosen.
+/// An entry of the list of lessons.
 struct LessonCard
 {
-    QString name; ///< by which it is asked for
+    QString name; ///< identifies the lesson in lessonChosen()
     QString title, summary;
     QImage picture;
 };
 
-/// A step as the pupil reads it.
+/// The content of the panel for a step of a lesson.
 struct LessonPage
 {
     QString lesson, title, text;
-    QImage picture; ///< may be null
-    int step = 0;   ///< from 0; `steps`: the page after the last
+    QImage picture; ///< null: no picture
+    int step = 0;   ///< index of the step; equal to `steps` on the page after the last step
     int steps = 1;
-    bool isShown = false;    ///< the teacher has strokes for it
-    bool isCompared = false; ///< with a shape: there is a difference to be seen
+    bool isShown = false;    ///< the teacher has recorded strokes for this step
+    bool isCompared = false; ///< the checkpoint compares shapes, so a difference can be shown
     QString brush;           ///< tools and their sizes; may be empty
 };
 
-/// One thing that the step's checkpoint asks for.
+/// A condition of the step's checkpoint.
 struct LessonMark
 {
     bool holds = false;
     QString text;
 };
 
-/// A step as it stands now.
+/// The present state of the panel.
 struct LessonPanelState
 {
     LessonPage page;
@@ -55,8 +55,9 @@ struct LessonPanelState
 };
 enum class LessonButton { Play, Try, Back, Next };
 
-/// A lesson beside the model: what to do, what the teacher does, and whether it is done. Knows no lesson file and no
-/// mesh: it says what is wanted and shows what it is given. Thread: gui.
+/// A panel that leads a pupil through a lesson: the instructions, playback of the teacher's strokes, and the conditions
+/// that are met. Knows neither lesson files nor meshes: setters provide what is shown, and signals request changes.
+/// Thread: gui.
 class LessonPanel : public QWidget
 {
     Q_OBJECT
@@ -64,23 +65,24 @@ class LessonPanel : public QWidget
 public:
     explicit LessonPanel(QWidget* parent = nullptr);
 
-    /// To choose from, when none is open.
+    /// Sets the lessons that are listed while no lesson is open.
     void setLessons(const QList<LessonCard>& lessons);
-    /// `marks`: what is to be measured; of the page after the last, what was achieved.
+    /// Shows a page. `marks`: the conditions of the step; on the page after the last step, the results.
     void showPage(const LessonPage& page, const QList<LessonMark>& marks);
     void showLessons();
-    /// Takes away what leads to files and other lessons.
+    /// Removes everything that leads to files and to other lessons.
     void lock();
 
     void setPlaying(bool isPlaying);
-    void setProgress(double share); ///< of the teacher's strokes, 0 to 1
-    /// Shows what the model has as it is, or pale, as it was before. Empty: nothing is asked.
+    void setProgress(double share); ///< fraction of the teacher's strokes that have been played, 0 to 1
+    /// Shows which conditions are met. `areOfPresent` false: shown disabled, because they are from before the last
+    /// change. Empty: no conditions.
     void setMarks(const QList<LessonMark>& marks, bool areOfPresent = true);
     bool wantsDifference() const;
 
-    /// What the pupil reads; nothing: no lesson is open. changed() tells of another.
+    /// Returns the displayed step; nullopt: no lesson is open. changed() is emitted when it changes.
     const std::optional<LessonPanelState>& shown() const { return m_shown; }
-    /// As by the buttons, from elsewhere; what their state forbids is not done.
+    /// Acts as if a button were pressed; ignored if the button is disabled.
     void press(LessonButton button);
 
 Q_SIGNALS:
@@ -89,10 +91,10 @@ Q_SIGNALS:
     void fileRequested();
     void stepRequested(int step);
     void playRequested(bool on);
-    void singleStrokeRequested(); ///< the teacher's next stroke alone
+    void singleStrokeRequested(); ///< the teacher's next stroke is to be played, then playback stops
     void speedChosen(double speed);
     void tryRequested();
-    /// Requests that the step begin with the model that the teacher has at its start.
+    /// The step shall begin with the teacher's model instead of the pupil's.
     void teachersModelRequested();
     void differenceRequested(bool on);
     void handoutRequested();
@@ -108,7 +110,7 @@ private:
 
     QStackedWidget* m_stack = nullptr;
     QVBoxLayout* m_cards = nullptr;
-    QList<QWidget*> m_waysOut; ///< to files and other lessons
+    QList<QWidget*> m_waysOut; ///< buttons that lead to files and to other lessons
     QLabel *m_chooserHead = nullptr, *m_lesson = nullptr, *m_title = nullptr, *m_picture = nullptr, *m_text = nullptr,
            *m_brush = nullptr, *m_marks = nullptr;
     QProgressBar* m_progress = nullptr;
@@ -121,6 +123,6 @@ private:
     bool m_isPlaying = false;
 };
 
-/// Adds the panel to the column; help.lessons opens it.
+/// Adds the panel to the column; the action help.lessons opens it.
 void addLessonPanel(SideColumn* column, const Actions& actions);
 } // namespace ui

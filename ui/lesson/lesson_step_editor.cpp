@@ -22,7 +22,7 @@ namespace ui
 {
 namespace
 {
-constexpr double maxShown = 1e9;             ///< of a fact, as far as it can be typed
+constexpr double maxShown = 1e9;             ///< largest value of a fact that can be typed
 constexpr double maxTolerance = 1000;        ///< mm
 constexpr int spinWidth = 84, iconSide = 16; ///< pixels
 
@@ -192,7 +192,7 @@ void LessonStepEditor::storeTools()
     m_draft->setTools(m_step, std::move(tools));
 }
 
-/// The other bound gives way.
+/// Stores the bounds of a fact. If they cross, the bound that was not edited is set to the edited one.
 void LessonStepEditor::storeFact(const Bounds& bounds, const QDoubleSpinBox* changed)
 {
     if (m_isShowing || !hasStep())

@@ -20,16 +20,16 @@ namespace ui
 {
 class Actions;
 
-/// A stroke or command of a lesson, in words for people.
+/// The description of a stroke or command of a lesson, for the user.
 struct LessonStroke
 {
     QString text;
-    QString icon; ///< as the table of actions has it
+    QString icon; ///< icon name as in the table of actions
 };
 using DescribeStroke = std::function<LessonStroke(const core::FileEntry& entry)>;
 
-/// One step of a lesson: its words, strokes, tools and checkpoint, each on a page. Changes the draft as it is changed.
-/// Thread: gui.
+/// An editor of one step of a lesson, with pages for texts, strokes, tools and checkpoint. Edits are written into the
+/// draft at once. Thread: gui.
 class LessonStepEditor : public QTabWidget
 {
     Q_OBJECT
@@ -38,18 +38,19 @@ public:
     explicit LessonStepEditor(const Actions& actions, QWidget* parent = nullptr);
 
     void setDescribe(DescribeStroke describe) { m_describe = std::move(describe); }
-    /// All of the draft's step, in that language; of a draft without it nothing. The draft must outlive what is shown.
+    /// Shows a step of the draft in a language; shows nothing if the draft has no such step. Precondition: the draft
+    /// lives as long as it is shown.
     void showStep(core::LessonDraft* draft, std::size_t step, const std::string& language);
-    /// What has changed by others.
+    /// Update the pages after other code has changed the strokes or the checkpoint.
     void showStrokes();
     void showCheckpoint();
 
 Q_SIGNALS:
     void titleEdited();
-    /// A stroke is about to be cut, and was.
+    /// Emitted before and after a stroke is removed.
     void aboutToCut();
     void cut();
-    /// The checkpoint's facts are to be those of the model as it is.
+    /// The checkpoint's facts are to be set to those of the present model.
     void factsRequested();
 
 private:
@@ -74,7 +75,7 @@ private:
     std::size_t m_step = 0;
     std::string m_language;
     DescribeStroke m_describe;
-    bool m_isShowing = false; ///< what changes now was not changed by hand
+    bool m_isShowing = false; ///< the editor is setting its controls; changes are not the user's
     QLineEdit* m_title = nullptr;
     QPlainTextEdit* m_text = nullptr;
     QListWidget* m_strokes = nullptr;
