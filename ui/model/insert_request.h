@@ -9,15 +9,15 @@
 
 namespace ui
 {
-/// A request to add the model of a file to the present one. A value.
+/// A request to insert the model of a file into the present model. A value type.
 struct InsertRequest
 {
     QString path;
     core::Insert::Place place = core::Insert::Place::Beside;
-    core::Vec3 centre = core::Vec3::Zero(); ///< with Place::Centre
-    double unit = 1;                        ///< as so many mm the file's unit is taken; above 0
-    /// repairs a model that is not sound; else it is refused.
+    core::Vec3 centre = core::Vec3::Zero(); ///< centre of the inserted model, mm; for Place::Centre only
+    double unit = 1;                        ///< mm for each unit of the file; above 0
+    /// Options for repairing a model that is not sound; nullopt: such a model is refused.
     std::optional<core::RepairOptions> repair = std::nullopt;
-    bool acceptsLoss = false; ///< the person saw what the repair loses, and takes it
+    bool acceptsLoss = false; ///< the user has seen and accepted what the repair loses
 };
 } // namespace ui

@@ -13,9 +13,9 @@ namespace ui
 class Actions;
 class BrushSettings;
 
-/// The actions of the Model menu but Insert: each asks for its numbers in a dialog of the window, if it has any, and
-/// requests the command. `modelInfo`: of the model as it is then. Fill and the mask by colour take the brush's. All
-/// must outlive the actions. Thread: gui.
+/// Connects the actions of the Model menu, except Insert. Each action asks for its parameters in a dialog, if it has
+/// any, and calls `request`. `modelInfo`: returns data of the present model. Fill and the mask by colour use the
+/// brush's colour. Precondition: all arguments outlive the actions. Thread: gui.
 void connectModel(const Actions& actions, QWidget* window, const std::function<const ModelInfo&()>& modelInfo,
                   const BrushSettings* brush, const std::function<void(const core::ModelCommand&)>& request);
 } // namespace ui

@@ -23,7 +23,7 @@ namespace ui
 namespace
 {
 constexpr int explanationWidth = 320;
-constexpr double maxCoordinate = 1e6; ///< mm, for what is typed
+constexpr double maxCoordinate = 1e6; ///< mm; largest coordinate that can be typed
 
 class ModelDialogs
 {
@@ -42,7 +42,7 @@ Number millimetreField(double value, double min = -maxCoordinate, double max = m
     return {value, min, max, 3, ModelDialogs::tr(" mm")};
 }
 
-/// A sentence, a few rows, and a button with the verb.
+/// A dialog with an explanation, a few rows of controls, and a button named by the command's verb.
 class CommandDialog : public QDialog
 {
 public:
@@ -70,7 +70,7 @@ public:
         return box;
     }
 
-    /// The first is chosen.
+    /// Adds radio buttons; the first is checked.
     QButtonGroup* addChoice(const QString& label, const QStringList& choices)
     {
         auto* group = new QButtonGroup(this);
@@ -91,7 +91,7 @@ public:
         return label;
     }
 
-    /// The first is chosen.
+    /// Adds a combo box; the first entry is selected.
     QComboBox* addList(const char* name, const QString& label, const QStringList& choices)
     {
         auto* box = named(new QComboBox, name);
@@ -169,7 +169,7 @@ void askForRotation(QWidget* parent, const CommandCallback& callback)
     });
 }
 
-/// Two numbers for one thing: each follows the other.
+/// Asks for a scale by longest side or by factor; editing one updates the other.
 void askForScale(QWidget* parent, const ModelInfo& modelInfo, const CommandCallback& callback)
 {
     const double size = modelInfo.size.maxCoeff();
@@ -184,7 +184,7 @@ void askForScale(QWidget* parent, const ModelInfo& modelInfo, const CommandCallb
         constexpr double millimetresPerUnit[] = {1, 10, 25.4, 1000};
         factor->setValue(millimetresPerUnit[unit]);
     });
-    const auto last = std::make_shared<double>(1); // exactly, whichever box it was typed into
+    const auto last = std::make_shared<double>(1); // exact factor, whichever box it was typed into
     QObject::connect(longest, &QDoubleSpinBox::valueChanged, factor, [=](double mm) {
         *last = mm / size;
         const QSignalBlocker quiet(factor);
@@ -241,7 +241,7 @@ void askForRemesh(QWidget* parent, const ModelInfo& modelInfo, const CommandCall
     };
     QObject::connect(longest, &QDoubleSpinBox::valueChanged, outcome, show);
     show(longest->value());
-    // What nobody changed is the default exactly, not what the box shows of it.
+    // An unedited box means the exact default (0), not the rounded number that the box shows.
     dialog->openFor(ModelDialogs::tr("Remesh"), callback, [longest, shown = longest->value()] {
         return core::RemeshUniformly{longest->value() == shown ? 0 : longest->value()};
     });
@@ -249,7 +249,7 @@ void askForRemesh(QWidget* parent, const ModelInfo& modelInfo, const CommandCall
 
 void askForBase(QWidget* parent, const ModelInfo& modelInfo, const CommandCallback& callback)
 {
-    constexpr double defaultShare = 0.02; ///< of the height
+    constexpr double defaultShare = 0.02; ///< fraction of the model's height
     const double height = modelInfo.size.y(), min = std::min(0.001, height / 2);
     auto* dialog = new CommandDialog(parent, "baseDialog", ModelDialogs::tr("Flatten the Base"),
                                      ModelDialogs::tr("Cuts the bottom off level, so that the model stands. "

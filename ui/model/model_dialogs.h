@@ -11,8 +11,8 @@ class QWidget;
 
 namespace ui
 {
-/// The dialogs for what may be done with the whole model. They return at once; the callback is called when the person
-/// agreed, and never else.
+/// Type of the callbacks of the dialogs below, which ask for the parameters of a command on the whole model. Each
+/// function returns at once; the callback is called only if the user accepts.
 using CommandCallback = std::function<void(const core::ModelCommand& command)>;
 
 void askForMove(QWidget* parent, const CommandCallback& callback);
@@ -23,7 +23,7 @@ void askForSymmetry(QWidget* parent, const CommandCallback& callback);
 void askForRemesh(QWidget* parent, const ModelInfo& modelInfo, const CommandCallback& callback);
 void askForBase(QWidget* parent, const ModelInfo& modelInfo, const CommandCallback& callback);
 
-/// Where the model of a file goes, and how large it is.
+/// Asks for the place and the unit of a model to insert.
 void askForPlace(QWidget* parent, const QString& path,
                  const std::function<void(const InsertRequest& insertion)>& callback);
 } // namespace ui

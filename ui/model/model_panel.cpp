@@ -21,7 +21,7 @@ namespace
 {
 constexpr int iconSide = 20;
 
-/// Four figures that count, at least.
+/// Returns a number with at least four significant digits, but at most six decimals.
 QString figure(double value)
 {
     const double size = std::max(std::abs(value), 1e-6);
@@ -104,7 +104,7 @@ void ModelPanel::setStale()
                tr("These values are from before the last change. They are updated when the model is idle."));
 }
 
-/// Icon and word say it; colour only repeats it.
+/// Shows the state by icon and text; colour only repeats it.
 void ModelPanel::showHealth(Health health, const QString& word, const QString& tip)
 {
     m_health = health;
@@ -114,10 +114,11 @@ void ModelPanel::showHealth(Health health, const QString& word, const QString& t
     m_word->setAccessibleDescription(tip);
 }
 
-/// The icon's ink is the text's.
+/// Sets the colour of the text and draws the icon in the same colour.
 void ModelPanel::showColors()
 {
-    constexpr QRgb onLight[] = {0, 0xff1e7a3a, 0xffb3261e}, onDark[] = {0, 0xff66cc88, 0xfff28b82}; // 4.5 to 1 at least
+    // contrast at least 4.5 to 1
+    constexpr QRgb onLight[] = {0, 0xff1e7a3a, 0xffb3261e}, onDark[] = {0, 0xff66cc88, 0xfff28b82};
     const int kind = static_cast<int>(m_health);
     QPalette colors;
     if (m_health != Health::Unknown)

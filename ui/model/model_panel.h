@@ -12,8 +12,8 @@ namespace ui
 {
 class SideColumn;
 
-/// What the model measures, and whether it is sound: as it was when that was last found out. Knows no mesh: it shows
-/// what it is given. Thread: gui.
+/// A panel with the model's size and soundness at the last check. Knows no mesh: setReport() provides the values.
+/// Thread: gui.
 class ModelPanel : public QWidget
 {
     Q_OBJECT
@@ -22,11 +22,11 @@ public:
     explicit ModelPanel(QWidget* parent = nullptr);
 
     void setReport(const core::MeshReport& report);
-    /// The model is another one now; the figures are of before, and are said to be.
+    /// Marks the values as outdated, because the model has changed.
     void setStale();
 
 Q_SIGNALS:
-    /// It can be seen now, or not any more.
+    /// The panel has become visible or hidden.
     void watched(bool isWatched);
 
 protected:
@@ -47,6 +47,6 @@ private:
     QHash<QString, QLabel*> m_values;
 };
 
-/// Adds the panel to the column.
+/// Adds the panel to the column and returns it.
 ModelPanel* addModelPanel(SideColumn* column);
 } // namespace ui

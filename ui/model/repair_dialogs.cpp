@@ -29,7 +29,7 @@ QCheckBox* check(const char* name, const QString& label, bool isChecked)
     box->setChecked(isChecked);
     return box;
 }
-/// Lines, none of which ends before its unit.
+/// Joins lines, with no-break spaces before the unit mm.
 QString joined(const QStringList& lines)
 {
     return lines.join(QLatin1Char('\n')).replace(QStringLiteral(" mm"), QStringLiteral("\u00A0mm"));
@@ -63,7 +63,7 @@ void askToRepair(QWidget* parent, RepairUse use, const QString& problem,
     QObject::connect(dialog, &QDialog::accepted, dialog, [callback, largeHoles, cavities] {
         callback({.fillLargeHoles = largeHoles->isChecked(),
                   .innerAreCavities = cavities->isChecked(),
-                  .canWrap = true}); // askToAccept() follows
+                  .canWrap = true}); // askToAccept() then asks about losses
     });
     dialog->open();
 }

@@ -8,12 +8,12 @@ namespace ui
 {
 enum class RepairUse { Opening, Insertion };
 
-/// A repair that did not keep the model: what it lost, and how it looks. A value.
+/// A repair that lost parts of the model: the losses, and pictures before and after. A value type.
 struct RepairDoubt
 {
     RepairUse use = RepairUse::Opening;
-    QString problem;    ///< one sentence
-    QStringList losses; ///< in numbers, a line each
+    QString problem;    ///< why the model needs a repair, one sentence
+    QStringList losses; ///< amounts lost, one line each
     QImage before, after;
 };
 } // namespace ui

@@ -11,7 +11,7 @@ struct UnitChoice
 {
     const char* name;
     double millimetres;
-    core::UnitDoubt guess; ///< None: it is never the guess
+    core::UnitDoubt guess; ///< doubt for which this unit is proposed; None: never proposed
     const char* question;
     const char* text;
     const char* tip;

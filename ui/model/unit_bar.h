@@ -6,7 +6,7 @@
 
 namespace ui
 {
-/// Doubts that a model without a unit was made in millimetres, and offers others. Thread: gui.
+/// A bar that asks whether a model without a unit is really in millimetres, and offers other units. Thread: gui.
 class UnitBar : public MessageBar
 {
     Q_OBJECT
@@ -15,13 +15,13 @@ public:
     struct Doubt
     {
         QString name;
-        double longest = 0;                              ///< side of the model, as its file has it
+        double longest = 0;                              ///< longest side of the model, in units of the file
         core::UnitDoubt guess = core::UnitDoubt::Inches; ///< not None
     };
     UnitBar(const Doubt& doubt, QMainWindow* window);
 
 Q_SIGNALS:
-    /// So many millimetres are one of the model's units.
+    /// The user has chosen a unit. `millimetres`: mm for each unit of the file.
     void unitChosen(double millimetres);
 };
 } // namespace ui

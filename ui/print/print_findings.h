@@ -13,14 +13,14 @@ namespace ui
 {
 enum class PrintVerdict { Good, Warning, Bad };
 
-/// One thing that was looked at, in a sentence, and where in the model it is, if that is a place.
+/// A finding of the print check: a sentence, and its places in the model, if any.
 struct PrintFinding
 {
     PrintVerdict verdict = PrintVerdict::Good;
     QString text, tip;
     std::vector<core::PrintPlace> places = {};
-    QStringList placeTexts = {};                    ///< of each place
-    std::optional<core::PrintPicture> picture = {}; ///< shows the places
+    QStringList placeTexts = {};                    ///< a text for each place
+    std::optional<core::PrintPicture> picture = {}; ///< colouring of the model that shows the places
 };
 
 QList<PrintFinding> printFindings(const core::MeshReport& mesh, const core::PrintReport& print,

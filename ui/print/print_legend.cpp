@@ -13,8 +13,8 @@ namespace
 constexpr int stripHeight = 14, labelGap = 4;
 constexpr std::uint8_t maxSound = 127;
 
-/// As in clay.frag, in sRGB: blue to pale where all is well, yellow to vermilion where it is not; told apart by the
-/// colour-blind, too (Okabe and Ito 2008).
+/// Returns the colour of a shade, 0 to 1, in sRGB, as in clay.frag: blue to pale for good places, yellow to vermilion
+/// for faults. Colour-blind people can distinguish them (Okabe and Ito 2008).
 QColor colorOf(double shade)
 {
     const auto mixed = [](const QColor& a, const QColor& b, double share) {
@@ -69,7 +69,7 @@ void PrintLegend::setScale(const PrintScale& scale)
     update();
 }
 
-/// The worst at the left.
+/// Returns the labels of the scale, with the worst values at the left.
 std::vector<PrintLegend::Mark> PrintLegend::marks() const
 {
     const QLocale locale;

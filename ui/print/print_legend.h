@@ -10,21 +10,21 @@
 
 namespace ui
 {
-/// From what was measured to a shade: 0 is far from a fault, 128 all but one, and more is one, the worse the more
-/// (255).
+/// Maps a measured value to a shade: 0 is far from a fault, 127 is at the limit, 128 to 255 are faults of increasing
+/// severity.
 struct PrintScale
 {
     core::PrintPicture picture = core::PrintPicture::Thickness;
-    double limit = 0.8; ///< mm or degrees
+    double limit = 0.8; ///< mm of wall thickness, or degrees of overhang
 
     std::uint8_t shade(float value) const;
 };
 
-/// The shades on the model's vertices: a footprint's slots, with shades for weights. `values`: for each slot.
+/// Returns the shades of vertices as a footprint, with the shades as its weights. `values`: one for each slot.
 std::shared_ptr<const core::Footprint> shadesOf(std::vector<core::Slot> slots, const std::vector<float>& values,
                                                 const PrintScale& scale);
 
-/// What the colours on the model mean: the scale as a strip, with figures below it. Faults are hatched, there as here.
+/// The legend of the model's colours: a strip with the scale and labels below. Faults are hatched, as on the model.
 class PrintLegend : public QWidget
 {
     Q_OBJECT
@@ -42,7 +42,7 @@ protected:
 private:
     struct Mark
     {
-        double place; ///< 0 to 1 along the strip
+        double place; ///< position along the strip, 0 to 1
         QString text;
     };
     std::vector<Mark> marks() const;

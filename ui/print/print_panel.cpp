@@ -31,7 +31,8 @@ namespace
 {
 constexpr int iconSide = 20, rowIconSide = 16;
 constexpr double minWall = 0.05, minOverhang = 0, maxOverhang = 90;
-constexpr int findingRole = Qt::UserRole, placeRole = Qt::UserRole + 1; ///< place: -1 for the finding itself
+/// placeRole: index of the place; -1 for the row of the finding
+constexpr int findingRole = Qt::UserRole, placeRole = Qt::UserRole + 1;
 
 QString iconOf(PrintVerdict verdict)
 {
@@ -147,7 +148,7 @@ void PrintPanel::addList()
     layout()->addWidget(m_list);
 }
 
-/// What the settings say, into the controls.
+/// Sets the controls to the stored settings.
 void PrintPanel::applySettings()
 {
     m_isFilling = true;
@@ -200,7 +201,7 @@ void PrintPanel::focusFindings()
 void PrintPanel::setReport(const core::MeshReport& mesh, const core::PrintReport& print)
 {
     m_findings = printFindings(mesh, print, limits(), m_printer->currentText());
-    std::ranges::stable_sort(m_findings, std::greater(), &PrintFinding::verdict); // what is to be done comes first
+    std::ranges::stable_sort(m_findings, std::greater(), &PrintFinding::verdict); // the worst findings come first
     const int row = m_list->currentRow();
     m_list->clear();
     for (const PrintFinding& finding : m_findings)
@@ -221,7 +222,7 @@ void PrintPanel::setProgress(double share)
         show(State::Running);
 }
 
-/// A sentence, and its places indented below it.
+/// Adds a row for a finding and an indented row for each of its places.
 void PrintPanel::addRow(const PrintFinding& finding)
 {
     static const char* const verdicts[] = {QT_TR_NOOP("good"), QT_TR_NOOP("take care"), QT_TR_NOOP("to fix")};
@@ -237,7 +238,7 @@ void PrintPanel::addRow(const PrintFinding& finding)
     row->setIcon(themedIcon(iconOf(finding.verdict)));
     row->setData(Qt::AccessibleTextRole,
                  QStringLiteral("%1: %2").arg(tr(verdicts[static_cast<int>(finding.verdict)]), finding.text));
-    QPixmap nothing(rowIconSide, rowIconSide); // below its sentence, not below the sign
+    QPixmap nothing(rowIconSide, rowIconSide); // transparent icon that aligns places with the finding's text
     nothing.fill(Qt::transparent);
     for (qsizetype i = 0; i < finding.placeTexts.size(); ++i) {
         QListWidgetItem* place = add(QStringLiteral("  ") + finding.placeTexts[i], static_cast<int>(i));
@@ -246,7 +247,8 @@ void PrintPanel::addRow(const PrintFinding& finding)
     }
 }
 
-/// Chooses the first place for the finding itself. Colours of another measure give way to those that show the place.
+/// Emits placeChosen() for the row's place; the row of the finding means its first place. If the model is coloured,
+/// switches to the colouring that shows the place.
 void PrintPanel::choose(int row)
 {
     const QListWidgetItem* item = m_list->item(row);
@@ -273,7 +275,7 @@ void PrintPanel::show(State state)
     showColors();
 }
 
-/// Icon and word say it; the worst finding gives the tone.
+/// Shows the result by icon and text; the icon is that of the worst finding.
 void PrintPanel::showColors()
 {
     PrintVerdict worst = PrintVerdict::Good;

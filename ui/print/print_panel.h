@@ -22,31 +22,31 @@ class Settings;
 class SideColumn;
 class Viewport;
 
-/// Will it print? Shows what the last check of the model found, and by which limits. Knows no mesh: it requests a check
-/// and shows the result that it is given. Thread: gui.
+/// A panel that reports whether the model will print: the findings of the last check and the limits used. Knows no
+/// mesh: it requests a check, and setReport() provides the result. Thread: gui.
 class PrintPanel : public QWidget
 {
     Q_OBJECT
 
 public:
-    /// The settings must outlive the panel.
+    /// Precondition: the settings outlive the panel.
     explicit PrintPanel(Settings* settings, QWidget* parent = nullptr);
 
     core::PrintLimits limits() const;
-    std::optional<core::PrintPicture> picture() const; ///< to be shown on the model
+    std::optional<core::PrintPicture> picture() const; ///< colouring to show on the model; nullopt: none
     void focusFindings();
 
     void setReport(const core::MeshReport& mesh, const core::PrintReport& print);
-    /// The model is another one now; what is shown is of before, and is said to be.
+    /// Marks the findings as outdated, because the model has changed.
     void setStale();
-    /// It is being looked at: 0 to 1.
+    /// Shows that the check is running. `share`: 0 to 1.
     void setProgress(double share);
 
 Q_SIGNALS:
-    /// It can be seen now, or not any more.
+    /// The panel has become visible or hidden.
     void watched(bool isWatched);
     void optionsChanged();
-    /// Now, though it was stopped before.
+    /// The user requests a check now, even if the previous one was stopped.
     void checkRequested();
     void stopRequested();
     void placeChosen(const core::PrintPlace& place);
@@ -72,7 +72,7 @@ private:
     Settings* m_settings;
     QFormLayout* m_form = nullptr;
     QLabel *m_icon = nullptr, *m_word = nullptr;
-    QToolButton* m_button = nullptr; ///< Check, or Stop
+    QToolButton* m_button = nullptr; ///< Check or Stop, depending on the state
     QProgressBar* m_progress = nullptr;
     QComboBox *m_printer = nullptr, *m_picture = nullptr;
     QDoubleSpinBox *m_wall = nullptr, *m_overhang = nullptr;
@@ -90,7 +90,6 @@ struct PrintPanelContext
     Viewport* viewport;
 };
 
-/// Adds the panel to the column; model.printCheck opens it. A place that is chosen
-/// is flown to.
+/// Adds the panel to the column; the action model.printCheck opens it. Choosing a place flies the camera there.
 void addPrintPanel(const PrintPanelContext& context, Settings* settings, const Actions& actions);
 } // namespace ui

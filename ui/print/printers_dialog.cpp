@@ -38,7 +38,7 @@ PrintersDialog::PrintersDialog(const QList<PrinterPreset>& printers, QWidget* pa
     auto* add = new QPushButton(tr("&Add"));
     auto* remove = new QPushButton(tr("&Remove"));
     for (QPushButton* button : {add, remove})
-        button->setAutoDefault(false); // Return is for OK
+        button->setAutoDefault(false); // Return presses OK
     add->setObjectName(QStringLiteral("addPrinter"));
     remove->setObjectName(QStringLiteral("removePrinter"));
     connect(add, &QPushButton::clicked, this, [this] {

@@ -8,7 +8,7 @@ class QTableWidget;
 
 namespace ui
 {
-/// The list of printers: names and beds to be changed, rows to be added and taken out. Deletes itself when it closes.
+/// A dialog that edits the list of printers with their names and bed sizes. It deletes itself when it closes.
 class PrintersDialog : public QDialog
 {
     Q_OBJECT
@@ -17,7 +17,7 @@ public:
     PrintersDialog(const QList<PrinterPreset>& printers, QWidget* parent);
 
 Q_SIGNALS:
-    /// Agreed to. Never empty: without any row it is the usual ones.
+    /// The user has accepted the list. An empty table is replaced by the default printers, so the list is never empty.
     void chosen(const QList<ui::PrinterPreset>& printers);
 
 private:
