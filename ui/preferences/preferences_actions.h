@@ -10,7 +10,7 @@ class Settings;
 class SideColumn;
 class Viewport;
 
-/// What preferences are for. The actions and the settings must outlive the window.
+/// The objects that the preferences affect. Precondition: actions and settings outlive the window.
 struct PreferencesContext
 {
     QMainWindow* window;
@@ -21,7 +21,7 @@ struct PreferencesContext
     Viewport* viewport;
 };
 
-/// The stored preferences hold from now on, and Edit > Preferences changes them. Where the panels are now is where they
-/// come back to when all is reset. Thread: gui.
+/// Applies the stored preferences now and connects Edit > Preferences, which changes them. A reset returns bars and
+/// panels to their places at the time of this call. Thread: gui.
 void connectPreferences(const PreferencesContext& context);
 } // namespace ui

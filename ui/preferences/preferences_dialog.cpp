@@ -151,7 +151,7 @@ QWidget* PreferencesDialog::keysPage(const Actions& actions)
     return page;
 }
 
-/// Its pressure curve, and a field to try it in.
+/// Adds the pressure curve and a field in which to try it.
 void PreferencesDialog::addPen(QFormLayout* form)
 {
     auto* curve = new PressureCurve;
@@ -169,7 +169,7 @@ void PreferencesDialog::addPen(QFormLayout* form)
     form->addRow(tr("Pen test"), test);
 }
 
-/// part(preferences): which of them the box is about.
+/// Adds a check box. `part`: returns a pointer to the preference that the box changes.
 template <class Part> void PreferencesDialog::addCheck(QFormLayout* form, const ControlText& words, Part part)
 {
     auto* box = named(new QCheckBox(words.label), words.name, words.tip, QString(words.label).remove(QLatin1Char('&')));
@@ -210,7 +210,7 @@ QString PreferencesDialog::words(TextSize size)
     return tr("%1 %").arg(static_cast<int>(size));
 }
 
-/// Each language under its own name, so that it is found by whoever reads no other.
+/// Returns a language's name in that language, so that its speakers recognise it.
 QString PreferencesDialog::words(Language language)
 {
     const QString names[] = {tr("Same as the system"), QStringLiteral("English"), QStringLiteral("Deutsch"),

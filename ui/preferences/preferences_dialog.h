@@ -13,30 +13,30 @@ namespace ui
 {
 class Actions;
 
-/// The preferences on pages; each change holds at once. Deletes itself when closed. Thread: gui.
+/// The pages of preferences. Each change takes effect at once. The dialog deletes itself when closed. Thread: gui.
 class PreferencesDialog : public QDialog
 {
     Q_OBJECT
 
 public:
-    /// The actions must outlive it.
+    /// Precondition: `actions` outlives the dialog.
     PreferencesDialog(const Preferences& now, const Actions& actions, QWidget* parent);
 
     const Preferences& preferences() const { return m_now; }
-    /// Another hand chose.
+    /// Shows preferences that were changed outside the dialog.
     void setPreferences(const Preferences& preferences);
 
     static QString words(Language language);
 
 Q_SIGNALS:
     void changed(const ui::Preferences& preferences);
-    /// Everything in the program is to be as at first; the dialog is to be shown what that is.
+    /// All settings of the program are to be reset; the receiver must then call setPreferences().
     void resetRequested();
 
 private:
     struct ControlText
     {
-        const char* name; ///< of the control
+        const char* name; ///< objectName of the control
         QString label, tip;
     };
 
@@ -56,6 +56,6 @@ private:
     void change(const Preferences& to);
 
     Preferences m_now;
-    std::vector<std::function<void()>> m_show; ///< what brings each control to m_now
+    std::vector<std::function<void()>> m_show; ///< functions that set each control to its value in m_now
 };
 } // namespace ui

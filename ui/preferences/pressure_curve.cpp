@@ -6,7 +6,7 @@ namespace ui
 {
 namespace
 {
-constexpr double edge = 0.02; ///< nearer to the corners a place says nothing about the bend
+constexpr double edge = 0.02; ///< positions (0 to 1) are kept this far from 0 and 1, where the exponent is undefined
 constexpr double stepFactor = 1.1;
 } // namespace
 

@@ -5,8 +5,8 @@
 
 namespace ui
 {
-/// What counts as pressure over what the pen says (penPressure): dragging bends it, the arrow keys make it softer (up)
-/// or firmer. Thread: gui.
+/// A plot of the effective pressure against the pen's pressure (penPressure). Dragging bends the curve; Up makes the
+/// pen softer, Down firmer. Thread: gui.
 class PressureCurve : public CurveWidget
 {
     Q_OBJECT
@@ -15,11 +15,11 @@ public:
     explicit PressureCurve(QWidget* parent = nullptr);
 
     double exponent() const { return m_exponent; }
-    /// In the range of the preferences.
+    /// Sets the exponent, clamped to the range of the preferences.
     void setExponent(double exponent);
 
 Q_SIGNALS:
-    /// By hand.
+    /// The user has bent the curve.
     void bent(double exponent);
 
 protected:

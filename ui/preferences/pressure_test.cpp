@@ -12,8 +12,8 @@ namespace ui
 namespace
 {
 constexpr int margin = 8;
-constexpr double maxWidth = 16, minWidth = 0.5; ///< pixels
-constexpr qsizetype maxDots = 4000;             ///< dots; then the oldest go
+constexpr double maxWidth = 16, minWidth = 0.5; ///< pixels; line width at full and at no pressure
+constexpr qsizetype maxDots = 4000;             ///< older dots are removed
 } // namespace
 
 PressureTest::PressureTest(QWidget* parent) : QWidget(parent)
@@ -54,7 +54,7 @@ void PressureTest::mouseMoveEvent(QMouseEvent* event)
     showMessage(tr("Mouse: no pressure"));
 }
 
-/// Accepted, or Qt would send the same again as a mouse's.
+/// Accepts the event, because Qt would otherwise repeat it as a mouse event.
 void PressureTest::tabletEvent(QTabletEvent* event)
 {
     event->accept();

@@ -5,8 +5,8 @@
 
 namespace ui
 {
-/// A field to draw in: the line is as wide as the pressure that counts, and words say what draws and how hard.
-/// Thread: gui.
+/// A field for trying the pen: the line's width is the effective pressure, and a text shows the device and its
+/// pressure. Thread: gui.
 class PressureTest : public QWidget
 {
     Q_OBJECT
@@ -14,9 +14,9 @@ class PressureTest : public QWidget
 public:
     explicit PressureTest(QWidget* parent = nullptr);
 
-    /// Of the curve that turns the pen's pressure into what counts (penPressure); what is drawn later goes by it.
+    /// Sets the exponent that maps the pen's pressure to the effective pressure (penPressure) of later dots.
     void setExponent(double exponent) { m_exponent = exponent; }
-    /// What is seen now: "Pen: 0.42", or what to do here.
+    /// Returns the displayed text: a pressure such as "Pen: 0.42", or a hint.
     const QString& words() const { return m_words; }
 
     QSize sizeHint() const override { return {200, 96}; }
@@ -31,8 +31,8 @@ private:
     struct Dot
     {
         QPointF at;
-        double pressure = 0; ///< that counts
-        bool begins = false; ///< a line
+        double pressure = 0; ///< effective pressure, 0 to 1
+        bool begins = false; ///< the dot begins a line
     };
 
     void draw(const QPointF& at, double pressure, bool begins);

@@ -174,7 +174,7 @@ void ShortcutsPage::enter(std::size_t place, const QKeySequence& key)
     change(withKeys(m_shortcuts, id, keys));
 }
 
-/// A key of the preset that another command was given meanwhile stays there.
+/// Restores the preset's keys of the command. A key that another command has got meanwhile stays with that command.
 void ShortcutsPage::reset()
 {
     const QString id = currentId();

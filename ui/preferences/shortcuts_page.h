@@ -18,14 +18,14 @@ class Actions;
 class CommandList;
 class ShortcutEdit;
 
-/// Of the preferences: every command with its keys, which are changed where they stand; a key that is taken or needed
-/// otherwise is refused with the reason. Thread: gui.
+/// The page of shortcuts: a list of all commands with their keys, which are edited in place. A key that is taken or
+/// reserved is refused with the reason. Thread: gui.
 class ShortcutsPage : public QWidget
 {
     Q_OBJECT
 
 public:
-    /// The actions must outlive it.
+    /// Precondition: `actions` outlives the page.
     explicit ShortcutsPage(const Actions& actions, QWidget* parent = nullptr);
 
     void setShortcuts(const ShortcutSettings& shortcuts);
@@ -50,7 +50,7 @@ private:
     const Actions& m_actions;
     ShortcutSettings m_shortcuts;
     ShortcutMap m_keys;
-    QString m_owner; ///< of the key that was refused
+    QString m_owner; ///< id of the action that has the refused key
 
     QComboBox* m_preset;
     QLabel* m_modifierHelp;

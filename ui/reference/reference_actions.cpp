@@ -17,7 +17,8 @@ namespace ui
 {
 namespace
 {
-/// Where the image of that side is, or else one of another side, or the models.
+/// Returns the initial folder of the file dialog: that of the side's image, else of another side's image, else of the
+/// last model.
 QString folderFor(OrbitCamera::Side side, const ReferenceImages& images, const Settings& settings)
 {
     QString path = images.path(side);
@@ -53,7 +54,7 @@ void connectCommands(const ReferenceContext& context, ReferenceImages* images, c
     showState();
 }
 
-/// Turns the view to the side of the image just chosen, unless it looks from there already.
+/// Turns the view to the side of a newly chosen image, unless the camera looks from this side already.
 void turnTo(OrbitCamera::Side side, Viewport* viewport)
 {
     if (!looksFrom(viewport->camera(), side))

@@ -19,11 +19,11 @@ struct ReferenceContext
     QMainWindow* window;
     SideColumn* column;
     Viewport* viewport;
-    ModelFiles* files; ///< says what is dropped
+    ModelFiles* files; ///< reports images dropped on the window
 };
 
-/// Reference images behind the model: the commands, the panel, which is hidden until an image is chosen, and what
-/// the settings remember, which is read now. None is owned. `notice` says a small word.
+/// Adds the reference images behind the model: their actions, and a panel that is hidden until an image is chosen.
+/// Reads the settings now. The arguments are not owned. `notice` shows a short message.
 void addReferences(const ReferenceContext& context, Settings* settings, const Actions& actions,
                    const std::function<void(const QString&)>& notice);
 } // namespace ui

@@ -14,41 +14,44 @@ namespace ui
 {
 class Settings;
 
-/// The reference images of the document, one a side, read on a thread. Thread: gui.
+/// The document's reference images, at most one for each side of the model. Files are read on a background thread.
+/// Thread: gui.
 class ReferenceImages : public QObject
 {
     Q_OBJECT
 
 public:
-    /// Begins without images. The settings, which have only whether they are shown, must outlive this.
+    /// Begins without images. The settings store only whether images are shown. Precondition: the settings outlive this
+    /// object.
     explicit ReferenceImages(Settings* settings, QObject* parent = nullptr);
     ~ReferenceImages() override;
 
-    /// Takes the images of another document. One that is gone or broken is refused, and keeps its place for when it
-    /// comes back.
+    /// Replaces all images by those of another document. A missing or damaged file is reported by refused(); its path
+    /// and placement are kept in case the file comes back.
     void setSaved(const std::vector<core::SavedReference>& references);
     std::vector<core::SavedReference> saved() const;
 
-    /// When it was read it takes that side, fitted to the box, in place of what was there; until then nothing changes.
+    /// Reads an image and then places it on the side, fitted to the box, replacing the side's image. Nothing changes
+    /// until it has been read.
     void choose(OrbitCamera::Side side, const QString& path, const core::Box& box);
     void remove(OrbitCamera::Side side);
     void place(OrbitCamera::Side side, const ReferencePlacement& placement);
     void setShown(bool shown);
 
-    /// Empty: none was chosen.
+    /// Returns the path of the side's image; empty if none was chosen.
     QString path(OrbitCamera::Side side) const { return at(side).path; }
-    /// Its picture is null while it is read, and where that failed.
+    /// Returns the side's image. Its picture is null until it has been read, or if reading failed.
     const Reference& reference(OrbitCamera::Side side) const { return at(side).reference; }
     bool isShown() const { return m_isShown; }
-    /// What the view shows.
+    /// Returns the images to draw.
     References shown() const;
 
 Q_SIGNALS:
     void changed();
-    /// Somebody chose, removed or moved one; changed() follows.
+    /// An image was chosen, removed or moved by the user; changed() follows.
     void edited();
     void chosen(OrbitCamera::Side side);
-    /// In one sentence why an image is not there.
+    /// An image could not be read. `sentence`: the reason.
     void refused(const QString& sentence);
 
 private:
@@ -56,7 +59,7 @@ private:
     {
         QString path;
         Reference reference;
-        int asked = 0; ///< what was read for an earlier question is too late
+        int asked = 0; ///< number of the latest request; results of earlier requests are dropped
     };
 
     Slot& at(OrbitCamera::Side side) { return m_slots[static_cast<std::size_t>(side)]; }
@@ -66,6 +69,6 @@ private:
     Settings* m_settings;
     std::array<Slot, viewSides.size()> m_slots;
     bool m_isShown;
-    BackgroundThread m_background; ///< last
+    BackgroundThread m_background; ///< last member: destroyed first, as its jobs use the others
 };
 } // namespace ui

@@ -29,14 +29,14 @@ namespace
 {
 constexpr int thumbnailSize = 56, iconSize = 32;
 constexpr int minWidth = 104;
-constexpr int maxNameLength = 128; ///< pixels
+constexpr int maxNameLength = 128; ///< pixels; longer names are elided
 
 int percentOf(double opacity)
 {
     return static_cast<int>(std::lround(100 * opacity));
 }
 
-/// From the level that is just large enough.
+/// Scales the first mip level that is less than twice as large as the thumbnail.
 QPixmap thumbnailOf(const ReferencePicture& picture, double ratio)
 {
     const int wanted = static_cast<int>(std::lround(thumbnailSize * ratio));
@@ -92,7 +92,7 @@ ReferencePanel::ReferencePanel(ReferenceImages* images, Viewport* viewport, cons
     showImage();
 }
 
-/// The picture, and beside it its name and what can be done with it.
+/// Builds the row with thumbnail, name and buttons.
 QLayout* ReferencePanel::buildHead(const Actions& actions)
 {
     m_thumbnail = named(new QLabel, "reference.thumbnail");
@@ -150,7 +150,8 @@ QDoubleSpinBox* ReferencePanel::lengthBox(const QString& id, const QString& name
     box->setRange(min, max);
     box->setSuffix(tr(" mm"));
     box->setKeyboardTracking(false);
-    box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // the widest number would widen the dock
+    // a box wide enough for the largest number would widen the dock
+    box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     box->setMinimumWidth(minWidth);
     connect(box, &QDoubleSpinBox::valueChanged, this, &ReferencePanel::place);
     return box;
@@ -183,7 +184,7 @@ void ReferencePanel::showImage()
     m_inFront->setChecked(placement.inFront);
 }
 
-/// Says of each side whether it has an image.
+/// Lists the sides and says which have an image.
 void ReferencePanel::showSides()
 {
     const QString names[] = {tr("Front"), tr("Back"), tr("Right"), tr("Left"), tr("Top"), tr("Bottom")};

@@ -18,13 +18,14 @@ class Actions;
 class ReferenceImages;
 class Viewport;
 
-/// The reference image of the side that the view is nearest to: what it is, and how it stands. Thread: gui.
+/// A panel for the reference image of the side that the camera is nearest to: its file, placement and opacity. Thread:
+/// gui.
 class ReferencePanel : public QWidget
 {
     Q_OBJECT
 
 public:
-    /// None is owned; all must outlive the panel.
+    /// Nothing is owned. Precondition: the arguments outlive the panel.
     ReferencePanel(ReferenceImages* images, Viewport* viewport, const Actions& actions, QWidget* parent = nullptr);
 
 private:
