@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-/// A ball about the origin as a viewer sees it: patches, and hits by looking at each face.
+/// A ball about the origin in the form a viewer gets: patches for drawing, and hits found by testing each face.
 struct SphereModel
 {
     explicit SphereModel(double radius = 50, int subdivisions = 4) : mesh(core::icosphere(subdivisions, radius)) {}
@@ -42,7 +42,7 @@ struct SphereModel
         return patch;
     }
 
-    /// A patch of the present slot counts that changes nothing yet.
+    /// Returns an empty patch with the present slot counts.
     core::MeshPatch nothing() const
     {
         core::MeshPatch patch;

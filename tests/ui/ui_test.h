@@ -15,8 +15,8 @@
 
 namespace ui
 {
-/// The program's graphics. Without a display it is Qt's offscreen platform, where tests that need OpenGL skip
-/// themselves.
+/// The QApplication of the tests. Without a display it uses Qt's offscreen platform, on which tests that need OpenGL
+/// are skipped.
 class TestApplication
 {
 public:
@@ -40,7 +40,8 @@ private:
     if (const QString unable = ui::graphicsProblem(); !unable.isEmpty())                                               \
     QSKIP(qPrintable(unable))
 
-/// QTest::mouseMove moves the real pointer, which the window system may lose; this arrives for certain.
+/// Sends a mouse event directly to a widget. QTest::mouseMove() moves the real pointer, whose events the window system
+/// may drop.
 inline void sendMouse(QWidget* to, QEvent::Type type, QPoint at, Qt::MouseButton button = Qt::NoButton,
                       Qt::KeyboardModifiers modifiers = Qt::NoModifier)
 {
@@ -48,7 +49,7 @@ inline void sendMouse(QWidget* to, QEvent::Type type, QPoint at, Qt::MouseButton
     QCoreApplication::sendEvent(to, &event);
 }
 
-/// Where two pictures of one size differ.
+/// Returns the bounding rectangle of the pixels that differ. Precondition: both pictures have the same size.
 inline QRect changed(const QImage& a, const QImage& b)
 {
     QRect area;
@@ -59,7 +60,7 @@ inline QRect changed(const QImage& a, const QImage& b)
     return area;
 }
 
-/// Pixels that are not quite transparent.
+/// Returns the number of pixels that are not fully transparent.
 inline int inked(const QImage& picture)
 {
     int count = 0;
@@ -69,7 +70,7 @@ inline int inked(const QImage& picture)
     return count;
 }
 
-/// Files from the desktop; whether the window takes them.
+/// Drops files from the desktop on a window. Returns true if the window accepts them.
 inline bool drop(QWidget& window, const QList<QUrl>& urls)
 {
     QMimeData data;

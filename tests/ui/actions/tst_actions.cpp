@@ -67,7 +67,8 @@ private Q_SLOTS:
         QVERIFY(has("vr.enter", "Ctrl+Shift+V"));
     }
 
-    /// In palette order, each with its picture; a tip says what the inverting key does where it does something.
+    /// The tools have actions in palette order, each with its own icon. A tool's tip mentions the inverting key if the
+    /// tool can be inverted.
     void everyToolHasItsAction()
     {
         QList<ui::ActionInfo> rows;
@@ -140,7 +141,7 @@ private Q_SLOTS:
                 for (int x = 0; x < image.width(); ++x)
                     ofPalette += image.pixelColor(x, y) == QColor(10, 200, 30);
             QVERIFY2(row.menu == ui::MenuId::New ? inked(image) > 100 && ofPalette == 0 : ofPalette > 20,
-                     row.id); // a starter has clay's colours
+                     row.id); // a starter's picture has the clay's colours
         }
     }
 };

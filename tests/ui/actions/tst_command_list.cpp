@@ -1,4 +1,4 @@
-// Words that a newcomer types into the list of commands, in each language.
+// Words that a newcomer may search for in the list of commands, in each language.
 #include "ui/actions/actions.h"
 #include "ui/actions/command_list.h"
 
@@ -16,12 +16,12 @@ class TestCommandList : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    /// The command that is meant is the one that Return takes, or one of no more than three that are left.
+    /// The intended command is selected, or is one of at most three visible commands.
     void newcomersWords_findWhatIsMeant_data()
     {
         QTest::addColumn<QString>("language");
         QTest::addColumn<QString>("word");
-        QTest::addColumn<QString>("meant"); ///< any of these
+        QTest::addColumn<QString>("meant"); ///< one of these, separated by spaces
         const auto add = [](const char* language, std::initializer_list<std::pair<const char*, const char*>> wishes) {
             for (const auto& [word, meant] : wishes)
                 QTest::addRow("%s %s", language, word)

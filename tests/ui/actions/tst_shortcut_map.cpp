@@ -22,7 +22,7 @@ QString id(const ui::ActionInfo& row)
     return QLatin1StringView(row.id);
 }
 
-/// Whatever was asked for, no key has two commands, and the map's two ways agree.
+/// Returns true if no key belongs to two commands, and keys() and owner() agree.
 bool isSound(const ShortcutMap& map)
 {
     QHash<QKeySequence, QString> owners;
@@ -48,8 +48,7 @@ private Q_SLOTS:
             QTest::newRow(row.key) << row.value;
     }
 
-    /// Checks that no command loses a key of the preset to another, and that each action with a key in the table has
-    /// one.
+    /// Each command keeps the keys of the preset, and each action with a key in the table has a key.
     void eachPresetIsWhole()
     {
         QFETCH(ShortcutPreset, preset);

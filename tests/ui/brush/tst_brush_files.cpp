@@ -1,4 +1,4 @@
-// Files that become an alpha or a brush's shape, good ones and bad ones; and how the window chooses them.
+// Good and bad files of alphas and brush shapes, and how the window lets the user choose them.
 #include "tests/support/test_main.h"
 #include "tests/ui/ui_test.h"
 
@@ -28,7 +28,7 @@ QByteArray bigEndian(quint32 value)
     return {bytes, sizeof bytes};
 }
 
-/// A PNG's beginning, which promises a picture of that size.
+/// Returns the beginning of a PNG file whose header declares a square image of this side.
 QByteArray pngHeader(quint32 side)
 {
     const QByteArray content = "IHDR" + bigEndian(side) + bigEndian(side) + QByteArray::fromHex("0800000000");
@@ -102,7 +102,7 @@ void TestBrushFiles::alpha_isGrey()
     QCOMPARE(QString::fromStdString(file.what->source()), path("grey.png"));
 }
 
-/// Transparent is nothing; a black shape, which would be nothing at all, is taken for white.
+/// Transparent pixels are 0. A black shape on transparent ground, which would be empty, counts as white.
 void TestBrushFiles::alpha_ofATransparentShape()
 {
     for (const QColor& color : {QColor(Qt::white), QColor(Qt::black)}) {
@@ -158,7 +158,7 @@ void TestBrushFiles::alpha_refused()
     QVERIFY(contains(ui::readAlpha(path("gone.png")).problem, QStringLiteral("no such file")));
 }
 
-/// Wherever it is cut: an image, or a sentence.
+/// A file cut off at any byte gives an image or an error message.
 void TestBrushFiles::alpha_cutOff()
 {
     QByteArray whole;
@@ -246,17 +246,17 @@ void TestBrushFiles::window_choosesAlphas()
     QTRY_COMPARE(box->currentData().toString(), path("mine.png"));
     QCOMPARE(box->currentText(), QStringLiteral("mine.png"));
     QCOMPARE(window.brush()->stroke().alpha->at(0, 0), 200.0 / 255);
-    QCOMPARE(window.brush()->stroke().spacing, 2.0); // prints stand side by side
+    QCOMPARE(window.brush()->stroke().spacing, 2.0); // adjacent prints do not overlap
     choose({});
     QVERIFY(!window.brush()->stroke().alpha);
     QCOMPARE(window.brush()->stroke().spacing, ui::defaultSpacing);
     choose(QStringLiteral("star"));
     window.brush()->setValue(core::Parameter::Spacing, 0.5);
     choose(QStringLiteral("ring"));
-    QCOMPARE(window.brush()->stroke().spacing, 0.5); // the user's own
+    QCOMPARE(window.brush()->stroke().spacing, 0.5); // spacing set by the user is kept
     choose({});
     QCOMPARE(window.brush()->stroke().spacing, 0.5);
-    QVERIFY(box->findData(path("mine.png")) > 0); // still at hand
+    QVERIFY(box->findData(path("mine.png")) > 0); // still in the list of recent files
 }
 
 void TestBrushFiles::window_choosesModels()
@@ -281,7 +281,7 @@ void TestBrushFiles::window_choosesModels()
     QVERIFY(!window.brush()->stroke().model);
 }
 
-/// By the menu or the list, where it is asked for; the list shows what the brush has meanwhile.
+/// The own model can be requested from the menu or the list; until it arrives, the list shows the present shape.
 void TestBrushFiles::window_takesItsOwnModel()
 {
     core::writeMesh(path("own.glb").toStdString(), core::starterModel(core::Starter::Cube));
@@ -307,7 +307,8 @@ void TestBrushFiles::settings_keepTheAlpha()
     QImage image(4, 4, QImage::Format_Grayscale8);
     image.fill(200);
     QVERIFY(image.save(path("kept.png")));
-    ui::Settings().setValue(core::Parameter::Strength, 0.3); // which changes the brush at each start
+    // makes the start-up change the brush while the file is being read
+    ui::Settings().setValue(core::Parameter::Strength, 0.3);
     {
         ui::MainWindow window;
         window.findChild<ui::BrushShapes*>()->chooseAlpha(path("kept.png"));
@@ -321,7 +322,7 @@ void TestBrushFiles::settings_keepTheAlpha()
         QVERIFY(window.brush()->stroke().alphaFollows);
     }
     {
-        ui::MainWindow window; // is gone before the file was read
+        ui::MainWindow window; // closed before the file was read
         window.brush()->setTool(Tool::Clay);
     }
     QCOMPARE(ui::Settings().get<ui::StoredShapes>().alpha, path("kept.png"));
@@ -332,7 +333,8 @@ void TestBrushFiles::settings_keepTheAlpha()
     QVERIFY(!window.brush()->stroke().alpha);
 }
 
-/// Files and ours, and none where none was chosen; a file that is gone is said once for all its tools.
+/// Each tool's alpha is stored, whether a file, a bundled alpha or none. A missing file is reported once, even if
+/// several tools use it.
 void TestBrushFiles::settings_keepTheAlphaOfEachTool()
 {
     QImage image(4, 4, QImage::Format_Grayscale8);
@@ -372,11 +374,12 @@ void TestBrushFiles::settings_keepTheAlphaOfEachTool()
     }
 }
 
-/// Nor is it lost by what else is chosen while its file is being read.
+/// The stored model is kept, even if something else is chosen while its file is being read.
 void TestBrushFiles::settings_keepTheModel()
 {
     core::writeMesh(path("stamp.stl").toStdString(), core::starterModel(core::Starter::Torus));
-    ui::Settings().setValue(core::Parameter::Strength, 0.3); // which changes the brush at each start
+    // makes the start-up change the brush while the file is being read
+    ui::Settings().setValue(core::Parameter::Strength, 0.3);
     {
         ui::MainWindow window;
         auto* shapes = window.findChild<ui::BrushShapes*>();
@@ -385,7 +388,7 @@ void TestBrushFiles::settings_keepTheModel()
         QTRY_VERIFY(window.brush()->stroke().model);
     }
     {
-        ui::MainWindow window; // is gone before the file was read
+        ui::MainWindow window; // closed before the file was read
         window.findChild<ui::BrushShapes*>()->chooseAlpha(QStringLiteral("ring"));
     }
     {
@@ -400,7 +403,8 @@ void TestBrushFiles::settings_keepTheModel()
     ui::MainWindow window;
     QTest::qWait(100);
     QVERIFY(!window.brush()->stroke().model);
-    QCOMPARE(ui::Settings().get<ui::StoredShapes>().models, QStringList{path("stamp.stl")}); // still at hand
+    // still in the list of recent files
+    QCOMPARE(ui::Settings().get<ui::StoredShapes>().models, QStringList{path("stamp.stl")});
 }
 
 void TestBrushFiles::aModelThatIsGone_isSaidOnce_data()
@@ -445,7 +449,7 @@ void TestBrushFiles::aLaterModelWins()
     QCOMPARE(ui::Settings().get<ui::StoredShapes>().model, path("second.stl"));
 }
 
-/// A document that is opened while the stored file is still being read.
+/// An alpha from an opened document wins over the stored file that is still being read.
 void TestBrushFiles::aLaterAlphaWins()
 {
     QImage image(4, 4, QImage::Format_Grayscale8);
@@ -478,7 +482,7 @@ void TestBrushFiles::aRefusedFile_isForgotten()
             ui::Settings().get<ui::StoredShapes>().models.isEmpty());
 }
 
-/// What was painted into it meanwhile is seen.
+/// Choosing a file again reads its changed content.
 void TestBrushFiles::aFile_isReadAnew()
 {
     ui::MainWindow window;

@@ -24,7 +24,7 @@ using core::Rgb;
 
 namespace
 {
-/// The panel alone in a window of its own.
+/// The colour panel in its own window.
 struct Palette
 {
     Palette()
@@ -82,7 +82,7 @@ private Q_SLOTS:
         QCOMPARE(p.child<QSlider>("green.slider")->value(), 200);
         QCOMPARE(p.child<QSpinBox>("blue.box")->value(), 77);
         QCOMPARE(p.child<QLineEdit>("colorName")->text(), QStringLiteral("#0cc84d"));
-        QCOMPARE(p.color(), color); // showing is not changing
+        QCOMPARE(p.color(), color); // showing a colour does not change it
     }
 
     void channelsAreSetOneByOne()
@@ -105,7 +105,8 @@ private Q_SLOTS:
         QVERIFY(isNear(p.color(), {255, 0, 0}, 4));
         p.drag(wheel->placeOfHue(0), wheel->placeOfHue(1.0 / 3));
         QVERIFY(isNear(p.color(), {0, 255, 0}, 10));
-        p.drag(wheel->placeInSquare(0.5, 0.5), wheel->placeInSquare(1, 0) + QPointF(50, 50)); // past the corner
+        // beyond the corner of the square
+        p.drag(wheel->placeInSquare(0.5, 0.5), wheel->placeInSquare(1, 0) + QPointF(50, 50));
         QVERIFY(isNear(p.color(), {0, 0, 0}, 0));
     }
 
@@ -132,7 +133,7 @@ private Q_SLOTS:
         for (const Qt::Key key :
              {Qt::Key_Left, Qt::Key_Right, Qt::Key_Up, Qt::Key_Down, Qt::Key_PageUp, Qt::Key_PageDown})
             QVERIFY(press(key));
-        QVERIFY(isNear(p.color(), {200, 50, 50}, 2)); // each pair goes there and back
+        QVERIFY(isNear(p.color(), {200, 50, 50}, 2)); // opposite keys cancel each other
     }
 
     void aColourIsTyped()
@@ -177,7 +178,7 @@ private Q_SLOTS:
             p.brush.set(&core::StrokeSettings::color, mine);
             p.child<QToolButton>("addSwatch")->click();
             QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-            p.child<QToolButton>("addSwatch")->click(); // it is there already
+            p.child<QToolButton>("addSwatch")->click(); // adding the same colour again
             QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
             QCOMPARE(swatches->colors(), before + QList<Rgb>{mine});
             p.child<QPushButton>("swatch")->actions().front()->trigger();
@@ -188,7 +189,7 @@ private Q_SLOTS:
         QCOMPARE(p.child<ui::ColorSwatches>("swatches")->colors(), p.settings.get(&ui::Setting::swatches));
     }
 
-    /// A colour is seen where it has the window's.
+    /// A swatch of the window's colour is visible by its frame, which has the text colour.
     void theSwatchesFramesFollowTheTheme()
     {
         ui::ColorSwatches swatches;

@@ -1,4 +1,4 @@
-// Brush presets: ours, the user's, what is wrong with a file; and the shelf that shows them.
+// Brush presets of the program and of the user, faulty files, and the shelf that shows presets.
 #include "tests/support/test_main.h"
 #include "tests/ui/ui_test.h"
 
@@ -32,7 +32,7 @@ bool writeText(const QString& path, const QByteArray& text)
     return file.open(QIODevice::WriteOnly) && file.write(text) == text.size();
 }
 
-/// A library that has read its presets.
+/// A library whose presets have been read.
 struct LoadedLibrary
 {
     ui::PresetLibrary library;
@@ -100,7 +100,7 @@ private Q_SLOTS:
 
     void cleanupTestCase() { QDir(ui::PresetLibrary::folder()).removeRecursively(); }
 
-    /// Each with a name, a sentence, values and a picture of its own.
+    /// Each bundled preset has a different name, tip, set of values and picture.
     void ours_areAllDifferent()
     {
         LoadedLibrary loaded;
@@ -153,11 +153,11 @@ private Q_SLOTS:
         QVERIFY(now.spacing == kept.spacing && now.detail == kept.detail && now.brush == kept.brush);
         QVERIFY(now.alpha == kept.alpha && now.alphaFollows && now.anchored && brush.isInverted());
         QVERIFY(!brush.tools()->isAirbrush(Tool::Clay));
-        brush.setTool(Tool::Pull); // which has kept its own
+        brush.setTool(Tool::Pull); // Pull keeps its own values
         QVERIFY(brush.stroke().strength == 1 && !brush.stroke().alpha);
     }
 
-    /// A preset leaves the radius where tools share it.
+    /// A preset changes the radius only if each tool has a radius of its own.
     void theRadius_onlyComesWhereEachToolHasItsOwn()
     {
         ui::MainWindow window;
@@ -204,7 +204,7 @@ private Q_SLOTS:
         QCOMPARE(loaded.library.entries().size(), oursCount + 1);
         QCOMPARE(loaded.last().name, QStringLiteral("B"));
         QVERIFY(loaded.reload());
-        QCOMPARE(loaded.refused.count(), 1); // once is enough
+        QCOMPARE(loaded.refused.count(), 1); // not reported again
         QVERIFY(QFile::exists(folder.filePath(QStringLiteral("a.json"))));
         QVERIFY(loaded.library.import(folder.filePath(QStringLiteral("a.json"))).isEmpty());
         QCOMPARE(loaded.refused.count(), 2);
@@ -227,11 +227,11 @@ private Q_SLOTS:
         QCOMPARE(loaded.last().name, QStringLiteral("My brush 4"));
         loaded.library.rename(ui::PresetLibrary::Entry(loaded.last()), QString(300, QChar(0x76ae)));
         QVERIFY(loaded.next());
-        QCOMPARE(loaded.library.entries().size(), oursCount + 3); // it can be read
+        QCOMPARE(loaded.library.entries().size(), oursCount + 3); // the shortened name is readable
         QCOMPARE(loaded.refused.count(), 0);
     }
 
-    /// The image of an alpha travels with its preset, to a place where its file is not.
+    /// An exported preset contains the image of its alpha and works where the alpha's file does not exist.
     void anExportedPreset_needsNoOtherFile()
     {
         QImage image(8, 8, QImage::Format_Grayscale8);
@@ -256,7 +256,8 @@ private Q_SLOTS:
         QCOMPARE(ui::takePreset(loaded.last().file, window.brush(), shapes), QString());
         QTRY_VERIFY(window.brush()->stroke().alpha);
         QCOMPARE(window.brush()->stroke().alpha->fingerprint(), print);
-        QVERIFY(QFile::exists(QString::fromStdString(window.brush()->stroke().alpha->source()))); // strokes name it
+        // extracted to a file, because strokes name a file
+        QVERIFY(QFile::exists(QString::fromStdString(window.brush()->stroke().alpha->source())));
         QCOMPARE(loaded.refused.count(), 0);
     }
 
@@ -279,7 +280,8 @@ private Q_SLOTS:
     void theFolderCannotBeWritten()
     {
         QDir(ui::PresetLibrary::folder()).removeRecursively();
-        QVERIFY(writeText(ui::PresetLibrary::folder(), "a file")); // whoever writes, root or not
+        // a file in place of the folder, because permissions would not stop root
+        QVERIFY(writeText(ui::PresetLibrary::folder(), "a file"));
         LoadedLibrary loaded;
         QVERIFY(loaded.library.add({}, QStringLiteral("A")).isEmpty());
         QCOMPARE(loaded.refused.count(), 1);
@@ -340,7 +342,7 @@ private Q_SLOTS:
         QTRY_VERIFY(itemNamed(window, QStringLiteral("Mine")));
         LoadedLibrary loaded;
         QTRY_VERIFY(loaded.reload() && loaded.last().name == QStringLiteral("Mine"));
-        window.findChild<ui::BrushShapes*>()->setMayLoad(false); // as in a class
+        window.findChild<ui::BrushShapes*>()->setMayLoad(false); // as during a class
         for (const char* name : {"presets.new", "presets.rename", "presets.delete", "presets.import", "presets.export"})
             QVERIFY(button(name)->isHidden());
     }

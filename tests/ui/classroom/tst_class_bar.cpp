@@ -10,7 +10,7 @@
 
 namespace
 {
-/// A language of longer words than those that Fettle speaks.
+/// A translator whose texts are longer than those of Fettle's languages.
 class LongWords : public QTranslator
 {
 public:
@@ -24,7 +24,7 @@ public:
 };
 } // namespace
 
-/// The bar has all that is needed in sight, whatever the names and the words are.
+/// Tests that all important parts of the bar are visible, however long names and texts are.
 class TestClassBar : public QObject
 {
     Q_OBJECT
@@ -37,7 +37,7 @@ private Q_SLOTS:
 
 namespace
 {
-/// A window whose bar has all that it can have at once.
+/// A window whose class bar shows all its parts at once.
 struct FullBar
 {
     FullBar(const QString& pupil, int width)
@@ -75,7 +75,7 @@ void TestClassBar::aNarrowWindow_showsAllButtons()
     const auto words = hasLongWords ? std::make_unique<LongWords>() : nullptr;
     FullBar full(QStringLiteral("Wilhelmine-Charlotte von der Heide-Loos"), 960);
     QVERIFY(QTest::qWaitForWindowExposed(&full.window));
-    QCOMPARE(full.window.width(), 960); // the bar asks for no more
+    QCOMPARE(full.window.width(), 960); // the bar did not widen the window
     for (const QPushButton* button : full.bar->findChildren<QPushButton*>())
         QTRY_VERIFY2(FullBar::isWhole(button), qPrintable(button->text()));
     for (const char* label : {"classTitle", "classPupil", "classWaiting", "classClock", "classTime"})

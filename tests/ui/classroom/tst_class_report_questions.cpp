@@ -28,7 +28,7 @@ Questionnaire answering(int question, int answer)
 }
 } // namespace
 
-/// The sums of what a class answered, and how both kinds of report show them.
+/// Tests the sums of a class's answers and their tables in both report formats.
 class TestClassReportQuestions : public QObject
 {
     Q_OBJECT
@@ -42,7 +42,7 @@ private Q_SLOTS:
     void pdf_breaksNoHead();
 };
 
-/// Random answers are summed as a count by hand has them.
+/// Sums of random answers equal counts made independently by the test.
 void TestClassReportQuestions::sums_countEachAnswerOnce()
 {
     std::array<std::array<int, maxAnswer>, questionCount> expected{};
@@ -52,7 +52,7 @@ void TestClassReportQuestions::sums_countEachAnswerOnce()
         Questionnaire made;
         for (std::size_t i = 0; i < questionCount; ++i) {
             state = state * 1664525 + 1013904223;
-            const int answer = static_cast<int>(state >> 24) % 8; // 0: none
+            const int answer = static_cast<int>(state >> 24) % 8; // 0: no answer
             if (answer == 0)
                 continue;
             made.answers[i] = answer;
@@ -87,7 +87,7 @@ void TestClassReportQuestions::meansAndMissingAnswers()
     QCOMPARE(cells[0].answers, QStringLiteral("2"));
     QVERIFY(cells[0].mean.startsWith(u'5') && cells[0].mean.endsWith(QStringLiteral("50")));
     QCOMPARE(cells[0].counts, (std::array<QString, 7>{{{}, {}, {}, QStringLiteral("1"), {}, {}, QStringLiteral("1")}}));
-    QVERIFY(cells[1].mean.isEmpty()); // no answers have no mean, and none is made up
+    QVERIFY(cells[1].mean.isEmpty()); // the mean of no answers is empty
     QCOMPARE(cells[1].answers, QStringLiteral("0"));
     QCOMPARE(questionHeads().size(), 3 + maxAnswer);
 }
@@ -115,12 +115,14 @@ void TestClassReportQuestions::html_hasARowForEachQuestion()
         figures << i.next().captured(1);
     QCOMPARE(figures.size(), 6 * 9);
     QCOMPARE(figures.first(), QStringLiteral("2"));
-    QCOMPARE(figures[8], QStringLiteral("2"));                                      // at 7
-    QCOMPARE(figures[2 * 9 + 4], QStringLiteral("1"));                              // the third question, at 3
-    QVERIFY(page.indexOf("<table>") < page.indexOf("<table class=\"questions\">")); // the script sorts the first
+    QCOMPARE(figures[8], QStringLiteral("2")); // number of answers with 7 points
+    // third question, number of answers with 3 points
+    QCOMPARE(figures[2 * 9 + 4], QStringLiteral("1"));
+    // the script sorts the first table of the page
+    QVERIFY(page.indexOf("<table>") < page.indexOf("<table class=\"questions\">"));
 }
 
-/// The table is on the last page, whatever number of rows comes before it. A page is added where it has no room.
+/// The table is on the last page for any number of rows. A page is added only if the table does not fit.
 void TestClassReportQuestions::pdf_hasRoomForTheTable()
 {
     const auto pages = [](const ClassReport& report) { return reportPdf(report, "r.pdf").count("/Type /Page\n"); };
@@ -135,7 +137,7 @@ void TestClassReportQuestions::pdf_hasRoomForTheTable()
 
 namespace
 {
-/// A language of short questions, in which the head of the numbers of answers is another one.
+/// A translator with short questions and a given head for the column of answer counts.
 class OneHead : public QTranslator
 {
 public:
@@ -152,22 +154,22 @@ private:
     QString m_head;
 };
 
-/// Counts the pieces of text that a PDF draws: one for each line of a text.
+/// Returns the number of text pieces that a PDF draws, one for each line of text.
 qsizetype linesIn(const QByteArray& pdf)
 {
     qsizetype lines = 0;
     for (qsizetype at = 0; (at = pdf.indexOf("\nstream\n", at)) >= 0;) {
         at += 8;
-        if (pdf[at] != 'x') // not compressed
+        if (pdf[at] != 'x') // an 'x' begins a compressed stream
             continue;
-        const QByteArray length = QByteArray::fromHex("00100000"); // that qUncompress expects before it
+        const QByteArray length = QByteArray::fromHex("00100000"); // length prefix that qUncompress() expects
         lines += qUncompress(length + pdf.mid(at, pdf.indexOf("\nendstream", at) - at)).count("\nBT\n");
     }
     return lines;
 }
 } // namespace
 
-/// A longer head takes more of the question's column, and no second line: the other texts have one each.
+/// A longer head widens its column instead of wrapping; all other texts have one line.
 void TestClassReportQuestions::pdf_breaksNoHead()
 {
     const auto lines = [](const QString& head) {
@@ -179,7 +181,7 @@ void TestClassReportQuestions::pdf_breaksNoHead()
     QVERIFY(one > 20);
     for (const char* head : {"Antworten", "Beantwortungen", "WWWWWWWWWWWWWWWW"})
         QVERIFY2(lines(QString::fromUtf8(head)) == one, head);
-    QVERIFY(lines(QStringLiteral("%1 %1").arg(QString(30, u'W'))) > one); // they can be counted
+    QVERIFY(lines(QStringLiteral("%1 %1").arg(QString(30, u'W'))) > one); // linesIn() detects a wrapped head
 }
 
 FETTLE_TEST(TestClassReportQuestions, ui::TestApplication)

@@ -7,7 +7,7 @@
 #include <QLabel>
 #include <QPlainTextEdit>
 
-/// Tests that nothing of a teacher's list goes without a word.
+/// Tests that no change to a teacher's list of names goes unreported.
 class TestNamesField : public QObject
 {
     Q_OBJECT
@@ -48,7 +48,7 @@ private Q_SLOTS:
         type({QStringLiteral("Anna"), name, QStringLiteral("Anna")});
         QVERIFY(m_field->fault().contains(name.chopped(1)) && m_field->fault().contains(QStringLiteral("40")));
         QCOMPARE(word(), m_field->fault());
-        QVERIFY(m_field->names().contains(name)); // nothing is cut
+        QVERIFY(m_field->names().contains(name)); // the long name is not shortened
     }
 
     void tooManyNames_areRefused()
@@ -72,7 +72,7 @@ private:
     {
         m_field->findChild<QPlainTextEdit*>(QStringLiteral("classNames"))->setPlainText(lines.join(u'\n'));
     }
-    /// The sentence below that is seen.
+    /// Returns the visible remark below the field; empty if it is hidden.
     QString word() const
     {
         const auto* label = m_field->findChild<QLabel*>(QStringLiteral("classNamesWord"));

@@ -15,7 +15,7 @@
 using ui::Questionnaire;
 using ui::QuestionnairePanel;
 
-/// The form by mouse and by keys, over a widget that must notice nothing of it.
+/// Tests the form with mouse and keys, above a widget that must not receive any input.
 class TestQuestionnairePanel : public QObject
 {
     Q_OBJECT
@@ -59,7 +59,7 @@ private:
 
 namespace
 {
-/// Counts what reaches it of the mouse.
+/// A widget that counts the mouse presses that reach it.
 class Below : public QWidget
 {
 public:
@@ -160,7 +160,8 @@ void TestQuestionnairePanel::digits_answerFromAnywhere()
     QVERIFY(m_panel->questionnaire().isEmpty());
 }
 
-/// A digit and Return answer each question, and Return presses Done: nobody needs the mouse, or skips by mistake.
+/// A digit and Return answer each question, and a last Return presses Done. No mouse is needed, and Skip is not pressed
+/// by mistake.
 void TestQuestionnairePanel::allKeys_fillTheForm()
 {
     const QSignalSpy finished(m_panel, &QuestionnairePanel::finished);
@@ -189,8 +190,8 @@ void TestQuestionnairePanel::arrows_stayInTheScale()
     key(Qt::Key_Down);
     QCOMPARE(QApplication::focusWidget(), point(2, 1));
     key(Qt::Key_Up);
-    QCOMPARE(QApplication::focusWidget(), point(1, 7)); // where it was left
-    QVERIFY(m_panel->questionnaire().isEmpty());        // moving answers nothing
+    QCOMPARE(QApplication::focusWidget(), point(1, 7)); // the point focused last in that question
+    QVERIFY(m_panel->questionnaire().isEmpty());        // moving the focus answers nothing
 }
 
 void TestQuestionnairePanel::tab_comesToEachQuestionOnce()
@@ -206,7 +207,7 @@ void TestQuestionnairePanel::tab_comesToEachQuestionOnce()
     QCOMPARE(QApplication::focusWidget(), button("skipQuestions"));
     for (int back = 0; back < 7; ++back)
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Backtab, Qt::ShiftModifier);
-    QCOMPARE(QApplication::focusWidget(), point(1, 5)); // the answer
+    QCOMPARE(QApplication::focusWidget(), point(1, 5)); // point(1, 5) is the answered point
 }
 
 void TestQuestionnairePanel::skip_takesAllBack()
@@ -248,7 +249,8 @@ void TestQuestionnairePanel::theWidgetBelow_isOutOfReach()
     QCOMPARE(static_cast<Below*>(m_below)->presses, 1);
 }
 
-/// A window's commands by digits, letters and Ctrl do not run below the form; those by Alt, function keys and Quit do.
+/// While the form is open, the window's shortcuts with digits, letters and Ctrl do not run; those with Alt, function
+/// keys and Quit do.
 void TestQuestionnairePanel::keysOfTheWindow_areTheForms()
 {
     QStringList triggered;
@@ -277,7 +279,7 @@ void TestQuestionnairePanel::keysOfTheWindow_areTheForms()
     QVERIFY(m_panel->isVisible());
 }
 
-/// Tab goes round in the form, although the window has something else that it would come to.
+/// Tab stays within the form, although the window has another widget that accepts Tab.
 void TestQuestionnairePanel::tab_goesRound()
 {
     auto* beside = new QPushButton(QStringLiteral("beside"), m_window.get());
@@ -297,7 +299,7 @@ void TestQuestionnairePanel::tab_goesRound()
     QCOMPARE(met.size(), 6 + 2);
 }
 
-/// The buttons of a form that does not fit stay in sight, and the question that has the focus comes into sight.
+/// If the form is too high for the window, its buttons stay visible and the focused question is scrolled into view.
 void TestQuestionnairePanel::aLowWindow_scrolls()
 {
     m_below->resize(900, 320);
@@ -319,13 +321,14 @@ void TestQuestionnairePanel::aNarrowWindow_hasAllInReach_data()
     QTest::newRow("too narrow for the points") << QSize(170, 240) << false;
 }
 
-/// The buttons are in sight, and each point is, or can be scrolled to; where it goes, nothing lies right of the window.
+/// The buttons are visible, and each point is visible or can be scrolled to. If the form fits, nothing extends beyond
+/// the window's right edge.
 void TestQuestionnairePanel::aNarrowWindow_hasAllInReach()
 {
     QFETCH(QSize, size);
     QFETCH(bool, fits);
     m_below->resize(size);
-    QApplication::processEvents(); // layouts
+    QApplication::processEvents(); // updates layouts
     auto* scroll = m_panel->findChild<QScrollArea*>();
     QTRY_COMPARE(scroll->horizontalScrollBar()->maximum() == 0, fits);
     QVERIFY(m_panel->size() == size);
@@ -346,7 +349,7 @@ void TestQuestionnairePanel::aNarrowWindow_hasAllInReach()
     QVERIFY(QApplication::focusWidget() == point(1, 1) && isInSight(point(1, 1)));
 }
 
-/// The places of the parts depend on the width alone, whatever it was before.
+/// The positions of the parts depend on the present width only, not on earlier widths.
 void TestQuestionnairePanel::ends_standBesideOrBelow()
 {
     const auto words = ui::QuestionWords::of(ui::Question::Mastering);

@@ -1,4 +1,4 @@
-// The sheet against a ruler: what its files say about their size, and how long things are on it.
+// Sizes on the sheet: the page size in its files, and the true lengths of the drawing.
 
 #include "ui/drawing/drawing_painter.h"
 #include "ui/drawing/drawing_sheet.h"
@@ -34,7 +34,7 @@ ui::DrawingSheet sheetOf(float side)
     return {QStringLiteral("a cube & more"), QDate(2024, 2, 29), drawingOf(shapes::cube(side))};
 }
 
-/// 1, 2 or 5 times a power of ten.
+/// Returns true for 1, 2 or 5 times a power of ten.
 bool isRound(double value)
 {
     const double mantissa = value / std::pow(10, std::floor(std::log10(value) + 1e-9));
@@ -72,9 +72,9 @@ private Q_SLOTS:
         const ui::DrawingSheet sheet = sheetOf(side);
         const double scale = ui::sheetScale(sheet), two = 2 * static_cast<double>(side);
         QVERIFY(isRound(scale >= 1 ? scale : 1 / scale));
-        QVERIFY(two * scale < 210); // two views above each other are on the page,
+        QVERIFY(two * scale < 210); // two views fit above each other,
         QVERIFY(two * scale >
-                0.25 * 210); // and the next scale, at most 2.5 times as large, would not fit with words and frame
+                0.25 * 210); // but not at the next scale, which is at most 2.5 times as large, with texts and frame
         const QRectF bar = ui::sheetScaleBar(sheet);
         QVERIFY(isRound(bar.width() / scale));
         QVERIFY(bar.width() >= 20 && bar.width() <= 50);
@@ -107,7 +107,7 @@ private Q_SLOTS:
                 left = std::min(left, x);
                 right = std::max(right, x);
             }
-        QVERIFY(std::abs(right - left + 1 - (400 + 2)) <= 1); // and the line's width
+        QVERIFY(std::abs(right - left + 1 - (400 + 2)) <= 1); // plus the line's width
     }
 
     void theBarIsTrueOnAPicture()
@@ -151,12 +151,12 @@ private Q_SLOTS:
         QVERIFY(svg.contains("a cube &amp; more"));
         QSvgRenderer renderer(svg);
         QVERIFY(renderer.isValid());
-        QImage image(1188, 840, QImage::Format_ARGB32_Premultiplied); // 4 pixels a mm
+        QImage image(1188, 840, QImage::Format_ARGB32_Premultiplied); // 4 pixels for 1 mm
         image.fill(Qt::white);
         QPainter painter(&image);
         renderer.render(&painter);
         painter.end();
-        QVERIFY(isDark(image, 40, 420) || isDark(image, 39, 420)); // the frame, 10 mm from the edge
+        QVERIFY(isDark(image, 40, 420) || isDark(image, 39, 420)); // frame line, 10 mm from the edge
         QVERIFY(!isDark(image, 20, 420));
     }
 

@@ -33,7 +33,7 @@ template <class Widget> Widget* child(const ui::MainWindow& window, const char* 
     return window.findChild<Widget*>(QLatin1StringView(name));
 }
 
-/// The window with the panel in sight.
+/// A window with the visible preview panel.
 struct Shown
 {
     Shown()
@@ -104,7 +104,7 @@ private Q_SLOTS:
         shown.panel->setDrawing(sharedDrawingOf(shapes::cube(40)));
         QVERIFY(!note->isVisible());
         shown.panel->setDrawing(sharedDrawingOf(shapes::cube(40), true));
-        QVERIFY(!note->isVisible()); // coarser, but all is there
+        QVERIFY(!note->isVisible()); // simplified, but no lines are missing
         shown.panel->setDrawing(sharedDrawingOf(shapes::cube(40), true, 2));
         QVERIFY(note->isVisible());
         const QString interim = note->text();

@@ -31,7 +31,7 @@
 
 namespace
 {
-/// Two models of ours, one that cannot be read, a folder with another, and a file that is none.
+/// A folder with two readable models, a damaged model, a subfolder with a model, and a file that is no model.
 struct Models
 {
     Models()
@@ -51,7 +51,7 @@ struct Models
     QTemporaryDir folder;
 };
 
-/// The window with the panel in sight, on a folder whose files were all looked at.
+/// A window with the visible files panel, showing a folder whose files have all been read.
 struct Shown
 {
     explicit Shown(const Models& models) : Shown(models.folder.path()) {}
@@ -89,7 +89,7 @@ struct Shown
         grid->setCurrentIndex(find(name));
         grid->setFocus();
     }
-    /// Types a name into the field that F2 opens.
+    /// Renames a file in place with F2.
     void rename(const QString& from, const QString& to) const
     {
         choose(from);
@@ -107,7 +107,7 @@ struct Shown
     QSignalSpy noticed{panel, &ui::FileBrowser::noticed};
 };
 
-/// By the keys of the box.
+/// Chooses the order with the keys of the combo box.
 void sortBy(const Shown& s, ui::FileOrder order)
 {
     auto* box = s.child<QComboBox>("files.order");
@@ -166,7 +166,8 @@ private Q_SLOTS:
         filter->setText(QStringLiteral("ball"));
         QVERIFY(s.emptyWord().isEmpty());
         sortBy(s, ui::FileOrder::Vertices);
-        QCOMPARE(s.names(), QStringList({QStringLiteral("ball 9.obj"), QStringLiteral("ball 10.stl")})); // 162, 642
+        // 162 and 642 vertices
+        QCOMPARE(s.names(), QStringList({QStringLiteral("ball 9.obj"), QStringLiteral("ball 10.stl")}));
         s.child<QToolButton>("files.direction")->click();
         filter->clear();
         QCOMPARE(s.names(), QStringList({QStringLiteral("inner"), QStringLiteral("ball 10.stl"),
@@ -196,7 +197,8 @@ private Q_SLOTS:
         QCOMPARE(other.findChild<QComboBox*>(QStringLiteral("files.order"))->currentIndex(), 0);
     }
 
-    /// Asks for it once for each model's folder, so that who went elsewhere stays there.
+    /// The panel shows the model's folder once for each new folder. If the user then changes the folder, the panel
+    /// stays there.
     void itBeginsWhereTheModelLies()
     {
         const Models models;
@@ -260,7 +262,7 @@ private Q_SLOTS:
         QCOMPARE(opened.takeFirst().constFirst().toString(), models.path("ball 9.obj"));
         s.window.progress()->begin(QStringLiteral("Opening"));
         QTest::keyClick(s.grid, Qt::Key_Return);
-        QCOMPARE(opened.size(), 1); // the latest choice wins
+        QCOMPARE(opened.size(), 1); // opening another file is allowed while one is being opened
         opened.clear();
         s.window.progress()->end();
 
@@ -290,7 +292,7 @@ private Q_SLOTS:
         menu->close();
     }
 
-    /// A file that nobody sees is not renamed and not deleted.
+    /// The commands are disabled while the panel is hidden or no file is selected.
     void theCommandsRestWhileThereIsNothingToActOn()
     {
         const Models models;
@@ -341,7 +343,8 @@ private Q_SLOTS:
              {{QStringLiteral("files.rename"), QStringLiteral("Q")},
               {QStringLiteral("files.open"), QStringLiteral("Return; Ctrl+Return")}}});
         const QList<QKeySequence> opening =
-            s.window.action(QStringLiteral("files.open"))->shortcuts(); // what it has from the start it may keep
+            // its initial keys may be set although Return is otherwise reserved
+            s.window.action(QStringLiteral("files.open"))->shortcuts();
         QVERIFY(opening.size() == 2 && opening.contains(QKeySequence(Qt::Key_Return)));
         const auto renames = [&s](Qt::Key key) {
             s.choose(QStringLiteral("ball 9.obj"));
@@ -451,9 +454,10 @@ private Q_SLOTS:
         QTest::keyClick(s.grid, Qt::Key_Delete);
         QTRY_COMPARE(s.noticed.size(), 1);
         QVERIFY(s.noticed[0][0].toString().contains(QStringLiteral("ball 9.obj")));
-        QVERIFY(!QFile::exists(QStringLiteral("files/ball 9.obj"))); // Qt's trash where there is none
+        // Qt's fallback trash must not be created in the working directory
+        QVERIFY(!QFile::exists(QStringLiteral("files/ball 9.obj")));
         QTRY_COMPARE(s.find(QStringLiteral("ball 9.obj")).isValid(), QFile::exists(models.path("ball 9.obj")));
-        if (QStorageInfo(models.folder.path()) == QStorageInfo(QDir::home())) { // else the disk may have no trash
+        if (QStorageInfo(models.folder.path()) == QStorageInfo(QDir::home())) { // another disk may have no trash
             QVERIFY(!QFile::exists(models.path("ball 9.obj")));
             const QDir trash(QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) +
                              QStringLiteral("/Trash/files"));

@@ -20,7 +20,7 @@ using ui::ThumbnailMaker;
 
 namespace
 {
-/// A maker on a cache of its own, and what it made.
+/// A maker with its own cache, and records of the pictures made.
 struct Maker
 {
     explicit Maker(const QString& cache) : maker(cache)
@@ -42,7 +42,7 @@ struct Maker
     QObject here;
     QStringList order;
     Thumbnail last;
-    ThumbnailMaker maker; ///< first to go
+    ThumbnailMaker maker; ///< destroyed first, because its signals use the others
 };
 
 Thumbnail plain(QRgb color)
@@ -115,7 +115,7 @@ private Q_SLOTS:
         m.maker.request(files);
         m.maker.request({files[5], files[2]});
         QTRY_VERIFY(m.order.contains(QStringLiteral("2.stl")));
-        m.order.removeAll(QStringLiteral("0.stl")); // it may have been done already
+        m.order.removeAll(QStringLiteral("0.stl")); // may have been finished before the second request
         QCOMPARE(m.order, QStringList({QStringLiteral("5.stl"), QStringLiteral("2.stl")}));
     }
 
@@ -126,7 +126,7 @@ private Q_SLOTS:
         QTest::newRow("text") << QStringLiteral("large.obj");
     }
 
-    /// A large one is given up when it is not wanted any more, wherever it is.
+    /// The drawing of a large file is cancelled at any stage when it is no longer requested.
     void whatIsNotWantedIsGivenUp()
     {
         QFETCH(QString, name);
@@ -141,7 +141,7 @@ private Q_SLOTS:
             m.maker.request({FileJobs::entryOf(small)});
             QTRY_VERIFY(!m.order.isEmpty() && m.order.constLast() == QStringLiteral("small.stl"));
             QCOMPARE(m.maker.drawn(), m.order.size());
-            QVERIFY(m.order.size() == 1 || delayMs > 1); // later the large one may have been done already
+            QVERIFY(m.order.size() == 1 || delayMs > 1); // after a longer delay, the large file may be finished
         }
     }
 

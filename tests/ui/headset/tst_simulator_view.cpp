@@ -1,4 +1,4 @@
-// The hand of who sits before the VR simulator: each key and each move of the mouse does what the legend says.
+// The controls of the VR simulator: each key and mouse motion has the effect given in the legend.
 #include "ui/headset/simulator_view.h"
 #include "ui/headset/simulator_window.h"
 
@@ -20,7 +20,7 @@ using ui::SimulatorView;
 
 namespace
 {
-/// Where the eye sees a point: -1 to 1 from edge to edge, right and up.
+/// Returns the position of a point in the eye's picture: -1 to 1 from edge to edge, right and up.
 Eigen::Vector2d seen(const SimulatorControls& controls, const Vec3& point)
 {
     const Vec3 own = controls.head().inverse() * point;
@@ -45,7 +45,7 @@ void wheel(SimulatorView& view, int notches, Qt::KeyboardModifiers modifiers = {
     QCoreApplication::sendEvent(&view, &event);
 }
 
-/// Filter that notes which window came to the front last.
+/// An event filter that records the window that was raised last.
 class Raised : public QObject
 {
 public:
@@ -84,7 +84,7 @@ private Q_SLOTS:
             move(at.view, place);
             QVERIFY((seen(at.controls(), at.tip()) - place).norm() < 0.01);
         }
-        sendMouse(&at.view, QEvent::MouseMove, QPoint(-500, 2000)); // out of the window, a button held
+        sendMouse(&at.view, QEvent::MouseMove, QPoint(-500, 2000)); // outside the window, while a button is held
         QVERIFY((seen(at.controls(), at.tip()) - Eigen::Vector2d(-1, -1)).norm() < 1e-9);
     }
 
@@ -101,7 +101,8 @@ private Q_SLOTS:
         QVERIFY(farFromEye(at.controls()) > 0.1);
     }
 
-    /// Asks that by default the tip is on what is under the mouse, and the wheel keeps it before or behind that.
+    /// Initially the tip is on the surface under the mouse. The wheel moves it before or behind the surface, and it
+    /// keeps that offset.
     void tip_goesWithTheSurface()
     {
         using Following = SimulatorControls::Following;
@@ -123,8 +124,8 @@ private Q_SLOTS:
         QVERIFY(isAt(0.66) && !at.controls().depth());
     }
 
-    /// A surface that grows towards the eye below a resting wand does not take the wand along; one along which the
-    /// mouse moves does.
+    /// While a button is pressed, a surface that grows towards the eye does not move the resting wand; a surface along
+    /// which the mouse moves does.
     void tip_thatSculptsGoesAsTheMouseDoes()
     {
         using Following = SimulatorControls::Following;
@@ -140,7 +141,7 @@ private Q_SLOTS:
         QVERIFY2(by > 0.05 && by < 0.08, qPrintable(QString::number(by)));
     }
 
-    /// Asks that at a panel, and with a ray, what is hit is what the mouse is over, from any distance.
+    /// Wands that point (at a panel, or with a ray brush) hit the point under the mouse at any distance.
     void wand_thatPointsHitsWhatIsUnderTheMouse()
     {
         using Following = SimulatorControls::Following;
@@ -161,7 +162,7 @@ private Q_SLOTS:
                 }
     }
 
-    /// Asks that what was pressed on a panel keeps its distance where the panel ends.
+    /// A wand that was pressed on a panel keeps its distance beyond the panel's edge.
     void wand_thatPressesAPanelStaysWithIt()
     {
         using Following = SimulatorControls::Following;
@@ -233,7 +234,7 @@ private Q_SLOTS:
         QVERIFY(at.right().pad.x() > 0.2 && !at.right().pressesPad);
         move(at.view, {1, 1}, Qt::NoButton, Qt::ControlModifier);
         QVERIFY(at.right().pad.norm() < 1 + 1e-9);
-        QCOMPARE(at.tip(), tip); // the hand holds still meanwhile
+        QCOMPARE(at.tip(), tip); // the hand does not move while the thumb slides
         QTest::keyRelease(&at.view, Qt::Key_Control);
         QCOMPARE(at.right(), SimulatedButtons());
     }
@@ -253,7 +254,7 @@ private Q_SLOTS:
         QVERIFY(at.right() == SimulatedButtons() && at.left() == SimulatedButtons());
     }
 
-    /// What squeezes goes on, and stays where it is; any other hand comes to rest.
+    /// A hand that squeezes keeps squeezing and stays in place; otherwise the hand returns to its rest pose.
     void tab_changesTheHand()
     {
         Seated at;
@@ -292,7 +293,7 @@ private Q_SLOTS:
         QVERIFY(way.x() < -0.39 && std::abs(way.y()) < 1e-9 && way.norm() < 0.41);
         QTest::keyPress(&at.view, Qt::Key_Q);
         at.view.advance(60);
-        QVERIFY(at.controls().head().translation().y() > 0.2); // not through the floor
+        QVERIFY(at.controls().head().translation().y() > 0.2); // above the floor
     }
 
     void focus_thatIsLostLetsGo()
@@ -308,8 +309,7 @@ private Q_SLOTS:
         QCOMPARE(at.controls().head().translation(), from);
     }
 
-    /// Asks for a question without whose answer nothing goes on: it comes to the front when the window opens, and when
-    /// it opens itself.
+    /// A modal dialog comes to the front when the simulator window opens, and also when the dialog opens later.
     void question_isNotHiddenBehindTheWindow()
     {
         QWidget main;

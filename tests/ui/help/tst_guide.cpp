@@ -27,7 +27,7 @@ QString source(const QString& language, const QString& page)
     return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
 }
 
-/// Returns the picture that the guide finds: one of the language, or one for all.
+/// Returns the picture that the guide would show: the language's own, or else the common one.
 QImage pictureOf(const QString& language, const QString& path)
 {
     const QImage own(QStringLiteral(":/help/%1/%2").arg(language, path));
@@ -43,7 +43,7 @@ QStringList found(const QString& text, const QString& pattern)
     return all;
 }
 
-/// The guide in a window of its own.
+/// The guide window with its own main window and actions.
 struct Fixture
 {
     QMainWindow window;
@@ -74,7 +74,7 @@ private Q_SLOTS:
     void init() { QLocale::setDefault(QLocale::c()); }
     void cleanup() { QLocale::setDefault(QLocale::c()); }
 
-    /// Nothing of one language is missing in another, and nothing lies there that nobody reads.
+    /// All languages have the same pages, and there are no unused pages.
     void languagesSayTheSame()
     {
         for (const QString& language : languages)
@@ -122,7 +122,7 @@ private Q_SLOTS:
         }
     }
 
-    /// Asks that each page fits a screen or two, and that each picture of a language is on a page.
+    /// Each page fits on one or two screens, and each picture of a language is used on a page.
     void pagesAreShort_andShowAllPictures()
     {
         QSet<QString> shown;
@@ -139,7 +139,7 @@ private Q_SLOTS:
                 QVERIFY2(shown.contains(file), qPrintable(language + u' ' + file));
     }
 
-    /// Finds words that people from other programs of this kind would not understand.
+    /// No page contains jargon that users of other sculpting programs would not understand.
     void wordsAreThoseOfTheTrade()
     {
         const QRegularExpression odd(
@@ -151,7 +151,7 @@ private Q_SLOTS:
         }
     }
 
-    /// No mark of Markdown or place is left in what is read.
+    /// The displayed pages contain no Markdown marks or placeholders.
     void everyPageIsReadable()
     {
         for (const QString& language : languages) {

@@ -34,7 +34,7 @@ using ui::StartPage;
 
 namespace
 {
-constexpr int pictureSide = 144; ///< twice what is shown, for fine screens
+constexpr int pictureSide = 144; ///< pixels; twice the displayed size, for high-resolution screens
 
 QImage pictureOf(core::Starter starter)
 {
@@ -44,7 +44,7 @@ QImage pictureOf(core::Starter starter)
         .convertToFormat(QImage::Format_RGBA8888);
 }
 
-/// But for what rounding may do.
+/// Returns true if the images are equal except for rounding.
 bool isAlike(const QImage& one, const QImage& other)
 {
     if (one.size() != other.size())
@@ -98,7 +98,7 @@ private Q_SLOTS:
         QCOMPARE(requested.size(), 7);
     }
 
-    /// What they show is drawn once, not at every start; where a starter changes, its picture must.
+    /// Starter pictures are files drawn in advance; each must be redrawn when its starter changes.
     void picturesAreOfTheStarters()
     {
         const QDir made(QDir::temp().filePath(QStringLiteral("fettle-starters")));
@@ -125,7 +125,7 @@ private Q_SLOTS:
         MainWindow window;
         StartPage* page = shownIn(window, true);
         auto* list = page->findChild<QListWidget*>(QStringLiteral("startRecent"));
-        QTRY_COMPARE(list->count(), 1); // the other one is not there
+        QTRY_COMPARE(list->count(), 1); // the other recent file does not exist
         const QSignalSpy requested(window.files(), &ui::ModelFiles::openRequested);
         QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(0)).center());
         QCOMPARE(requested.size(), 1);
@@ -210,7 +210,7 @@ private Q_SLOTS:
         QVERIFY(controls >= 12);
     }
 
-    /// The first model is there behind the page; another one is what somebody chose.
+    /// The first model is set behind the page, which stays open. A later model closes the page.
     void itGoesWhenAModelIsChosen()
     {
         MainWindow window;
@@ -223,7 +223,7 @@ private Q_SLOTS:
         QVERIFY(!page->isVisible());
     }
 
-    /// The whole page is in the window, or can be scrolled to where that is smaller than 960 x 540.
+    /// The whole page is visible; in windows smaller than 960 x 540 it can be scrolled.
     void itFitsASmallWindow()
     {
         MainWindow window;

@@ -14,7 +14,7 @@
 
 namespace
 {
-/// Four steps, of which the first has expired and the last is taken back.
+/// Returns a history of four steps: the first has expired and the last is undone.
 ui::History fourSteps()
 {
     ui::History history;
@@ -105,7 +105,7 @@ private Q_SLOTS:
         s.panel.setHistory(fourSteps());
         QSignalSpy jumps(&s.panel, &ui::HistoryPanel::jumpRequested);
         QTest::keyClick(s.list(), Qt::Key_Up);
-        QCOMPARE(jumps.count(), 0); // only looked at
+        QCOMPARE(jumps.count(), 0); // moving the selection does not jump
         QTest::keyClick(s.list(), Qt::Key_Return);
         QCOMPARE(jumps.count(), 1);
         QCOMPARE(jumps[0][0].toInt(), 2);
@@ -139,20 +139,20 @@ private Q_SLOTS:
         slider->setValue(1);
         QCOMPARE(wanted.count(), 1);
         QCOMPARE(wanted[0][0].toInt(), 1);
-        comeTo(2); // on its way
+        comeTo(2); // between the old and the requested state
         QCOMPARE(slider->value(), 1);
         comeTo(1);
-        comeTo(3); // by Redo
+        comeTo(3); // a Redo
         QCOMPARE(slider->value(), 3);
         slider->setValue(1);
-        comeTo(4); // somebody else went the other way
+        comeTo(4); // a change away from the requested state, made elsewhere
         QCOMPARE(slider->value(), 4);
         slider->setValue(2);
         history.steps.append({QStringLiteral("Pull"), QStringLiteral("pull"), 1, 0});
         history.last = 5;
-        comeTo(5); // a stroke
+        comeTo(5); // a new stroke
         QCOMPARE(slider->value(), 5);
-        QCOMPARE(wanted.count(), 3); // what the model does asks for nothing
+        QCOMPARE(wanted.count(), 3); // changes of the model request nothing
     }
 
     void theCapComesBack()

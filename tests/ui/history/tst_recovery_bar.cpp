@@ -68,7 +68,7 @@ void TestRecoveryBar::buttons_areReachedByKeys()
     }
     QTest::keyClick(button("recover"), Qt::Key_Space);
     QCOMPARE(wanted.size(), 1);
-    QVERIFY(m_bar->isVisible()); // until it is done
+    QVERIFY(m_bar->isVisible()); // stays until the recovery is finished
 }
 
 void TestRecoveryBar::later_takesTheBarAway()

@@ -16,7 +16,7 @@ namespace
 {
 const core::SurfaceHit somewhere{core::Vec3(0, 0, 50), core::Vec3(0, 0, 1), 100, 0};
 
-/// Writes down what the input says, in order.
+/// Records the signals of the input, in order.
 struct Recorder
 {
     Recorder()
@@ -48,7 +48,7 @@ struct Recorder
         event.time = clock += 0.01;
         input.handle(event);
     }
-    /// The pointer rests at `at` and the answer about it is known.
+    /// Moves the pointer to `at` and answers its hover request.
     void rest(Pixel at, std::optional<core::SurfaceHit> hit)
     {
         send(Kind::Move, at);
@@ -93,7 +93,7 @@ private Q_SLOTS:
         QCOMPARE(r.samples[1].position, r.camera.ray({410, 305}).origin);
     }
 
-    /// The pointer trembles across its way; the brush follows the way and hardly the tremble.
+    /// The pointer zigzags across its path. A steady brush follows the path with little of the zigzag.
     void aSteadyStrokeIsDrawnOnAString()
     {
         const auto farthestAside = [](bool steady) {
@@ -126,7 +126,8 @@ private Q_SLOTS:
             r.samples.clear();
             r.send(Kind::Press, {400, 300});
             r.send(Kind::Move, to);
-            QVERIFY((r.samples.back().direction - r.camera.ray(to).direction).norm() > 1e-3); // on the string
+            // the brush lags behind the pointer
+            QVERIFY((r.samples.back().direction - r.camera.ray(to).direction).norm() > 1e-3);
             end();
             QVERIFY((r.samples.back().direction - r.camera.ray(to).direction).norm() < 1e-12);
             QCOMPARE(r.log.back(), QStringLiteral("ended"));
@@ -134,11 +135,11 @@ private Q_SLOTS:
             r.input.setHover(somewhere);
         };
         stroke({500, 330}, [&] { r.send(Kind::Release, {500, 330}); });
-        stroke({410, 300}, [&] { r.send(Kind::Release, {410, 300}); }); // shorter than the string
+        stroke({410, 300}, [&] { r.send(Kind::Release, {410, 300}); }); // shorter than the stabilizer's length
         stroke({500, 330}, [&] { r.input.finish(); });
 
         r.log.clear();
-        r.send(Kind::Press, {400, 300}); // a tap is one sample
+        r.send(Kind::Press, {400, 300}); // a tap gives one sample
         r.send(Kind::Release, {400, 300});
         QCOMPARE(r.log, strokeOf(1));
     }
@@ -151,8 +152,8 @@ private Q_SLOTS:
             QSignalSpy picked(&r.input, &ui::PointerInput::picked);
             r.input.setMode(ui::PointerMode::Pick);
             r.rest({400, 300}, somewhere);
-            QVERIFY(!r.input.hover());       // nothing would be sculpted
-            r.send(Kind::Press, {450, 300}); // the answer is not known yet
+            QVERIFY(!r.input.hover());       // no cursor, because a press would not sculpt
+            r.send(Kind::Press, {450, 300}); // its answer is not known yet
             r.send(Kind::Move, {460, 300});
             r.send(Kind::Release, {460, 300});
             QCOMPARE(picked.count(), 0);
@@ -163,8 +164,8 @@ private Q_SLOTS:
         }
     }
 
-    /// The ball comes, beside the model, in the plane that faces the camera, through the last stroke's place if there
-    /// was one; once.
+    /// Beside the model, an armed press requests one ball. It is in the plane parallel to the picture through the place
+    /// of the last stroke, or through the view's centre if there was no stroke.
     void anArmedPressAsksForASphere()
     {
         Recorder r;
@@ -181,7 +182,7 @@ private Q_SLOTS:
         const auto click = [&](const Pixel& at) {
             r.input.setMode(ui::PointerMode::Add);
             r.rest(at, std::nullopt);
-            r.input.setHover(std::nullopt); // the answer before may have been about another place
+            r.input.setHover(std::nullopt); // the previous answer may be for another pixel
             QVERIFY(r.input.hover());
             const core::Vec3 shown = r.input.hover()->position;
             r.send(Kind::Press, at);
@@ -200,16 +201,16 @@ private Q_SLOTS:
         r.camera.setPivot(somewhere.position);
         click({500, 200});
         QVERIFY(std::abs(depth(places.back()) - depth(somewhere.position)) < 1e-9);
-        QCOMPARE(r.camera.eye(), eye); // neither did it turn the view
+        QCOMPARE(r.camera.eye(), eye); // the press did not turn the view
 
         r.input.setMode(ui::PointerMode::Add);
-        r.send(Kind::Press, {400, 300}, Qt::MiddleButton); // the view may be turned meanwhile
+        r.send(Kind::Press, {400, 300}, Qt::MiddleButton); // the view may be turned while a press is armed
         r.send(Kind::Release, {400, 300}, Qt::MiddleButton);
         QVERIFY(r.input.mode() == ui::PointerMode::Add);
         QCOMPARE(places.size(), 2);
     }
 
-    /// The ball waits until it is known where the surface is.
+    /// The request for the ball waits for the answer where the surface is.
     void anArmedPressOnTheModelAsksForASphereThere()
     {
         Recorder r;
@@ -228,7 +229,7 @@ private Q_SLOTS:
         QVERIFY(r.input.mode() == ui::PointerMode::Sculpt && r.log.isEmpty());
     }
 
-    /// The hand rests in the world while the model turns, so in the model's space it goes round.
+    /// A pointer that does not move stays fixed in the world, so it circles in the space of the turning model.
     void aRestingHandGoesRoundATurningModel()
     {
         Recorder r;
@@ -247,14 +248,14 @@ private Q_SLOTS:
             QVERIFY(s.rotation.angularDistance(turned) < 1e-6);
             QVERIFY(i == 0 || s.time > r.samples[i - 1].time);
         }
-        QVERIFY((r.camera.ray({450, 280}).direction - first.direction).norm() < 1e-9); // once round
+        QVERIFY((r.camera.ray({450, 280}).direction - first.direction).norm() < 1e-9); // a full turn
     }
 
     void theCursorStaysUnderThePointerOfATurningModel()
     {
         Recorder r;
         const Pixel at(450, 280);
-        const auto surface = [&](const core::Ray& ray) { // a ball of 40 about the origin
+        const auto surface = [&](const core::Ray& ray) { // a ball of radius 40 about the origin
             const double b = ray.origin.dot(ray.direction), c = ray.origin.squaredNorm() - 1600;
             const core::Vec3 p = ray.origin + (-b - std::sqrt(b * b - c)) * ray.direction;
             return core::SurfaceHit{p, p.normalized(), 0, 0};
@@ -263,7 +264,7 @@ private Q_SLOTS:
         for (int i = 0; i < 20; ++i) {
             r.input.turnModel(0.05, 0.02);
             QVERIFY((r.camera.project(r.input.hover()->position) - at).norm() < 1e-6);
-            if (i % 3 == 2) // late answers
+            if (i % 3 == 2) // answers arrive late
                 r.input.setHover(surface(r.asked));
             QVERIFY((r.camera.project(r.input.hover()->position) - at).norm() < 1e-6);
         }
@@ -302,7 +303,7 @@ private Q_SLOTS:
         }
         r.input.setHover(somewhere);
         QCOMPARE(r.log, strokeOf(2));
-        for (int i = 0; i < 3; ++i) // the move's question may stand before the press's
+        for (int i = 0; i < 3; ++i) // the move's request may be before the press's
             r.input.setHover(somewhere);
         QCOMPARE(r.log, strokeOf(2) + strokeOf(2));
     }
@@ -313,7 +314,7 @@ private Q_SLOTS:
         const core::Vec3 eye = r.camera.eye(), target = r.camera.target();
         r.send(Kind::Press, {20, 20});
         r.send(Kind::Move, {60, 40});
-        QCOMPARE(r.camera.eye(), eye); // nobody knows yet
+        QCOMPARE(r.camera.eye(), eye); // no motion before the answer
         r.input.setHover({});
         QVERIFY((r.camera.eye() - eye).norm() > 1);
         QCOMPARE(r.camera.target(), target);
@@ -339,7 +340,7 @@ private Q_SLOTS:
         QVERIFY(r.log.isEmpty());
     }
 
-    /// Wherever the press is: on the model, where a brush would work.
+    /// Buttons other than the left one move the view even on the model.
     void everyButtonHasItsView_data()
     {
         QTest::addColumn<Qt::MouseButton>("button");
@@ -411,7 +412,7 @@ private Q_SLOTS:
         r.send(Kind::Release, {390, 340}, Qt::MiddleButton);
         QCOMPARE(r.camera.pivot(), last);
         QVERIFY((r.camera.project(last) - place).norm() < 1e-6);
-        r.input.setHover(core::SurfaceHit{first, core::Vec3(0, 0, 1), 100, 0}); // no stroke, only a pointer
+        r.input.setHover(core::SurfaceHit{first, core::Vec3(0, 0, 1), 100, 0}); // a hover, not a stroke
         QCOMPARE(r.camera.pivot(), last);
     }
 
@@ -435,7 +436,7 @@ private Q_SLOTS:
         QVERIFY((r.camera.project(grabbed) - Pixel(250, 380)).norm() < 1e-6);
     }
 
-    /// An airbrush samples the pointer while it rests, with times that go on.
+    /// An airbrush samples a pointer that does not move, with increasing times.
     void restingPointer_isSampled()
     {
         for (const core::Tool tool : {core::Tool::Pull, core::Tool::Grab}) {
@@ -464,8 +465,8 @@ private Q_SLOTS:
         }
     }
 
-    /// A click of the right button asks for the palette where it was; a drag, one with a key, and one that takes a
-    /// stroke back do not.
+    /// A click of the right button requests the palette at its pixel. A drag, a click with a modifier key, and a click
+    /// that cancels a stroke do not.
     void rightClick_asksForThePalette()
     {
         Recorder r;
@@ -501,7 +502,7 @@ private Q_SLOTS:
         r.send(Kind::Release, {420, 300});
         QCOMPARE(r.log, expected);
         r.rest({400, 300}, somewhere);
-        r.input.setHover(somewhere); // the answer to an earlier question came first
+        r.input.setHover(somewhere); // answers an earlier request first
         r.send(Kind::Press, {400, 300});
         r.send(Kind::Release, {400, 300});
         QCOMPARE(r.log, expected + strokeOf(1));
@@ -557,11 +558,11 @@ private Q_SLOTS:
         QVERIFY(r.input.hover());
     }
 
-    /// A finger is gone as soon as it is lifted; its press still waits for its turn to be asked about.
+    /// A lifted finger leaves the view at once, but its press, which still waits for an answer, is not lost.
     void leavingDoesNotLoseAPress()
     {
         Recorder r;
-        r.send(Kind::Move, {100, 100}); // in flight
+        r.send(Kind::Move, {100, 100}); // this request is in flight
         r.send(Kind::Press, {400, 300});
         r.send(Kind::Release, {400, 300});
         r.input.pointerLeft();
@@ -603,7 +604,7 @@ private Q_SLOTS:
         Recorder r;
         r.brush.setTool(static_cast<Tool>(tool));
         r.send(Kind::Press, {400, 300}, Qt::LeftButton, keys);
-        r.brush.setValue(core::Parameter::Radius, 77); // too late for this stroke
+        r.brush.setValue(core::Parameter::Radius, 77); // too late to affect this stroke
         r.send(Kind::Move, {401, 300}, Qt::LeftButton, Qt::NoModifier);
         r.input.setHover(somewhere);
         QCOMPARE(static_cast<int>(r.settings.tool), expected);
@@ -619,7 +620,8 @@ private Q_SLOTS:
         QCOMPARE(r.settings.tool, Tool::Push);
     }
 
-    /// On the model Alt is the brush's; beside it Alt and left move the view, and without Alt they turn it.
+    /// Alt inverts the brush on the model in the ZBrush preset. Beside the model, Alt and left pan the view; left alone
+    /// orbits.
     void altInvertsAsInZBrush()
     {
         for (const bool isAlt : {true, false}) {
@@ -645,13 +647,14 @@ private Q_SLOTS:
         }
     }
 
-    /// A press shall be answered soon, and in a stroke the clay is to be seen.
+    /// The footprint is shown only between strokes: a press needs a fast answer, and during a stroke the model must be
+    /// visible.
     void theRayBrushShowsWhatItWouldTakeUntilItTakes()
     {
         Recorder r;
         const auto footprint = std::make_shared<const core::Footprint>();
         r.send(Kind::Move, {300, 300});
-        QVERIFY(!r.askedBrush); // the spherical brush needs no answer
+        QVERIFY(!r.askedBrush); // spherical brushes need no footprint
         r.input.setHover(somewhere);
         r.brush.set(&core::StrokeSettings::brush, core::BrushShape::Ray);
         r.brush.setValue(core::Parameter::Radius, 7);
@@ -671,7 +674,7 @@ private Q_SLOTS:
         r.input.setHover(somewhere);
         r.send(Kind::Release, {410, 300});
         QVERIFY(r.askedBrush);
-        QVERIFY(!r.input.footprint()); // the surface is another
+        QVERIFY(!r.input.footprint()); // the surface has changed
         r.input.setHover(somewhere, footprint);
         QCOMPARE(r.input.footprint(), footprint);
 
@@ -709,11 +712,11 @@ private Q_SLOTS:
         QVERIFY(!strokeOf(Tool::Crease, {}, false).inverted);
         QVERIFY(strokeOf(Tool::Crease, {}, true).inverted &&
                 strokeOf(Tool::Crease, Qt::ControlModifier, false).inverted);
-        QVERIFY(!strokeOf(Tool::Crease, Qt::ControlModifier, true).inverted); // twice round
+        QVERIFY(!strokeOf(Tool::Crease, Qt::ControlModifier, true).inverted); // inverted twice
         QVERIFY(!strokeOf(Tool::Crease, Qt::ShiftModifier, true).inverted);
     }
 
-    /// Spaced dabs would lag behind the hand.
+    /// Drag tools have spacing 0, because spaced dabs would lag behind the pointer.
     void whatFollowsTheHandIsNotSpaced()
     {
         for (std::size_t i = 0; i < core::toolNames().size(); ++i) {
@@ -746,12 +749,12 @@ private Q_SLOTS:
         QCOMPARE(sampleOf(preferences, 0.3).pressure, 0.3);
         preferences.penExponent = 2;
         QCOMPARE(sampleOf(preferences, 0.5).pressure, 0.25);
-        QCOMPARE(sampleOf(preferences, 1).pressure, 1.0); // a mouse
+        QCOMPARE(sampleOf(preferences, 1).pressure, 1.0); // pressure of a mouse
         preferences.pressureToRadius = true;
         QCOMPARE(*sampleOf(preferences, 0.5).radius, 0.25 * ui::BrushSettings().stroke().radius);
     }
 
-    /// It ends in the hand and at the brush, and there is none without a stroke or without a string.
+    /// The line reaches from the brush to the pointer. It exists only during a stroke with a stabilizer.
     void aSteadyStrokeShowsItsString()
     {
         Recorder r;
@@ -764,7 +767,7 @@ private Q_SLOTS:
         QVERIFY(r.input.stabilizer());
         QCOMPARE(r.input.stabilizer()->pointer, Pixel(500, 300));
         QCOMPARE(r.input.stabilizer()->brush, Pixel(460, 300));
-        r.send(Kind::Move, {470, 310}); // slack
+        r.send(Kind::Move, {470, 310}); // nearer than the stabilizer's length
         QCOMPARE(r.input.stabilizer()->pointer, Pixel(470, 310));
         QCOMPARE(r.input.stabilizer()->brush, Pixel(460, 300));
         r.send(Kind::Release, {470, 310});
@@ -778,7 +781,7 @@ private Q_SLOTS:
         QCOMPARE(free.input.stabilizer()->pointer, free.input.stabilizer()->brush);
     }
 
-    /// The cursor stays where an anchored drag began; string and airbrush have no part in it.
+    /// The cursor of an anchored stroke stays at its beginning. Stabilizer and airbrush have no effect.
     void anAnchoredStrokeIsDraggedOutOfItsPlace()
     {
         Recorder r;
@@ -789,7 +792,7 @@ private Q_SLOTS:
         r.send(Kind::Press, {400, 300});
         QVERIFY(r.settings.anchored && r.settings.airbrush == 0);
         r.send(Kind::Move, {401, 300});
-        QCOMPARE(r.samples.size(), std::size_t(2)); // without a string
+        QCOMPARE(r.samples.size(), std::size_t(2)); // the stabilizer is off
         r.send(Kind::Move, {400, 380});
         QCOMPARE(r.input.stabilizer()->brush, Pixel(400, 300));
         QCOMPARE(r.input.stabilizer()->pointer, Pixel(400, 380));
@@ -813,8 +816,8 @@ private Q_SLOTS:
     void aPressIsAskedAboutNextWhateverElseWaits()
     {
         Recorder r;
-        r.send(Kind::Move, {100, 100}); // in flight
-        r.send(Kind::Move, {110, 100}); // waits
+        r.send(Kind::Move, {100, 100}); // this request is in flight
+        r.send(Kind::Move, {110, 100}); // this request waits
         r.send(Kind::Press, {400, 300});
         r.send(Kind::Move, {410, 300});
         r.input.setHover({});

@@ -17,7 +17,7 @@ using namespace core;
 
 namespace
 {
-/// The window, and what was answered.
+/// A parent window and the command that a dialog returned.
 struct Asking
 {
     QWidget window;
@@ -69,7 +69,8 @@ void TestModelDialogs::move_givesThreeNumbers()
 
 void TestModelDialogs::rotate_turnsAboutTheAxisChosen()
 {
-    const Vec3 images[] = {{0, 0, -1}, {1, 0, 0}, {0, 1, 0}}; // of x, when it turns a quarter about y, x and z
+    // image of the x axis after a quarter turn about y, x and z
+    const Vec3 images[] = {{0, 0, -1}, {1, 0, 0}, {0, 1, 0}};
     for (int i = 0; i < 3; ++i) {
         Asking asking;
         ui::askForRotation(&asking.window, asking.answer);

@@ -89,7 +89,7 @@ void TestUnitBar::buttons_giveTheirUnit_data()
     QTest::newRow("centimetres") << QStringLiteral("asCentimetres") << int(Qt::Key_Return) << 10.0;
 }
 
-/// Reached by Tab from where one works.
+/// The buttons can be reached by Tab from the view.
 void TestUnitBar::buttons_giveTheirUnit()
 {
     QFETCH(QString, name);
@@ -106,7 +106,7 @@ void TestUnitBar::buttons_giveTheirUnit()
     QTest::keyClick(wanted, static_cast<Qt::Key>(key));
     QCOMPARE(chosen.size(), 1);
     QCOMPARE(chosen[0][0].toDouble(), millimetres);
-    QVERIFY(m_bar->isVisible()); // until the model is that large
+    QVERIFY(m_bar->isVisible()); // stays until the model has been scaled
 }
 
 void TestUnitBar::millimetres_takeTheBarAway()
@@ -135,7 +135,7 @@ void TestUnitBar::longNames_leaveRoomForTheButtons()
         QTRY_VERIFY2(m_bar->rect().contains(QRect(button(name)->mapTo(m_bar, QPoint()), button(name)->size())), name);
 }
 
-/// Two bars stand one below the other, over the top of the view.
+/// Two bars are shown one below the other, over the top of the view, whose size does not change.
 void TestUnitBar::theView_staysWhereItIs()
 {
     m_window->addToolBar(QStringLiteral("Tools"))->addAction(QStringLiteral("A tool"));
@@ -157,7 +157,8 @@ void TestUnitBar::theView_staysWhereItIs()
     QCOMPARE(m_bar->y(), m_window->centralWidget()->y());
 }
 
-/// A panel beside the view is not covered: the buttons go below the sentence, and come back beside it.
+/// The bar does not cover a panel beside the view. If the view is narrow, the buttons move below the text, and back
+/// when it widens.
 void TestUnitBar::narrowViews_getTwoLines()
 {
     auto* column = new QDockWidget;

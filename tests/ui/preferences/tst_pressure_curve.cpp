@@ -15,7 +15,7 @@ private Q_SLOTS:
     void passesWhereItIsDragged()
     {
         PressureCurve curve;
-        curve.resize(216, 116); // 200 x 100 within its margin
+        curve.resize(216, 116); // 200 x 100 pixels inside its margin
         for (const double x : {0.25, 0.5, 0.75})
             for (const double y : {0.3, 0.5, 0.7}) {
                 if (const double wanted = std::log(y) / std::log(x);

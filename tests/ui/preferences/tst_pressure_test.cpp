@@ -24,7 +24,7 @@ void drawAcross(PressureTest& field, double pressure,
     send(QEvent::TabletMove, {180, 80});
 }
 
-/// Of the line in the middle of the field, in pixels.
+/// Returns the width of the line in the middle of the field, pixels.
 int width(PressureTest& field)
 {
     const QImage picture = field.grab().toImage();

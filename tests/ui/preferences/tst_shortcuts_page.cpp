@@ -19,7 +19,7 @@ using ui::ShortcutSettings;
 
 namespace
 {
-/// The page as it lies in the dialog, and what it has told.
+/// The page in a window as in the dialog, and what its signal reported.
 struct Fixture
 {
     QMainWindow window;
@@ -107,7 +107,7 @@ private Q_SLOTS:
         QCOMPARE(fixture.marked(), QStringLiteral("brush.radius"));
         QVERIFY(!fixture.mayGo() && fixture.word().isEmpty());
 
-        QTest::keyClick(fixture.edit("key1"), Qt::Key_H); // and now F is free
+        QTest::keyClick(fixture.edit("key1"), Qt::Key_H); // frees F
         fixture.mark("tool.pull");
         QTest::keyClick(fixture.edit("key1"), Qt::Key_F);
         QCOMPARE(fixture.key("tool.pull"), QKeySequence(Qt::Key_F));
@@ -189,10 +189,10 @@ private Q_SLOTS:
             fixture.mark(id);
             QTest::keyClick(fixture.edit("key1"), *id == 't' && fixture.times == 0 ? Qt::Key_H : Qt::Key_1);
         }
-        QCOMPARE(fixture.key("tool.push"), QKeySequence(Qt::Key_1)); // which Pull had
+        QCOMPARE(fixture.key("tool.push"), QKeySequence(Qt::Key_1)); // the key that Pull had
         fixture.mark("tool.pull");
         fixture.child<QPushButton>("resetKey")->click();
-        QVERIFY(fixture.key("tool.pull").isEmpty()); // Push keeps it, and that is said
+        QVERIFY(fixture.key("tool.pull").isEmpty()); // Push keeps the key, and a message says so
         QVERIFY(fixture.word().contains(fixture.name("tool.push")) && fixture.mayGo());
         QVERIFY(!fixture.child<QPushButton>("resetKey")->isEnabled() && resetAll->isEnabled());
         resetAll->click();

@@ -1,4 +1,4 @@
-// What is found in words, what it looks like on the model, and the printers.
+// The print check: its findings as texts, their colours on the model, and the list of printers.
 
 #include "ui/print/print_findings.h"
 #include "ui/print/print_legend.h"
@@ -64,10 +64,11 @@ private Q_SLOTS:
         QVERIFY(worstOf(findingsOf(shapes::cube(300), {.bed = bed}, printer)) == PrintVerdict::Bad);
         QVERIFY(worstOf(findingsOf(clay::slab(20, 0.5, 4), {.bed = bed}, printer)) == PrintVerdict::Bad);
         QVERIFY(worstOf(findingsOf(shapes::cubeWithFlippedFace(), {.bed = bed}, printer)) == PrintVerdict::Bad);
-        QVERIFY(worstOf(findingsOf(shapes::cube(1.5F), {.bed = bed}, printer)) == PrintVerdict::Warning); // in inches?
+        // is it in inches?
+        QVERIFY(worstOf(findingsOf(shapes::cube(1.5F), {.bed = bed}, printer)) == PrintVerdict::Warning);
     }
 
-    /// Slivers in creases and tips of edges are shown, and are no fault.
+    /// Slivers in creases and at tips of edges are listed, but are not counted as faults.
     void specks_areNoFault()
     {
         const core::PrintMeasures measures = core::measureForPrint(shapes::cube(20));
@@ -116,7 +117,7 @@ private Q_SLOTS:
         QCOMPARE(settings.get(&ui::Setting::printers)[0].name, QStringLiteral("A; \"b\", c"));
         QCOMPARE(settings.get(&ui::Setting::printers)[0].bed.x, 100.5);
         settings.reset();
-        QCOMPARE(settings.get(&ui::Setting::printers).size(), 1); // a person made it
+        QCOMPARE(settings.get(&ui::Setting::printers).size(), 1); // a printer added by the user survives a reset
         for (const char* broken : {"", "Name", "Name\t1\t2", "Name\t100\t100\tx", "\t100\t100\t100",
                                    "Name\t1\t100\t100", "Name\t1e9\t100\t100", "Name\tnan\t100\t100"})
             QVERIFY2(ui::printersOf({QString::fromLatin1(broken)}).isEmpty(), broken);

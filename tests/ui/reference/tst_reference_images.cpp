@@ -27,7 +27,7 @@ using Side = ui::OrbitCamera::Side;
 
 namespace
 {
-/// Red on the left half, blue on the right, a green band above both.
+/// Returns a picture that is red on the left and blue on the right, with a green band at the top.
 QImage testPicture(QSize size)
 {
     QImage image(size, QImage::Format_RGB32);
@@ -38,13 +38,13 @@ QImage testPicture(QSize size)
     return image;
 }
 
-/// How many pixels are about as red, green or blue as the test picture; clay and background are none of that.
+/// Numbers of pixels that are red, green or blue like the test picture; clay and background are none of these colours.
 struct Counts
 {
     int red = 0, green = 0, blue = 0;
-    double redX = 0, blueX = 0, greenY = 0, redY = 0; ///< means
+    double redX = 0, blueX = 0, greenY = 0, redY = 0; ///< mean coordinates
 
-    int firstX = 1 << 20, lastX = -1; ///< of green
+    int firstX = 1 << 20, lastX = -1; ///< smallest and largest x of green pixels
 
     int width() const { return lastX - firstX + 1; }
     bool none() const { return red + green + blue == 0; }
@@ -90,7 +90,7 @@ core::DocumentMetadata metadataOf(const ui::MainWindow& window)
     return metadata;
 }
 
-/// A window with a white ball in it, looking from the front.
+/// A window with a white ball, seen from the front.
 struct Shown
 {
     Shown()
@@ -123,7 +123,7 @@ struct Shown
 };
 } // namespace
 
-/// Images pinned to sides of the view: where they are seen, and which document they belong to.
+/// Tests images pinned to sides of the view: where they are visible, and to which document they belong.
 class TestReferenceImages : public QObject
 {
     Q_OBJECT
@@ -160,7 +160,7 @@ private Q_SLOTS:
         QVERIFY(front.greenY < front.redY);
         const QImage picture = shown.window.viewport()->grabFramebuffer();
         QVERIFY(countsOf(picture.copy(picture.width() / 2 - 20, picture.height() / 2 - 20, 40, 40))
-                    .none()); // there is clay
+                    .none()); // the clay hides the picture
 
         for (const char* id : {"view.back", "view.left", "view.right", "view.top", "view.bottom"}) {
             shown.trigger(id);
@@ -177,7 +177,7 @@ private Q_SLOTS:
         QVERIFY(!shown.action("reference.remove")->isEnabled());
     }
 
-    /// Its millimetres are those of the model's middle, near or far.
+    /// The image's scale in mm is that at the model's centre, at any distance of the camera.
     void itIsAsLargeAsTheModelsOutline()
     {
         const core::Box box(core::Vec3(-10, -20, 5), core::Vec3(10, 20, 45));
@@ -207,7 +207,7 @@ private Q_SLOTS:
         QVERIFY(shown.seen().none());
     }
 
-    /// What stands where the panel says, in mm.
+    /// The panel sets position and size in mm.
     void thePanelPlacesIt()
     {
         Shown shown;
@@ -216,7 +216,7 @@ private Q_SLOTS:
         QTRY_VERIFY(!shown.seen().none());
         QVERIFY(shown.child<ui::SidePanel>("referencePanel")->isVisible());
         auto* width = shown.child<QDoubleSpinBox>("reference.width");
-        QCOMPARE(std::lround(width->value()), 133L); // 4 : 3, and the ball of 100 mm fits
+        QCOMPARE(std::lround(width->value()), 133L); // the image is 4 : 3, and the ball of 100 mm fits its height
         width->setValue(120);
         const double perMm =
             shown.window.viewport()->camera().pixelsPerMm({0, 0, 0}) * shown.window.devicePixelRatioF();
@@ -234,7 +234,7 @@ private Q_SLOTS:
         QVERIFY(shown.seen().red > behind * 2);
     }
 
-    /// The panel is of the side that the view is nearest to, and each side has an image of its own.
+    /// The panel shows the side that the camera is nearest to, and each side has its own image.
     void eachSideHasItsOwn()
     {
         Shown shown;
@@ -296,7 +296,7 @@ private Q_SLOTS:
         QVERIFY(metadataOf(shown.window).references.empty());
     }
 
-    /// An image that is still being read when another document comes is not that one's.
+    /// An image that is still being read when another document is opened does not become part of that document.
     void anImageThatComesTooLateIsDropped()
     {
         Shown shown;
@@ -307,7 +307,7 @@ private Q_SLOTS:
         QVERIFY(metadataOf(shown.window).references.empty());
     }
 
-    /// One sentence; what was there stays.
+    /// A file that is no image is refused with one message, and the present image stays.
     void whatIsNoImageIsRefused()
     {
         const QString broken = m_folder.filePath(QStringLiteral("broken.png"));
@@ -336,7 +336,7 @@ private Q_SLOTS:
         QVERIFY(shown.action("reference.remove")->isEnabled());
     }
 
-    /// The images stay; what was hidden is shown.
+    /// A reset keeps the images and shows hidden ones.
     void resettingKeepsThem()
     {
         Shown shown;
@@ -350,7 +350,7 @@ private Q_SLOTS:
         QVERIFY(ui::Settings().get(&ui::Setting::showsReferences));
     }
 
-    /// Levels are uploaded over some frames; in the last the finest is there.
+    /// Mip levels are uploaded over several frames; the finest is visible in the last frame.
     void aLargeImageGrowsSharp_data()
     {
         QTest::addColumn<bool>("layered");
@@ -374,7 +374,7 @@ private Q_SLOTS:
         int frames = 1;
         while (scene.render(camera, {100, 100}, 1).isDraft)
             ++frames;
-        QCOMPARE(frames, 3); // up to a million pixels, 1500 x 1500, 3000 x 3000
+        QCOMPARE(frames, 3); // levels of up to a million pixels, then 1500 x 1500, then 3000 x 3000
         QVERIFY(!scene.render(camera, {100, 100}, 1).isDraft);
     }
 

@@ -5,7 +5,7 @@
 #include <QImage>
 #include <QOpenGLExtraFunctions>
 
-/// The pixels of an image that a scene has rendered. The scene's context is current, as it is after render().
+/// Returns the pixels of a rendered image. Precondition: the scene's context is current, as after render().
 inline QImage pixelsOf(const ui::Scene::Image& image, QSize size)
 {
     QOpenGLExtraFunctions* gl = QOpenGLContext::currentContext()->extraFunctions();

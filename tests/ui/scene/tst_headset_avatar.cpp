@@ -21,11 +21,10 @@ namespace
 {
 const QPoint onModel{200, 150}, besideModel{30, 40};
 
-/// A metre of the room is that many mm of the model: people are small beside it, as when it was made large in the
-/// headset.
+/// mm of the model for a metre of the room. The model has been enlarged in the headset, so people are small beside it.
 constexpr double metre = 120;
 
-/// A viewport with a ball in it and somebody who answers its questions.
+/// A viewport with a ball, and answers to its hover requests.
 struct Stage
 {
     Stage()
@@ -45,7 +44,7 @@ struct Stage
 
     QImage picture() { return viewport.grabFramebuffer(); }
     const OrbitCamera& camera() const { return viewport.camera(); }
-    /// What is seen at the pixel, as far from the eye as the model's middle.
+    /// Returns the point at a pixel, at the depth of the model's centre.
     core::Vec3 at(QPoint pixel) const
     {
         return camera().acrossPivot(camera().ray({double(pixel.x()), double(pixel.y())}));
@@ -71,7 +70,7 @@ Eigen::Isometry3d poseAt(const core::Vec3& place)
     return Eigen::Isometry3d(Eigen::Translation3d(place));
 }
 
-/// Stands there and looks at the origin.
+/// Returns a head pose at `place` that looks at the origin.
 Eigen::Isometry3d lookingAtOrigin(const core::Vec3& place)
 {
     Eigen::Isometry3d pose = poseAt(place);
@@ -79,7 +78,7 @@ Eigen::Isometry3d lookingAtOrigin(const core::Vec3& place)
     return pose;
 }
 
-/// A ball of 5 cm.
+/// Returns a ball of 5 cm radius at `place`.
 ui::GhostMesh ballAt(const core::Vec3& place)
 {
     static const auto shape = [] {
@@ -120,7 +119,7 @@ OrbitCamera cameraOnBall()
 }
 } // namespace
 
-/// Whoever wears the headset, as those at the window see them.
+/// Tests how the viewport shows the person in VR.
 class TestHeadsetAvatar : public QObject
 {
     Q_OBJECT
@@ -152,7 +151,7 @@ private Q_SLOTS:
 void TestHeadsetAvatar::ghosts_areWhereTheyShouldBe_data()
 {
     QTest::addColumn<QString>("what");
-    QTest::addColumn<int>("reach"); // mm, of what is seen of it
+    QTest::addColumn<int>("reach"); // mm, extent of the visible part
     QTest::newRow("head") << QStringLiteral("head") << 28;
     QTest::newRow("left hand") << QStringLiteral("left") << 7;
     QTest::newRow("right hand") << QStringLiteral("right") << 7;
@@ -223,7 +222,7 @@ void TestHeadsetAvatar::layers_showThem()
     }
 }
 
-/// A second of a headset's frames while the window is at something else.
+/// Many avatar updates while the window is busy cause few frames. The test sends one second of headset frames.
 void TestHeadsetAvatar::drawing_isCoalesced()
 {
     Stage s;
@@ -280,7 +279,7 @@ void TestHeadsetAvatar::following_isTheSameInFewStepsAndInMany()
     QVERIFY(std::abs(left - std::exp(-1 / 0.3)) < 1e-9);
 }
 
-/// A head that is tilted to its shoulder.
+/// The followed view is level, even if the head is tilted sideways.
 void TestHeadsetAvatar::following_staysLevel()
 {
     Eigen::Isometry3d head = lookingAtOrigin({0, 40, 200});
@@ -301,7 +300,8 @@ void TestHeadsetAvatar::following_standsStraightUpAndDown()
         OrbitCamera camera = cameraOnBall();
         camera.setPose(ui::headTrackingStep(camera, head, 60));
         QVERIFY(camera.viewDirection().isApprox(-head.linear().col(2), 1e-6));
-        QVERIFY(camera.up().isApprox(head.linear().col(1), 1e-6)); // the face's side is where it was
+        // looking straight up or down, the direction of the face stays at the picture's side
+        QVERIFY(camera.up().isApprox(head.linear().col(1), 1e-6));
     }
 }
 
@@ -318,7 +318,7 @@ void TestHeadsetAvatar::following_goesWhereTheHeadIs()
 
     s.viewport.navigation()->setFollowing(false);
     QCOMPARE(changes.size(), 2);
-    QVERIFY(s.camera().pivot().norm() < 50); // still on the model
+    QVERIFY(s.camera().pivot().norm() < 50); // the pivot is still on the model
     s.viewport.navigation()->turnTo(OrbitCamera::Side::Front);
     s.viewport.navigation()->frame();
     OrbitCamera framed = cameraOnBall();
@@ -390,7 +390,7 @@ void TestHeadsetAvatar::following_goesOnWithAnotherModel()
     QVERIFY(s.viewport.navigation()->isFollowing());
 }
 
-/// Or the hand would lose its place.
+/// Following the head waits until a stroke ends, because the pointer would otherwise lose its place on the model.
 void TestHeadsetAvatar::following_waitsForAStroke()
 {
     Stage s;

@@ -40,7 +40,7 @@ void addProjections()
     QTest::newRow("orthographic") << Projection::Orthographic;
 }
 
-/// Points in the scene.
+/// Returns random points in the scene's box.
 std::vector<Vec3> points()
 {
     std::mt19937 random(7);
@@ -56,7 +56,7 @@ double depthOf(const OrbitCamera& camera, const Vec3& p)
     return (p - camera.eye()).dot(camera.viewDirection());
 }
 
-/// Through both matrices, to a pixel.
+/// Projects a point to a pixel using both matrices.
 Pixel byMatrices(const OrbitCamera& camera, const Vec3& p)
 {
     const Eigen::Vector4d clip = camera.projectionMatrix() * camera.viewMatrix() * p.homogeneous();
@@ -131,7 +131,7 @@ private Q_SLOTS:
                 const double depth = (corner - camera.eye()).dot(camera.viewDirection());
                 QVERIFY(depth > camera.nearPlane() && depth < camera.farPlane());
             }
-            QVERIFY(largest > 0.7); // and not from afar
+            QVERIFY(largest > 0.7); // and not too far away
         }
     }
 
@@ -198,7 +198,7 @@ private Q_SLOTS:
         QVERIFY((camera.project(held) - pointer).norm() < tolerance);
     }
 
-    /// Whatever the view was before, and however far from the middle the pivot is seen.
+    /// The pivot keeps its pixel during an orbit, for any view and any distance of the pivot from the centre.
     void thePivotKeepsItsPlaceInThePicture_data() { addProjections(); }
     void thePivotKeepsItsPlaceInThePicture()
     {
@@ -239,7 +239,7 @@ private Q_SLOTS:
     void sidesShowTheAxes_data()
     {
         QTest::addColumn<Side>("side");
-        QTest::addColumn<int>("rightAxis"); ///< 1, 2, 3: x, y, z; negative: against it
+        QTest::addColumn<int>("rightAxis"); ///< 1, 2, 3: x, y, z; negative: opposite direction
         QTest::addColumn<int>("upAxis");
         QTest::newRow("front") << Side::Front << 1 << 2;
         QTest::newRow("back") << Side::Back << -1 << 2;
@@ -267,8 +267,7 @@ private Q_SLOTS:
         }
     }
 
-    /// Equal and parallel lengths are equal and parallel in the picture, wherever they lie; in perspective they are
-    /// not.
+    /// Equal and parallel segments stay so in an orthographic picture wherever they are; in perspective they do not.
     void parallelsStayParallel_data() { addProjections(); }
     void parallelsStayParallel()
     {
@@ -308,7 +307,7 @@ private Q_SLOTS:
         }
     }
 
-    /// However long one zooms in, a surface whose depth is told stays before the eye and in its place.
+    /// However far the user zooms in, a surface with known depth stays in front of the eye and at its pixel.
     void zoomDoesNotRunThroughTheSurface_data() { addProjections(); }
     void zoomDoesNotRunThroughTheSurface()
     {
@@ -324,7 +323,7 @@ private Q_SLOTS:
         }
     }
 
-    /// Or a stroke would begin inside the model.
+    /// Rays of an orthographic view begin in front of the scene. Otherwise a stroke could begin inside the model.
     void parallelRaysBeginBeforeTheScene()
     {
         OrbitCamera camera = framed(Projection::Orthographic);

@@ -27,7 +27,7 @@ int differing(const QImage& a, const QImage& b)
     return count;
 }
 
-/// Returns how many pixels differ by more than so much.
+/// Returns the number of pixels in which a colour channel differs by more than `most`.
 int unlike(const QImage& a, const QImage& b, int most)
 {
     int count = 0;
@@ -49,7 +49,7 @@ ui::OrbitCamera cameraOn(const SphereModel& model)
 }
 } // namespace
 
-/// Clay, ground and cursor in one image, the way the driver allows and the other way.
+/// Tests clay, ground and cursor in one image, both in Qt3D's context and in layers.
 class TestScene : public QObject
 {
     Q_OBJECT
@@ -84,7 +84,7 @@ private Q_SLOTS:
         scene.meshBuffer().apply(model.whole());
         const QImage with = read(scene.render(camera, size, 1));
         const QColor clay = with.pixelColor(size.width() / 2, size.height() / 2);
-        QVERIFY(clay.red() > clay.blue() + 20); // warm
+        QVERIFY(clay.red() > clay.blue() + 20); // warm clay colour
         QVERIFY(differing(without, with) > size.width() * size.height() / 8);
         QCOMPARE(with.pixel(2, 2), without.pixel(2, 2));
 
@@ -98,7 +98,7 @@ private Q_SLOTS:
         QCOMPARE(differing(with, read(scene.render(camera, size, 1))), 0);
     }
 
-    /// A ring that lies behind the ball is dimmed, not gone.
+    /// The part of a ring behind the ball is dimmed, not hidden.
     void whatClayHidesIsDimmed()
     {
         const SphereModel model;
@@ -121,7 +121,7 @@ private Q_SLOTS:
         QVERIFY(hidden < seen / 2);
     }
 
-    /// From the front: a line through the middle of the ball, nothing else on it, and a pane's border beyond it.
+    /// The plane of symmetry, seen from the front, is a line through the middle of the ball and a border around it.
     void thePlaneOfSymmetryIsShown_data()
     {
         QTest::addColumn<bool>("layered");
@@ -152,15 +152,15 @@ private Q_SLOTS:
             QVERIFY(!changes(without, edgeOn, aside));
 
         scene.showPlane(core::Symmetry::Z, model.box());
-        QCOMPARE(differing(without, picture()) > 500, !layered); // the pane, around the ball
+        QCOMPARE(differing(without, picture()) > 500, !layered); // the border around the ball
         scene.showPlane(core::Symmetry::None, model.box());
         QCOMPARE(differing(without, picture()), 0);
     }
 
     void whereSectorsMeetIsShown_data() { thePlaneOfSymmetryIsShown_data(); }
 
-    /// From above: a line to the front and every quarter turn from there, around the ball; nothing between them and
-    /// nothing on it.
+    /// Sector borders, seen from above, are lines around the ball: to the front and at each quarter turn. Nothing is
+    /// drawn between the lines or on the ball.
     void whereSectorsMeetIsShown()
     {
         QFETCH(bool, layered);
@@ -210,14 +210,14 @@ private Q_SLOTS:
             corners << read(scene.render(camera, size, 1)).pixel(2, 2);
         }
         QVERIFY(corners.contains(qRgb(255, 255, 255)) && corners.contains(qRgb(0, 0, 0)));
-        QCOMPARE(corners.size(), qsizetype(ui::backgrounds.size() - 1)); // Theme is Light here
+        QCOMPARE(corners.size(), qsizetype(ui::backgrounds.size() - 1)); // Theme equals Light here
         scene.setAppearance({}, true);
         const QRgb themed = read(scene.render(camera, size, 1)).pixel(2, 2);
         scene.setAppearance({.background = ui::Background::Dark}, false);
         QCOMPARE(read(scene.render(camera, size, 1)).pixel(2, 2), themed);
     }
 
-    /// Painted blue is blue, whatever the clay.
+    /// Blue paint appears blue, whatever the clay's colour.
     void paintIsShownAsItIs()
     {
         SphereModel model;
@@ -232,7 +232,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(seen.hsvHue() - QColor(40, 80, 220).hsvHue()) < 15);
     }
 
-    /// Where two triangles meet, the shade jumps.
+    /// Flat shading has a step where two triangles meet.
     void flatShadesWholeTriangles()
     {
         const SphereModel model;
@@ -252,7 +252,7 @@ private Q_SLOTS:
         QVERIFY(steepest(true) >= 3 * std::max(steepest(false), 1));
     }
 
-    /// Along the edges, and only there; a face that is free has none.
+    /// Wires are drawn along the edges and nowhere else; free faces have none.
     void wiresLieOnTheEdges()
     {
         const SphereModel model;
@@ -286,8 +286,7 @@ private Q_SLOTS:
         QVERIFY(edges > 4);
     }
 
-    /// On every clay, where the footprint's vertices are and nowhere else; what is tinted later takes the place of the
-    /// earlier.
+    /// The vertices of the footprint are tinted, and no others, on every clay. A new tint replaces the earlier one.
     void whatTheBrushWouldTakeIsTinted_data()
     {
         QTest::addColumn<bool>("layered");
@@ -337,7 +336,7 @@ private Q_SLOTS:
             QVERIFY(differs(bare, slots, at(-20)) > 15 && differs(bare, slots, at(-30)) > 0);
             QCOMPARE(differs(bare, slots, at(20)), 0);
             scene.tint(footprint(at(20)));
-            QVERIFY(unlike(ball, picture(), 3) < 20); // one is interpolated between the vertices
+            QVERIFY(unlike(ball, picture(), 3) < 20); // per-vertex tints are interpolated, so small differences remain
             QCOMPARE(differs(bare, picture(), at(-20)), 0);
             brush.symmetry = core::Symmetry::X;
             scene.tintBall(at(20), brush);
@@ -352,7 +351,7 @@ private Q_SLOTS:
         }
     }
 
-    /// Where the tint and the patch of a new mesh come in any order, and slots that are not there.
+    /// A tint does not survive a new mesh, in whichever order tint and patch arrive; invalid slots are ignored.
     void aTintOutlivesNoModel()
     {
         const SphereModel model, small(50, 2);

@@ -1,4 +1,4 @@
-// Sharp edges, the cavity shade and the tint under the brush, by pixels of the picture.
+// Sharp edges, cavity shading and the brush's tint, checked in the pixels of the picture.
 #include "core/mesh/dirty_slots.h"
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/sharp_shapes.h"
@@ -18,7 +18,7 @@ core::MeshPatch patchOf(const core::TriangleMesh& mesh)
     return core::wholePatchOf(*mesh_asserts::sculptable(mesh));
 }
 
-/// The normals as they are, and no sharp edges.
+/// Returns the patch with unchanged normals but without sharp edges.
 core::MeshPatch smoothed(core::MeshPatch patch)
 {
     for (core::DrawVertex& vertex : patch.vertices)
@@ -26,7 +26,7 @@ core::MeshPatch smoothed(core::MeshPatch patch)
     return patch;
 }
 
-/// Parallel light and parallel eyes: a plane has one shade.
+/// Returns an orthographic camera, in whose picture a plane has a single shade.
 ui::OrbitCamera parallelCamera(double radius, bool isFromTheSide = false)
 {
     ui::OrbitCamera camera;
@@ -54,7 +54,7 @@ int difference(const QColor& a, const QColor& b)
     return std::max({std::abs(a.red() - b.red()), std::abs(a.green() - b.green()), std::abs(a.blue() - b.blue())});
 }
 
-/// Returns how much the colours of these places differ among themselves.
+/// Returns the largest difference in colour between the first place and the others.
 int spread(const QImage& picture, const ui::OrbitCamera& camera, const std::vector<core::Vec3>& places)
 {
     int most = 0;
@@ -78,7 +78,7 @@ private Q_SLOTS:
         QTest::newRow("fine") << 20;
     }
 
-    /// Each side of a box is of one shade right up to its edges; without the marks it is not.
+    /// Each side of a box has a single shade up to its edges. Without the marks of sharp edges, it does not.
     void sharpEdge_castsNoBands()
     {
         QFETCH(int, cuts);
@@ -112,7 +112,8 @@ private Q_SLOTS:
         QVERIFY(bands(smoothed(box)) > 30);
     }
 
-    /// The round side of a drum beside its sharp rim: along its height the shade stays, around it no triangle is seen.
+    /// The round side of a drum with a sharp rim keeps its shade along its height, and around it no triangles are
+    /// visible.
     void roundSideBesideASharpEdge_staysSmooth()
     {
         const core::MeshPatch drum =
@@ -140,7 +141,8 @@ private Q_SLOTS:
         QVERIFY2(2 * steepest < steepestFlat, qPrintable(QStringLiteral("%1, %2").arg(steepest).arg(steepestFlat)));
     }
 
-    /// A groove becomes darker, a rim lighter, and the plain between them stays. Switched off all is as before.
+    /// Cavity shading darkens a groove, lightens a rim and leaves flat areas unchanged. Switching it off restores the
+    /// picture.
     void cavity_darkensValleysAndLightensRidges()
     {
         const core::MeshPatch drum = patchOf(turned({{0, -20},
@@ -178,7 +180,7 @@ private Q_SLOTS:
         QTest::newRow("n = 4") << 4;
     }
 
-    /// Its rim follows the brush, whatever the triangles beneath.
+    /// The tint's border is the brush's sphere, even on large triangles.
     void tint_isRoundOnACoarseMesh()
     {
         QFETCH(int, falloff);
@@ -205,7 +207,8 @@ private Q_SLOTS:
         }
     }
 
-    /// Snake Hook moves what is within half its radius all alike, Pull less and less.
+    /// Snake Hook moves everything within half its radius equally; Pull's weight decreases continuously. The tint shows
+    /// this.
     void tint_isAsTheToolWeighs()
     {
         const ui::OrbitCamera camera = parallelCamera(40, true);

@@ -29,7 +29,7 @@ class TestBrushSettings : public QObject
 private Q_SLOTS:
     void whatIsPaintedFirstCanBeSeen()
     {
-        QVERIFY(!(ui::BrushSettings().stroke().color == core::Rgb())); // that is a model's own
+        QVERIFY(!(ui::BrushSettings().stroke().color == core::Rgb())); // Rgb() is the colour of unpainted models
     }
 
     void valuesAreClampedToTheTable()
@@ -52,7 +52,7 @@ private Q_SLOTS:
         }
     }
 
-    /// From the finest that the lattice takes to half the longest side.
+    /// The radius ranges from the finest that the lattice allows to half the model's longest side.
     void theRadiusStaysInTheModelsRange()
     {
         ui::BrushSettings brush;
@@ -87,7 +87,7 @@ private Q_SLOTS:
     {
         ui::BrushSettings brush;
         QSignalSpy clamped(&brush, &ui::BrushSettings::clamped);
-        brush.fitTo(model(60), 100); // nobody asked for that
+        brush.fitTo(model(60), 100); // not requested by the user, so not reported
         brush.setValue(Parameter::Radius, 5);
         QCOMPARE(clamped.count(), 0);
         for (const double impossible : {0.0, -3.0, 31.0, 1e-5, 1e300, -std::numeric_limits<double>::infinity()}) {
@@ -95,13 +95,14 @@ private Q_SLOTS:
             QCOMPARE(clamped.count(), 1);
             QCOMPARE(clamped.takeFirst()[0].value<Parameter>(), Parameter::Radius);
         }
-        brush.setValue(Parameter::Radius, 30); // the bound itself can be
+        brush.setValue(Parameter::Radius, 30); // the limit itself is allowed
         QCOMPARE(clamped.count(), 0);
         brush.setValue(Parameter::Strength, 11);
         QCOMPARE(clamped.count(), 1);
     }
 
-    /// The smallest brush's edges are as fine as the lattice takes, whatever the detail.
+    /// The smallest radius depends on the detail, so that the smallest brush's edges are never finer than the lattice
+    /// allows.
     void finerDetailNeedsALargerBrush()
     {
         ui::BrushSettings brush;
@@ -225,7 +226,7 @@ private Q_SLOTS:
         brush.tools()->setSharesRadius(false);
         brush.setValue(Parameter::Radius, 20);
         brush.setTool(Tool::Smooth);
-        QVERIFY(qFuzzyCompare(brush.stroke().radius, 7.0)); // it never had one of its own
+        QVERIFY(qFuzzyCompare(brush.stroke().radius, 7.0)); // Smooth has never had a radius of its own
         brush.setValue(Parameter::Radius, 3);
         brush.setTool(Tool::Clay);
         QVERIFY(qFuzzyCompare(brush.stroke().radius, 20.0));
@@ -236,12 +237,12 @@ private Q_SLOTS:
         brush.tools()->setSharesRadius(false);
         brush.setTool(Tool::Smooth);
         QVERIFY(qFuzzyCompare(brush.stroke().radius, 3.0));
-        brush.fitTo(model(1000), brush.radiusShare()); // the radii of all tools go with the model
+        brush.fitTo(model(1000), brush.radiusShare()); // all radii scale with the model
         brush.setTool(Tool::Clay);
         QVERIFY(qFuzzyCompare(brush.stroke().radius, 200.0));
     }
 
-    /// The tool that Shift makes of any other has what Smooth has, except the radius.
+    /// Smoothing with Shift uses Smooth's own values, except the radius.
     void shiftSmoothsAsStronglyAsSmooth()
     {
         ui::BrushSettings brush;

@@ -95,7 +95,7 @@ private Q_SLOTS:
         }
     }
 
-    /// Programs before knew one strength for all tools.
+    /// Settings of older versions have one strength for all tools, which becomes the strength of each tool.
     void whatWasStoredForAllToolsIsReadForEach()
     {
         ui::Settings settings;

@@ -52,7 +52,7 @@ private Q_SLOTS:
         }
     }
 
-    /// Faults have sentences of their own, with file and line.
+    /// Each fault has its own sentence, with file and line.
     void everyFaultHasWordsOfItsOwn()
     {
         QSet<QString> seen;
@@ -95,7 +95,7 @@ private Q_SLOTS:
         QVERIFY(ui::ErrorMessages::sentence(e).contains(QStringLiteral("byte 80:")));
     }
 
-    /// A number may be one, and yet not the one that its place needs.
+    /// A valid number may still be wrong at its place in the file, and the message says why.
     void numbersAreCalledWhatTheyAre()
     {
         FileError e(FileErrorKind::NotANumber, path);
@@ -126,7 +126,7 @@ private Q_SLOTS:
         QVERIFY(ui::ErrorMessages::sentence(e).contains(qt_error_string(EACCES)));
     }
 
-    /// What a file holds may not be taken for a place in our sentence.
+    /// A % sign in the file's content is not mistaken for a placeholder of the message.
     void aPercentSignInTheFileIsHarmless()
     {
         FileError e = error(FileErrorKind::IndexOutOfRange);

@@ -29,7 +29,7 @@ private Q_SLOTS:
 void TestThreadMailbox::runsHereInOrder()
 {
     ThreadMailbox mailbox;
-    std::vector<int> opened; // only ever touched here, or the thread sanitizer tells
+    std::vector<int> opened; // used on this thread only; otherwise ThreadSanitizer would report it
     std::thread poster([&] {
         for (int i = 0; i < 1000; ++i)
             mailbox.post([&opened, page = std::make_shared<int>(i)] {
@@ -79,7 +79,7 @@ void TestThreadMailbox::losesNothingOfManyPosters()
         QVERIFY(std::is_sorted(each.begin(), each.end()));
 }
 
-/// As a question to the person does.
+/// A task runs a nested event loop, as a dialog does, and later tasks run in it.
 void TestThreadMailbox::runsOthersWhileOneWaits()
 {
     ThreadMailbox mailbox;

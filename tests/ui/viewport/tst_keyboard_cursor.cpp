@@ -10,7 +10,8 @@ using ui::OrbitCamera;
 
 namespace
 {
-/// A hand over a view of 800 x 600 whose model answers every question: there is surface everywhere, or nowhere.
+/// A keyboard cursor over a view of 800 x 600 pixels. All hover requests are answered alike: there is surface
+/// everywhere, or nowhere.
 struct Fixture
 {
     ui::BrushSettings brush;
@@ -83,7 +84,7 @@ private Q_SLOTS:
         QCOMPARE(fixture.cursor.at(), OrbitCamera::Pixel(0, 99));
     }
 
-    /// A tap is a fine step, a key that is held hurries.
+    /// A tap moves the cursor by a small step; holding the key moves it faster.
     void aHeldKeyGoesFarther()
     {
         Fixture fixture;
@@ -118,7 +119,7 @@ private Q_SLOTS:
         QCOMPARE(fixture.begun, 1);
         QVERIFY(fixture.cursor.isDown() && fixture.ended == 0);
         const std::size_t before = fixture.samples.size();
-        fixture.press(Qt::Key_Space, {}, true); // the keyboard says it again
+        fixture.press(Qt::Key_Space, {}, true); // auto-repeat of the keyboard
         fixture.tap(Qt::Key_Right);
         QVERIFY(fixture.samples.size() > before);
         fixture.release(Qt::Key_Space);

@@ -8,7 +8,7 @@ using Side = ui::OrbitCamera::Side;
 
 namespace
 {
-/// A cube in a view of its own, and a camera from which that side faces the eye.
+/// A navigation cube in its own view, with a camera that looks at the given side.
 struct Cube
 {
     explicit Cube(Side side)
@@ -51,7 +51,7 @@ private Q_SLOTS:
         QCOMPARE(chosen[0][0].value<Side>(), static_cast<Side>(side));
     }
 
-    /// Whichever way the view is turned, the middle of a face that is seen is that face's.
+    /// Clicks on the middle of a visible face choose this face, in any orientation.
     void middlesOfFaces_areTheirs()
     {
         constexpr double halfEdge = 25;

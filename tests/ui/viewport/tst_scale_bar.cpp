@@ -21,7 +21,8 @@ private Q_SLOTS:
         QTest::newRow("orthographic") << Projection::Orthographic;
     }
 
-    /// Two points so far apart, parallel to the picture, are as far apart on the screen as the bar is long.
+    /// Two points at the distance that the bar states, parallel to the picture, are as far apart on the screen as the
+    /// bar is long.
     void isTrueAndRoundAtEverySize()
     {
         QFETCH(Projection, projection);

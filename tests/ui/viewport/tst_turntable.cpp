@@ -36,7 +36,7 @@ private Q_SLOTS:
         }
     }
 
-    /// A window that stood still for a second does not throw the model round.
+    /// After the window was blocked for a second, the turntable does not catch up with a jump.
     void aStallIsNoJump()
     {
         Turntable turntable;

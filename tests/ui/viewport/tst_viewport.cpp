@@ -50,7 +50,7 @@ protected:
     }
 };
 
-/// A viewport with a ball in it and somebody who answers its questions.
+/// A viewport with a ball, and answers to its hover requests.
 struct Stage
 {
     explicit Stage(bool answers = true)
@@ -138,7 +138,7 @@ private Q_SLOTS:
         QVERIFY(aroundPixel(s.viewport.camera().project(hit->position), 40).contains(area));
     }
 
-    /// More slots than the buffers were made for: what was there stays, and is not sent again.
+    /// A patch with more slots than the buffers have keeps the present content, which is not sent again.
     void theBuffersGrow()
     {
         Stage s;
@@ -227,7 +227,7 @@ private Q_SLOTS:
         }
     }
 
-    /// While a slow frame is drawn moves wait, and a curve is made of all of them.
+    /// Mouse moves that arrive during a slow frame are queued, and the stroke uses all of them.
     void everyMouseMoveArrives()
     {
         if (QGuiApplication::platformName() != "xcb")
@@ -236,7 +236,7 @@ private Q_SLOTS:
         const QPoint from = s.viewport.mapToGlobal(QPoint(50, 150));
         QCursor::setPos(from);
         QTRY_VERIFY(s.viewport.underMouse());
-        QTest::qWait(100); // what else enters with the pointer
+        QTest::qWait(100); // lets other events of entering pass
         MoveCounter counter(&s.viewport);
         constexpr int moves = 40;
         for (int i = 1; i <= moves; ++i)
@@ -287,8 +287,8 @@ private Q_SLOTS:
         QCOMPARE(sampled[1][0].value<core::StrokeSample>().pressure, 0.75);
     }
 
-    /// Asks that a box is seen from that side, with all of it in the picture; taking away a mark that is not there ends
-    /// no flight.
+    /// A flight ends where the whole box is visible from the given side. Clearing a mark that does not exist does not
+    /// end the flight.
     void aFlightGoesToWhereABoxIsSeen()
     {
         Stage s;
@@ -315,7 +315,8 @@ private Q_SLOTS:
         QCOMPARE(s.viewport.camera().distance(), distance);
     }
 
-    /// Until the model fills the view and far beyond: the surface stays under the pointer and the eye outside.
+    /// While zooming with the wheel until the model fills the view and beyond, the surface stays under the pointer and
+    /// the eye stays outside.
     void theWheelNeverRunsThroughTheSurface_data() { addProjections(); }
     void theWheelNeverRunsThroughTheSurface()
     {
@@ -336,10 +337,10 @@ private Q_SLOTS:
             QVERIFY(now && (now->position - held->position).norm() < 1e-3);
         }
         QVERIFY(camera.pixelsPerMm(held->position) > 20);
-        QEvent left(QEvent::Leave); // and with the pointer goes the brush's tint
+        QEvent left(QEvent::Leave); // removes the brush's tint too
         QCoreApplication::sendEvent(&s.viewport, &left);
         const QColor clay = s.viewport.grabFramebuffer().pixelColor(20, 20);
-        QVERIFY(clay.red() > clay.blue() + 20); // it fills the view, and is not cut open
+        QVERIFY(clay.red() > clay.blue() + 20); // the clay fills the view without being clipped
     }
 
     void theMiddleButtonTurnsWhereTheModelFillsTheView()
@@ -366,7 +367,7 @@ private Q_SLOTS:
         QTRY_COMPARE(ended.count(), 1);
         const ui::OrbitCamera& camera = s.viewport.camera();
         const core::Vec3 pivot = camera.pivot();
-        QVERIFY(std::abs(pivot.norm() - 50) < 1); // on the ball
+        QVERIFY(std::abs(pivot.norm() - 50) < 1); // on the ball's surface
         const auto place = camera.project(pivot);
         QVERIFY((place - ui::OrbitCamera::Pixel(230, 135)).norm() < 15);
         s.drag(besideModel, Qt::MiddleButton);
@@ -375,7 +376,7 @@ private Q_SLOTS:
         QVERIFY(camera.pivot().norm() < 1e-6);
     }
 
-    /// As large as the camera says, and round: its rim is where the rays just touch it.
+    /// The ball is drawn at the size and place that the camera's rays give.
     void theBallIsDrawnWhereItsRaysMeetIt_data() { addProjections(); }
     void theBallIsDrawnWhereItsRaysMeetIt()
     {
@@ -391,10 +392,11 @@ private Q_SLOTS:
                 const bool clay = color.red() > color.blue() + 8;
                 wrong += clay != s.model.hit(s.viewport.camera().ray({x + 0.5, y + 0.5})).has_value();
             }
-        QVERIFY2(wrong < 40, qPrintable(QString::number(wrong))); // on the rim, of 13400
+        QVERIFY2(wrong < 40, qPrintable(QString::number(wrong))); // pixels on the rim, of 13400
     }
 
-    /// All look from the same side at the same distance: the light depends on the normal alone.
+    /// Panning an orthographic view changes no shade: the view direction is constant, so shading depends on the normal
+    /// alone.
     void inParallelPanningChangesNoShade()
     {
         Stage s;
@@ -411,7 +413,7 @@ private Q_SLOTS:
         for (int y = 90; y < 210; ++y)
             for (int x = 140; x < 260; ++x)
                 other += before.pixel(x, y) != after.pixel(x + 70, y - 30);
-        QVERIFY2(other < 50, qPrintable(QString::number(other))); // on the faces' edges, of 14400
+        QVERIFY2(other < 50, qPrintable(QString::number(other))); // pixels at the faces' edges, of 14400
     }
 
     void strokesHitInParallelToo()
@@ -428,7 +430,7 @@ private Q_SLOTS:
             const auto hit = s.model.hit({first.position, first.direction});
             QVERIFY(hit);
             QVERIFY((s.viewport.camera().project(hit->position) - ui::OrbitCamera::Pixel(180, 120)).norm() < 1e-3);
-            QVERIFY(hit->position.dot(s.viewport.camera().viewDirection()) < 0); // the near side
+            QVERIFY(hit->position.dot(s.viewport.camera().viewDirection()) < 0); // on the near side
             turnWheel(s.viewport, onModel, 15);
         }
     }
@@ -440,19 +442,20 @@ private Q_SLOTS:
         const ui::OrbitCamera& camera = s.viewport.camera();
         const core::Vec3 direction = camera.viewDirection();
         const core::Vec3 held =
-            s.model.hit(camera.ray({210, 140}))->position; // between the fingers, far before the target
+            s.model.hit(camera.ray({210, 140}))->position; // between the fingers, far in front of the target
         const double size = camera.pixelsPerMm(held);
         QTest::touchEvent(&s.viewport, m_finger).press(0, {180, 140});
         QTest::touchEvent(&s.viewport, m_finger).move(0, {180, 140}).press(1, {240, 140});
-        QCoreApplication::processEvents(); // the answer comes
+        QCoreApplication::processEvents(); // delivers the answer
         QTest::touchEvent(&s.viewport, m_finger).move(0, {150, 140}).move(1, {270, 140});
         QVERIFY(std::abs(camera.pixelsPerMm(held) - 2 * size) < 1e-6 * size);
         QVERIFY((camera.project(held) - ui::OrbitCamera::Pixel(210, 140)).norm() < 1e-6);
         QTest::touchEvent(&s.viewport, m_finger).move(0, {190, 120}).move(1, {310, 120});
         QVERIFY((camera.project(held) - ui::OrbitCamera::Pixel(250, 120)).norm() < 1e-6);
-        QVERIFY(s.viewport.cursor().shape() != Qt::CrossCursor); // no brush is there
+        QVERIFY(s.viewport.cursor().shape() != Qt::CrossCursor); // no brush cursor
         QTest::touchEvent(&s.viewport, m_finger).release(0, {190, 120}).move(1, {310, 120});
-        QTest::touchEvent(&s.viewport, m_finger).move(1, {330, 200}); // what is left of a gesture is no stroke
+        // the remaining finger of a gesture makes no stroke
+        QTest::touchEvent(&s.viewport, m_finger).move(1, {330, 200});
         QTest::touchEvent(&s.viewport, m_finger).release(1, {330, 200});
         QCoreApplication::processEvents();
         QCOMPARE(camera.viewDirection(), direction);
@@ -460,7 +463,7 @@ private Q_SLOTS:
         QCOMPARE(began.count(), 0);
     }
 
-    /// Where the pointer is, by the surface's depth there.
+    /// Touchpad gestures zoom and pan about the pointer, at the depth of the surface there.
     void aTouchpadPinchesAndPans()
     {
         Stage s;
@@ -480,7 +483,7 @@ private Q_SLOTS:
         QVERIFY((camera.project(held) - ui::OrbitCamera::Pixel(230, 120)).norm() < 1e-6);
         send(Qt::PanNativeGesture, 0, {30, -10});
         QVERIFY((camera.project(held) - ui::OrbitCamera::Pixel(260, 110)).norm() < 1e-6);
-        send(Qt::ZoomNativeGesture, -3, {}); // nonsense
+        send(Qt::ZoomNativeGesture, -3, {}); // invalid value
         QVERIFY(std::isfinite(camera.distance()) && camera.distance() > 0);
     }
 
@@ -507,7 +510,7 @@ private Q_SLOTS:
         QCOMPARE(ended.count(), 2);
     }
 
-    /// A stroke that one finger has begun ends where the second comes.
+    /// A stroke of one finger ends when a second finger touches.
     void aSecondFingerEndsTheStroke()
     {
         Stage s;
@@ -535,7 +538,7 @@ private Q_SLOTS:
         QVERIFY(ring.isValid());
         const double pixels = 8 * s.viewport.camera().pixelsPerMm(core::Vec3(0, 0, 0)), edge = pixels / 2;
         QVERIFY(aroundPixel({200, 150}, qRound(1.6 * pixels + edge))
-                    .contains(ring)); // the tint ends in the faces at the rim
+                    .contains(ring)); // the tint ends within the faces at the rim
         QVERIFY(ring.width() > pixels);
 
         QEvent left(QEvent::Leave);

@@ -12,7 +12,7 @@ class TestFileDialogs : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    /// Whoever reads a file to know what it is waits for ever where it does not answer.
+    /// File types are recognised by name only, because reading a file that does not respond would block for ever.
     void kinds_areKnownByName()
     {
         const QTemporaryDir folder;

@@ -86,7 +86,7 @@ private Q_SLOTS:
         QCOMPARE(c.panel("third")->state(), State::Folded);
     }
 
-    /// A content that becomes wider has all of its width, beside the scroll bar.
+    /// A panel that becomes wider gets its full width, beside the scroll bar.
     void widerPanel_isSeenWhole()
     {
         const Column c;
@@ -100,7 +100,7 @@ private Q_SLOTS:
         QVERIFY(c.area()->verticalScrollBar()->isVisible());
     }
 
-    /// The model beside the column stays where it is when panels come and go.
+    /// The column's width does not change when panels are opened or folded, so the view keeps its size.
     void width_isThatOfTheWidestPanel()
     {
         const Column c;
@@ -138,7 +138,7 @@ private Q_SLOTS:
         QTRY_VERIFY(list->height() >= 7 * list->fontMetrics().lineSpacing());
     }
 
-    /// A wheel over a number scrolls, unless the number has the focus.
+    /// The wheel over a number scrolls the column, unless the number has the focus.
     void wheel_turnsWhatHasTheFocus()
     {
         Column c;

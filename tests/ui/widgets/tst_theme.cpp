@@ -24,7 +24,7 @@ using ui::ThemeChoice;
 
 namespace
 {
-/// A desktop that says what it prefers.
+/// A fake desktop portal that reports a preferred colour scheme over D-Bus.
 class Portal : public QDBusVirtualObject
 {
 public:
@@ -61,7 +61,7 @@ private:
     QDBusConnection m_bus;
 };
 
-/// A session bus of the test's own.
+/// A private session bus for the test.
 class Bus
 {
 public:
@@ -92,7 +92,7 @@ double luminance(const QColor& color)
     return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) + 0.0722 * linear(color.blueF());
 }
 
-/// As WCAG has it, 1 to 21.
+/// Returns the contrast ratio of WCAG, 1 to 21.
 double contrast(const QColor& a, const QColor& b)
 {
     const double la = luminance(a), lb = luminance(b);
@@ -151,7 +151,7 @@ private Q_SLOTS:
         }
     }
 
-    /// Also the one that was clicked last.
+    /// Check boxes and radio buttons have visible outlines, focused or not.
     void boxesHaveOutlines_data()
     {
         QTest::addColumn<bool>("isRadio");
@@ -181,7 +181,7 @@ private Q_SLOTS:
             box->style()->drawPrimitive(isRadio ? QStyle::PE_IndicatorRadioButton : QStyle::PE_IndicatorCheckBox,
                                         &option, &painter, box.get());
             painter.end();
-            double most = 0; // of the edge's pixels, along the middle
+            double most = 0; // largest contrast of the edge's pixels along the middle row
             for (int x = 0; x < 3; ++x)
                 most = std::max(most, contrast(image.pixelColor(x, 7), option.palette.color(QPalette::Window)));
             QVERIFY2(most > 1.5, qPrintable(QString::number(most)));
@@ -212,7 +212,7 @@ private Q_SLOTS:
         }
     }
 
-    /// Asks for the arrow of a tool bar that has more than it shows.
+    /// The button that opens the hidden part of a tool bar is visible.
     void theArrowOfMoreCanBeSeen()
     {
         for (const ThemeChoice choice : {ThemeChoice::Light, ThemeChoice::Dark}) {
@@ -282,7 +282,7 @@ private Q_SLOTS:
     }
 
 private:
-    Bus m_bus; ///< before anything asks for the session bus
+    Bus m_bus; ///< first member: must exist before anything uses the session bus
 };
 
 FETTLE_TEST(TestTheme, ui::TestApplication)

@@ -94,7 +94,7 @@ private Q_SLOTS:
         QCOMPARE(child<QLabel>(window, "facts.name")->text(), QStringLiteral("lion.stl"));
         QVERIFY(child<QLabel>(window, "facts.vertices")->text().contains(QLocale().toString(2562)));
         QVERIFY(child<QLabel>(window, "facts.size")->text().contains(QLocale().toString(80.0, 'f', 1)));
-        window.showSaved(modelInfo(QStringLiteral("lion-001.glb"), 80)); // by the headset, under another name
+        window.showSaved(modelInfo(QStringLiteral("lion-001.glb"), 80)); // saved from VR under another name
         QVERIFY(window.windowTitle().startsWith(QStringLiteral("lion-001.glb[*]")));
         QCOMPARE(child<QLabel>(window, "facts.name")->text(), QStringLiteral("lion-001.glb"));
         QVERIFY(!window.isWindowModified());
@@ -124,7 +124,7 @@ private Q_SLOTS:
         window.progress()->begin(QStringLiteral("Thinking"));
         for (const char* id : {"file.save", "file.saveCopy", "file.revert", "model.reset"})
             QVERIFY2(!act(window, id)->isEnabled(), id);
-        for (const char* id : {"file.open", "new.vase", "file.quit"}) // the latest choice wins
+        for (const char* id : {"file.open", "new.vase", "file.quit"}) // allowed while a file is being opened
             QVERIFY2(act(window, id)->isEnabled(), id);
         window.progress()->end();
         for (const char* id : {"file.open", "file.save", "file.saveCopy", "model.reset"})
@@ -150,7 +150,7 @@ private Q_SLOTS:
         MainWindow window;
         const auto* menu = child<QMenu>(window, "recentMenu");
         QVERIFY(menu->isEnabled());
-        QCOMPARE(menu->actions().size(), qsizetype(4)); // two, a line, and clear
+        QCOMPARE(menu->actions().size(), qsizetype(4)); // two files, a separator and Clear
         QCOMPARE(menu->actions().at(0)->text(), QStringLiteral("lion.stl"));
         QSignalSpy requested(window.files(), &ui::ModelFiles::openRequested);
         menu->actions().at(1)->trigger();
@@ -182,7 +182,7 @@ private Q_SLOTS:
 
     void theRadiusFollowsThePointer_data()
     {
-        QTest::addColumn<int>("end"); // a key or a button
+        QTest::addColumn<int>("end"); // a key or a mouse button
         QTest::addColumn<bool>("isKey");
         QTest::addColumn<bool>("keeps");
         QTest::newRow("click") << int(Qt::LeftButton) << false << true;
@@ -221,7 +221,7 @@ private Q_SLOTS:
             sendMouse(view, QEvent::MouseMove, {230, 190});
             const double wider = window.brush()->value(parameter);
             QVERIFY(wider > before && !word->text().isEmpty());
-            QCOMPARE(word->x() > beside, parameter == Parameter::Radius); // it goes with the ring
+            QCOMPARE(word->x() > beside, parameter == Parameter::Radius); // the text moves with the ring
             sendMouse(view, QEvent::MouseMove, {170, 200});
             QVERIFY(window.brush()->value(parameter) < before);
             sendMouse(view, QEvent::MouseMove, {230, 200});
@@ -234,7 +234,7 @@ private Q_SLOTS:
             }
             QVERIFY(!word->isVisible());
             QCOMPARE(window.brush()->value(parameter), keeps ? wider : before);
-            QCOMPARE(questions.size(), asked); // none of it came to the hand
+            QCOMPARE(questions.size(), asked); // no hover requests meanwhile
             sendMouse(view, QEvent::MouseMove, {300, 200});
             QCOMPARE(window.brush()->value(parameter), keeps ? wider : before);
         }
@@ -261,7 +261,7 @@ private Q_SLOTS:
             QTest::qWait(60);
             QCOMPARE(window.viewport()->camera().eye(), there);
         }
-        MainWindow window; // direction and speed come back, but nothing turns by itself
+        MainWindow window; // direction and speed are restored, but the turntable is off
         QCOMPARE(child<QDoubleSpinBox>(window, "turnSpeed")->value(), 200.0);
         QCOMPARE(child<QComboBox>(window, "turnDirection")->currentIndex(), 1);
         QVERIFY(!act(window, "turntable.on")->isChecked());
@@ -325,7 +325,7 @@ private Q_SLOTS:
         QCOMPARE(box->value(), 50.0);
         window.brush()->setValue(Parameter::Radius, 3.14159);
         QCOMPARE(box->value(), 3.14);
-        QCOMPARE(window.brush()->stroke().radius, 3.14159); // showing is not changing
+        QCOMPARE(window.brush()->stroke().radius, 3.14159); // showing a value does not change it
         child<QDoubleSpinBox>(window, "strength.box")->setValue(0.5);
         QCOMPARE(window.brush()->stroke().strength, 0.5);
     }
@@ -350,7 +350,7 @@ private Q_SLOTS:
                 QTest::addRow("%d x %d%s", size.width(), size.height(), isNamed ? ", named" : "") << size << isNamed;
     }
 
-    /// Asks that each tool and each option can be seen whole, and each tool is chosen by its button.
+    /// Each tool and option is fully visible, and each tool can be chosen by its button.
     void everyToolIsInThePalette()
     {
         QFETCH(const QSize, size);
@@ -379,14 +379,14 @@ private Q_SLOTS:
         }
     }
 
-    /// Asks that no dialog needs more than a small screen has.
+    /// No dialog is larger than a small screen.
     void dialogsFitASmallScreen()
     {
         MainWindow window;
         window.setModel(modelInfo(QStringLiteral("a"), 100));
         window.show();
         const auto open = [&window](const char* id) {
-            if (qstrcmp(id, "edit.classroom") == 0) // the program opens it, for it reads and writes classes
+            if (qstrcmp(id, "edit.classroom") == 0) // this action is handled by app, which reads and writes classes
                 (new ui::ClassroomDialog(&window, window.commands(), QDir::homePath()))->open();
             else
                 act(window, id)->trigger();
@@ -407,7 +407,7 @@ private Q_SLOTS:
         }
     }
 
-    /// The palette at the pointer has the tools, radius and strength, and goes when a tool is chosen.
+    /// The palette at the pointer contains tools, radius and strength, and closes when a tool is chosen.
     void paletteChoosesATool()
     {
         MainWindow window;
@@ -447,7 +447,7 @@ private Q_SLOTS:
         QTRY_VERIFY(!palette);
     }
 
-    /// A state that a version with other bars has left hides none.
+    /// A window state stored by a version with other bars hides none of the present bars.
     void anOlderWindowsStateHidesNoPalette()
     {
         QByteArray state;
@@ -545,7 +545,7 @@ private Q_SLOTS:
         MainWindow window;
         auto* curve = child<ui::FalloffCurve>(window, "falloffCurve");
         QVERIFY(curve);
-        curve->resize(216, 116); // 200 x 100 within its margin
+        curve->resize(216, 116); // 200 x 100 pixels inside its margin
         for (const int n : {0, 3, 5, 9, 16}) {
             const double x = 0.5;
             const QPoint at(8 + 100, 108 - static_cast<int>(std::lround(100 * core::falloff(x, n))));
@@ -608,7 +608,7 @@ private Q_SLOTS:
         QCOMPARE(act(window, "mask.clear")->shortcut(), QKeySequence(QStringLiteral("Alt+M")));
     }
 
-    /// No menu's title has that key.
+    /// Alt+M runs the command, because no menu has this mnemonic.
     void theMaskIsClearedByItsKey()
     {
         MainWindow window;
@@ -639,14 +639,14 @@ private Q_SLOTS:
         QVERIFY(!pick->isChecked());
         QCOMPARE(strokes.count(), 0);
         click(red);
-        QCOMPARE(strokes.count(), 1); // that was one click only
+        QCOMPARE(strokes.count(), 1); // picking ends after one click
 
         pick->trigger();
         QTest::keyClick(window.viewport(), Qt::Key_Escape);
         QVERIFY(!pick->isChecked());
     }
 
-    /// Folded panels, hidden ones and the column's place are remembered.
+    /// Folded panels, hidden panels and the column's place are restored at the next start.
     void panelsComeBackAsLeft()
     {
         using State = ui::SidePanel::State;
@@ -698,7 +698,7 @@ private Q_SLOTS:
         act(window, "help.keys")->trigger();
         auto* box = child<QDialog>(window, "commandBox");
         auto* words = box->findChild<QLineEdit*>();
-        QTest::keyClicks(words, QStringLiteral("undone step")); // Redo, which cannot be done now
+        QTest::keyClicks(words, QStringLiteral("undone step")); // matches Redo, which is disabled
         QTest::keyClick(words, Qt::Key_Return);
         QVERIFY(box->isVisible());
         words->clear();
@@ -708,7 +708,7 @@ private Q_SLOTS:
         QCOMPARE(window.brush()->stroke().tool, core::Tool::Smooth);
     }
 
-    /// After a stroke there is an "Undo Pull" above it.
+    /// A command named exactly as typed ("pull") is selected before earlier commands that contain it ("Undo Pull").
     void whatIsCalledSoComesFirst()
     {
         MainWindow window;
@@ -726,7 +726,7 @@ private Q_SLOTS:
         QVERIFY(undone.isEmpty());
     }
 
-    /// Words that are no command's name find what people mean by them.
+    /// Words that are not part of a command's name find it as synonyms.
     void commandsAreFoundByOtherWords()
     {
         constexpr std::pair<const char*, const char*> wishes[] = {
@@ -764,13 +764,13 @@ private Q_SLOTS:
         QCOMPARE(current(), first);
         for (int i = 0; i < 50; ++i)
             QTest::keyClick(words, Qt::Key_Up);
-        const QString top = current(); // there is nothing above
+        const QString top = current(); // the first command
         QVERIFY(!top.isEmpty());
         QTest::keyClick(words, Qt::Key_Up);
         QCOMPARE(current(), top);
     }
 
-    /// A French keyboard has its digits only with Shift, a Russian or Greek one has no Latin letters.
+    /// Keys work by their position if they type no Latin letter (Russian, Greek) or no digit without Shift (French).
     void keysGoByTheirPlaceWhereTheirLetterSaysNothing()
     {
         MainWindow window;
@@ -783,21 +783,21 @@ private Q_SLOTS:
         };
         const auto tool = [&] { return window.brush()->stroke().tool; };
         press(Qt::Key_Egrave, 16, QStringLiteral("è"));
-        QCOMPARE(tool(), core::Tool::Clay); // 7
+        QCOMPARE(tool(), core::Tool::Clay); // the key at the position of 7
         press(Qt::Key_QuoteDbl, 12, QStringLiteral("\""));
-        QCOMPARE(tool(), core::Tool::Flatten); // 3
+        QCOMPARE(tool(), core::Tool::Flatten); // the key at the position of 3
         press(0x041b, 45, QStringLiteral("л"));
-        QCOMPARE(tool(), core::Tool::SnakeHook); // K
+        QCOMPARE(tool(), core::Tool::SnakeHook); // the key at the position of K
         press(0x03a0, 33, QStringLiteral("π"));
-        QCOMPARE(tool(), core::Tool::Pinch);                // P
-        press(Qt::Key_Adiaeresis, 45, QStringLiteral("ä")); // a letter of its own
+        QCOMPARE(tool(), core::Tool::Pinch);                // the key at the position of P
+        press(Qt::Key_Adiaeresis, 45, QStringLiteral("ä")); // a Latin letter is used as it is
         press(0x041b, 45, QStringLiteral("л"), Qt::ControlModifier);
         QCOMPARE(tool(), core::Tool::Pinch);
         press(0x0426, 25, QStringLiteral("Ц"), Qt::ShiftModifier);
-        QVERIFY(act(window, "view.flat")->isChecked()); // Shift+W
+        QVERIFY(act(window, "view.flat")->isChecked()); // the key at the position of W, with Shift
     }
 
-    /// The digits of the number pad are sides, those above the letters are tools.
+    /// Digits of the number pad show sides; the digits above the letters choose tools.
     void theNumberPadTurnsTheView()
     {
         MainWindow window;
@@ -816,9 +816,10 @@ private Q_SLOTS:
         QCOMPARE(window.brush()->stroke().tool, core::Tool::Smooth);
         QTest::keyClick(&window, Qt::Key_1);
         QCOMPARE(window.brush()->stroke().tool, core::Tool::Pull);
-        QVERIFY(looksAlong(Qt::Key_7, Qt::ControlModifier, {0, 1, 0})); // and that turned nothing
+        QVERIFY(looksAlong(Qt::Key_7, Qt::ControlModifier, {0, 1, 0})); // the tool's key did not turn the view
 
-        // The window takes the pad's keys before Qt looks for shortcuts: on X11 it would find those of other keys.
+        // The window accepts the pad's keys before Qt looks for shortcuts: on X11 Qt would find the shortcuts of the
+        // digits above the letters.
         QKeyEvent ofPad(QEvent::ShortcutOverride, Qt::Key_1, Qt::KeypadModifier);
         ofPad.ignore();
         QCoreApplication::sendEvent(&window, &ofPad);
@@ -866,7 +867,7 @@ private Q_SLOTS:
         QCOMPARE(camera.projection(), ui::OrbitCamera::Projection::Perspective);
     }
 
-    /// A key and the menu switch it; it is there again at the next start.
+    /// The appearance is changed by key and menu, and restored at the next start.
     void theAppearanceIsChosenAndRemembered()
     {
         ui::ViewAppearance appearance;
@@ -923,7 +924,7 @@ private Q_SLOTS:
         QVERIFY(isDark());
     }
 
-    /// Real keys change it, and everything that tells of them follows; it is so at the next start, too.
+    /// Shortcuts changed in the dialog work, are shown everywhere, and are restored at the next start.
     void keysAreChosenAndRemembered()
     {
         {
@@ -949,7 +950,7 @@ private Q_SLOTS:
         QTest::keyClick(&window, Qt::Key_F, Qt::ShiftModifier);
         QVERIFY(act(window, "view.wireframe")->isChecked());
         QTest::keyClick(&window, Qt::Key_W);
-        QVERIFY(act(window, "view.wireframe")->isChecked()); // not its key any more
+        QVERIFY(act(window, "view.wireframe")->isChecked()); // no longer its key
         QTest::keyClick(&window, Qt::Key_G);
         QVERIFY(act(window, "view.ground")->isChecked());
         QTest::keyClick(&window, Qt::Key_9, Qt::KeypadModifier);
@@ -959,7 +960,7 @@ private Q_SLOTS:
         QCOMPARE(sheet->itemOf(QStringLiteral("brush.radius"))->text(ui::CommandList::Key), QStringLiteral("S"));
     }
 
-    /// A reset takes back every change that can be made; the next start finds nothing left.
+    /// A reset undoes every change the user can make, and the next start has the defaults too.
     void resetBringsEverythingBack()
     {
         const auto isAsAtFirst = [](const MainWindow& window) {
@@ -1092,7 +1093,8 @@ private Q_SLOTS:
         QVERIFY(!drop(window, {QUrl(QStringLiteral("https://example.org/a.stl"))}));
         QVERIFY(!drop(window, {}));
         window.progress()->begin(QStringLiteral("Opening"));
-        QVERIFY(drop(window, {QUrl::fromLocalFile(QStringLiteral("/tmp/b.stl"))})); // the latest choice wins
+        // allowed while a file is being opened
+        QVERIFY(drop(window, {QUrl::fromLocalFile(QStringLiteral("/tmp/b.stl"))}));
         QTRY_COMPARE(opened.count(), 2);
     }
 
@@ -1176,7 +1178,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(!banner->isVisible(), longestWait);
     }
 
-    /// However wide both are, and whichever of them comes first.
+    /// A notice does not overlap the scale bar, whatever their widths and whichever is shown first.
     void aNoticeLeavesTheScaleBarAlone()
     {
         SKIP_WITHOUT_GRAPHICS();
@@ -1267,14 +1269,14 @@ private Q_SLOTS:
         QCOMPARE(enter->iconText(), QStringLiteral("Enter VR"));
     }
 
-    /// The command shows whether the view follows, however that began or ended.
+    /// The action's check mark shows whether the view follows the head, however following began or ended.
     void theHeadIsFollowed()
     {
         MainWindow window;
         window.setHeadset(ui::HeadsetState::In, QStringLiteral("In VR."));
         QAction* follow = act(window, "vr.follow");
         follow->trigger();
-        QVERIFY(!follow->isChecked()); // nobody is there yet
+        QVERIFY(!follow->isChecked()); // nobody is in VR yet
         ui::HeadsetAvatar avatar;
         avatar.head = Eigen::Isometry3d::Identity();
         window.viewport()->showAvatar(avatar);
@@ -1313,7 +1315,7 @@ private Q_SLOTS:
         settled = true;
         window.continueClosing();
         QCOMPARE(asked, 1);
-        window.continueClosing(); // the person chose to stay
+        window.continueClosing(); // the user has chosen to stay
         QVERIFY(window.isVisible());
         QCOMPARE(asked, 1);
     }
@@ -1409,7 +1411,7 @@ private Q_SLOTS:
     {
         MainWindow big;
         big.resize(big.screen()->availableSize() * 2);
-        big.close(); // remembers it
+        big.close(); // stores its size
         MainWindow window;
         const QSize available = window.screen()->availableSize();
         QVERIFY(window.width() <= available.width() && window.height() <= available.height());
