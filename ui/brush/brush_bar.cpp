@@ -20,7 +20,7 @@ namespace
 {
 constexpr int sliderSteps = 1000;
 
-/// largest strength on the slider; the number box allows the whole range of the parameter table
+/// Largest strength on the slider; the number box allows the whole range of the parameter table.
 constexpr double strengthOnSlider = 2.0;
 
 bool isLogarithmic(core::Parameter parameter)

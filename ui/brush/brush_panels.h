@@ -11,7 +11,7 @@ class SideColumn;
 struct BrushPanelContext
 {
     SideColumn* column;
-    /// called after a number was typed and confirmed; returns the keyboard focus to the view
+    /// Called after a number was typed and confirmed; returns the keyboard focus to the view.
     std::function<void()> entered;
 };
 

@@ -8,7 +8,7 @@ namespace ui
 namespace
 {
 constexpr int maxRecent = 6;
-/// spacing of dabs at which adjacent prints of an alpha do not overlap, in radii
+/// Spacing of dabs at which adjacent prints of an alpha do not overlap, in radii.
 constexpr double printSpacing = 2;
 
 void putFirst(QStringList& files, const QString& path)
@@ -143,8 +143,8 @@ void BrushShapes::setModel(const std::shared_ptr<const core::BrushModel>& model)
     Q_EMIT changed();
 }
 
-/// Removes a file that the user chose from the list of recent files. Stored files are not refused here, because their
-/// disk may only be unmounted.
+/// Reports a refused file that the user chose and removes it from the recent files. Not used for files restored at the
+/// start, which stay in the list because their disk may only be unmounted.
 void BrushShapes::refuse(QStringList StoredShapes::*files, const QString& path, const QString& problem)
 {
     (m_stored.*files).removeAll(path);

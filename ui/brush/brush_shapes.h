@@ -69,7 +69,7 @@ private:
     StoredShapes m_stored;
     QHash<QString, std::shared_ptr<const core::Alpha>> m_read;
     ToolAlphas m_alphas;
-    /// numbers of the latest requests; results of earlier requests are dropped
+    /// Numbers of the latest requests; results of earlier requests are dropped.
     int m_alphaRequest = 0, m_modelRequest = 0;
     bool m_isRestoringModel = false; ///< the stored model file is being read
     bool m_mayLoad = true;

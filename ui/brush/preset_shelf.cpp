@@ -59,7 +59,7 @@ void PresetShelf::build()
     m_list->setEditTriggers(QAbstractItemView::EditKeyPressed);
     m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    // a scroll bar that comes and goes would change the number of columns
+    // A scroll bar that appears and disappears would change the number of columns
     m_list->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
     m_new = button(QStringLiteral("presets.new"), QStringLiteral("plus"), tr("New Preset"),
                    tr("Saves the current brush as a preset, and asks for its name."), [this] { makeNew(); });

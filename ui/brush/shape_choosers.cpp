@@ -25,9 +25,9 @@ struct ShapeChoosers
 };
 
 constexpr int picturePixels = 22;
-/// data of the entry "load a file"; cannot be a source or a path
+/// Data of the entry "load a file"; cannot be a source or a path.
 const QString loadEntry = QStringLiteral("\n");
-/// data of the entry "the document's model"
+/// Data of the entry "the document's model"
 const QString ownModelEntry = QStringLiteral("\nown");
 
 QString nameOf(std::string_view builtIn)

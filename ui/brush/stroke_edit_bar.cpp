@@ -70,7 +70,7 @@ void StrokeEditBar::addTools(const QList<ToolOption>& tools)
     for (const auto& [tool, action] : tools)
         m_tools->addItem(action->icon(), Actions::plain(action->text()), static_cast<int>(tool));
     m_tools->setCurrentIndex(m_tools->findData(static_cast<int>(m_first.tool)));
-    // keeps the stroke's strength instead of using the tool's own
+    // Keeps the stroke's strength instead of using the tool's own
     connect(m_tools, &QComboBox::activated, this, [this] {
         core::StrokeSettings stroke = m_brush.stroke();
         stroke.tool = static_cast<core::Tool>(m_tools->currentData().toInt());

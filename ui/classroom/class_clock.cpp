@@ -21,14 +21,14 @@ namespace ui
 {
 namespace
 {
-/// width of the clock: a fifth of the view's width, within these limits in pixels
+/// Width of the clock: a fifth of the view's width, within these limits in pixels.
 constexpr int clockShare = 5, minClockWidth = 160, maxClockWidth = 320;
-/// height of the clock as a fraction of its width
+/// Height of the clock as a fraction of its width.
 constexpr double clockHeight = 0.625;
-/// letter heights as divisors of the clock's height: 7 means 1/7
+/// Letter heights as divisors of the clock's height: 7 means 1/7.
 constexpr int nameShare = 7, timeShare = 3, nextShare = 14;
 constexpr int leastClockLetters = 10; ///< smallest letter height, pixels
-constexpr int maxLettersAcross = 12;  ///< characters of the time that fit the width
+constexpr int maxLettersAcross = 12;  ///< characters of the time that must fit the width
 
 /// Sets the letter height in pixels; reduces it if the text is wider than the label.
 void setLetters(QLabel* label, int pixels)
@@ -116,7 +116,7 @@ void ClassClock::placeInView()
     const QWidget* view = m_window->centralWidget();
     const int width = std::clamp(view->width() / clockShare, minClockWidth, maxClockWidth);
     resize(width, static_cast<int>(clockHeight * width));
-    // estimate of the height of the window manager's title bar
+    // Estimate of the height of the window manager's title bar
     const int title = style()->pixelMetric(QStyle::PM_TitleBarHeight);
     move(view->mapToGlobal(QPoint(gap, view->height() - gap - height() - title)));
 }

@@ -20,7 +20,7 @@ struct Classroom
 {
     QString title;
     QString folder; ///< absolute path of the folder for the pupils' works
-    /// no duplicates; not empty unless there is a lesson; the first is opened before pupils choose
+    /// No duplicates; not empty unless there is a lesson; the first is opened before pupils choose.
     QList<core::Starter> starters;
     QList<core::Tool> tools; ///< no duplicates, not empty; a turn begins with the first tool
     int turnMinutes = 20;    ///< 0: a turn has no end
@@ -31,7 +31,7 @@ struct Classroom
     bool asksQuestions = false; ///< six questions about the program after each turn
     QStringList names = {};     ///< pupils to choose from; empty: each pupil types a name
     bool allowsOthers = true;   ///< pupils may type a name that is not in names
-    /// lesson that turns begin with: name of a bundled lesson or absolute path; empty: none
+    /// Lesson that turns begin with: name of a bundled lesson or absolute path; empty: none.
     QString lesson = {};
 
     bool operator==(const Classroom&) const = default;

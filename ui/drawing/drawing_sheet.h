@@ -26,7 +26,7 @@ struct DrawingSheet
     bool shaded = false;
 };
 
-/// size of A4 landscape paper, mm
+/// Size of A4 landscape paper, mm.
 inline constexpr QSizeF sheetSize{297, 210};
 
 /// Returns the level of detail of a sheet's drawing.

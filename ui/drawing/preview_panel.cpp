@@ -168,7 +168,7 @@ void addPreview(QMainWindow* window, Settings* settings, QAction* exporting, con
                 QMenu* toggles)
 {
     auto* panel = new PreviewPanel(settings, exporting);
-    // gives the corner to the right dock area, whose panels need the height
+    // Gives the corner to the right dock area, whose panels need the height
     window->setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     window->addDockWidget(Qt::BottomDockWidgetArea, panel);
     panel->hide();

@@ -94,7 +94,7 @@ private:
     FileBrowserSettings m_options;
     QString m_problem;     ///< why the folder cannot be listed; empty: none
     QString m_modelFolder; ///< last folder at the previous call of followModel()
-    /// stopped: the user has stopped the thumbnails, until another folder is shown or the panel is shown again
+    /// m_isStopped: the user has stopped the thumbnails, until another folder is shown or the panel is shown again.
     bool m_isListed = false, m_isStopped = false;
     QStringList m_toSelect; ///< paths to select once they are listed
 

@@ -17,7 +17,7 @@ FileGrid::FileGrid(QWidget* parent) : QListView(parent)
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    // a scroll bar that comes and goes would change the number of columns
+    // A scroll bar that appears and disappears would change the number of columns
     setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
     setUniformItemSizes(true);
     setContextMenuPolicy(Qt::CustomContextMenu);

@@ -63,7 +63,7 @@ Q_SIGNALS:
     void starterRequested(core::Starter starter);
     /// The path is the model's own file, or the user has agreed to overwriting. Its suffix is the format.
     void saveRequested(const QString& path);
-    /// `maxTriangles`: 0 means all. `slices`: a slicer shall test the file.
+    /// `maxTriangles`: 0 means all. `slices`: a slicer is to test the file.
     void exportRequested(const QString& path, quint64 maxTriangles = 0, bool slices = false);
     /// A report on the models in `folder` is to be written to `path`.
     void reportRequested(const QString& folder, const QString& path);

@@ -17,7 +17,7 @@ namespace ui
 {
 namespace
 {
-/// larger files are refused by the readers anyway
+/// Files above maxHashedBytes get no key; the readers refuse them anyway.
 constexpr qint64 hashChunkBytes = 1 << 20, maxHashedBytes = qint64(1) << 31;
 constexpr qsizetype maxCachedKeys = 20'000;
 } // namespace

@@ -17,7 +17,7 @@ inline constexpr std::size_t simulatedHandCount = 2;
 struct SimulatedButtons
 {
     double trigger = 0; ///< 0 to 1
-    /// position of the thumb on the pad, within the unit circle: x right, y forwards
+    /// Position of the thumb on the pad, within the unit circle: x right, y forwards.
     Eigen::Vector2d pad = Eigen::Vector2d::Zero();
     bool touchesPad = false, pressesPad = false;
     bool squeezes = false, pressesMenu = false;
@@ -31,7 +31,7 @@ struct SimulatedButtons
 class SimulatorControls
 {
 public:
-    /// tangents of half the field of view: horizontal and vertical
+    /// Tangents of half the field of view: horizontal and vertical.
     static constexpr double sideTangent = 1.125, upTangent = 1;
 
     SimulatorControls();

@@ -16,7 +16,7 @@ using core::Vec3;
 
 /// Trigger value of a press at half strength: midway between the value at which a trigger begins to act and 1.
 constexpr double halfPull = 0.725;
-/// distance of the thumb from the pad's centre when it presses a side, in radii
+/// Distance of the thumb from the pad's centre when it presses a side, in radii.
 constexpr double padEdge = 0.8;
 constexpr double radiansPerPixel = 0.004;   ///< head turn for a pixel of mouse motion
 constexpr double slidePerPixel = 1.0 / 120; ///< thumb motion for a pixel of mouse motion, in pad radii
@@ -25,7 +25,7 @@ constexpr double radiansPerNotch = 0.2;     ///< rotation of the wand for each n
 constexpr double notch = 120;               ///< one notch of a wheel in Qt's units (1/8 degree)
 constexpr double walkingSpeed = 0.8;        ///< metres per second
 constexpr double leastDepth = 0.005;        ///< metres; smaller depths are not shown
-/// pixels; margin around the depth text, distance from the mouse up to it
+/// Pixels: margin around the depth text, and distance from the mouse up to the text.
 constexpr double textMargin = 6, textAbove = 40;
 
 struct WalkingKey

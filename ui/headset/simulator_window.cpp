@@ -108,7 +108,7 @@ void SimulatorWindow::placeBesideMain()
 {
     const QRect main = parentWidget()->window()->frameGeometry();
     const QRect screen =
-        // leaves room for the window frame
+        // Leaves room for the window frame
         parentWidget()->screen()->availableGeometry().adjusted(edge, edge, -edge, -edge);
     resize(size().boundedTo(screen.size()));
     move(std::clamp(main.right() + 1, screen.left(), std::max(screen.left(), screen.right() + 1 - width())),

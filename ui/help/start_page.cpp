@@ -27,7 +27,7 @@ namespace
 {
 constexpr QSize pictureSize{150, 100}, starterSize{64, 64};
 constexpr int starterWidth = 84, recentWidth = 260;
-/// pixels; the list shrinks to its smallest height before the page gets a scroll bar
+/// Heights of the list in pixels. It shrinks to the smallest height before the page gets a scroll bar.
 constexpr int leastRecentHeight = 72, recentHeight = 160;
 
 QLabel* heading(const QString& text)

@@ -27,7 +27,7 @@ struct HistoryStep
 struct History
 {
     QList<HistoryStep> steps;
-    int present = 0;         ///< present state
+    int present = 0;         ///< index of the present state
     int first = 0, last = 0; ///< first and last reachable state; the steps of other states have been discarded
     qint64 bytes = 0;        ///< memory of the history
 };

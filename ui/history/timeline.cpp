@@ -61,8 +61,7 @@ Timeline::Timeline(QWidget* parent)
     setHistory({});
 }
 
-/// Shows a changed history. If it was changed by anything else than this timeline's request, forgets the request and
-/// stops playing.
+/// Shows a changed history. If anything but this timeline's request changed it, drops the request and stops playing.
 void Timeline::setHistory(const History& history)
 {
     QStringList names;
@@ -72,7 +71,7 @@ void Timeline::setHistory(const History& history)
     const bool hasOtherNames = std::exchange(m_names, names) != names;
     const auto away = [this](int state) { return std::abs(state - m_requested.value_or(state)); };
     const bool isLost =
-        // the state moved away from the requested one, so somebody else changed it
+        // The state moved away from the requested one, so somebody else changed it
         m_requested && m_present != before && away(m_present) >= away(before);
     if (hasOtherNames || isLost || m_requested == m_present)
         m_requested.reset();

@@ -47,7 +47,7 @@ public:
     void setRecording(bool isRecording);
 
 Q_SIGNALS:
-    /// A new lesson shall begin with this starter; nullopt: with the present model.
+    /// A new lesson is to begin with this starter; nullopt: with the present model.
     void startChosen(const std::optional<core::Starter>& starter);
     void lessonChosen(const QString& name);
     void fileRequested();

@@ -94,7 +94,7 @@ Q_SIGNALS:
     void singleStrokeRequested(); ///< the teacher's next stroke is to be played, then playback stops
     void speedChosen(double speed);
     void tryRequested();
-    /// The step shall begin with the teacher's model instead of the pupil's.
+    /// The step is to begin with the teacher's model instead of the pupil's.
     void teachersModelRequested();
     void differenceRequested(bool on);
     void handoutRequested();

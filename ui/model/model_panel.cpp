@@ -117,7 +117,7 @@ void ModelPanel::showHealth(Health health, const QString& word, const QString& t
 /// Sets the colour of the text and draws the icon in the same colour.
 void ModelPanel::showColors()
 {
-    // contrast at least 4.5 to 1
+    // Contrast at least 4.5 to 1
     constexpr QRgb onLight[] = {0, 0xff1e7a3a, 0xffb3261e}, onDark[] = {0, 0xff66cc88, 0xfff28b82};
     const int kind = static_cast<int>(m_health);
     QPalette colors;

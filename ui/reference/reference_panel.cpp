@@ -150,7 +150,7 @@ QDoubleSpinBox* ReferencePanel::lengthBox(const QString& id, const QString& name
     box->setRange(min, max);
     box->setSuffix(tr(" mm"));
     box->setKeyboardTracking(false);
-    // a box wide enough for the largest number would widen the dock
+    // A box wide enough for the largest number would widen the dock
     box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     box->setMinimumWidth(minWidth);
     connect(box, &QDoubleSpinBox::valueChanged, this, &ReferencePanel::place);

@@ -307,7 +307,7 @@ void TestBrushFiles::settings_keepTheAlpha()
     QImage image(4, 4, QImage::Format_Grayscale8);
     image.fill(200);
     QVERIFY(image.save(path("kept.png")));
-    // makes the start-up change the brush while the file is being read
+    // Makes the start-up change the brush while the file is being read
     ui::Settings().setValue(core::Parameter::Strength, 0.3);
     {
         ui::MainWindow window;
@@ -378,7 +378,7 @@ void TestBrushFiles::settings_keepTheAlphaOfEachTool()
 void TestBrushFiles::settings_keepTheModel()
 {
     core::writeMesh(path("stamp.stl").toStdString(), core::starterModel(core::Starter::Torus));
-    // makes the start-up change the brush while the file is being read
+    // Makes the start-up change the brush while the file is being read
     ui::Settings().setValue(core::Parameter::Strength, 0.3);
     {
         ui::MainWindow window;
@@ -403,7 +403,7 @@ void TestBrushFiles::settings_keepTheModel()
     ui::MainWindow window;
     QTest::qWait(100);
     QVERIFY(!window.brush()->stroke().model);
-    // still in the list of recent files
+    // Still in the list of recent files
     QCOMPARE(ui::Settings().get<ui::StoredShapes>().models, QStringList{path("stamp.stl")});
 }
 

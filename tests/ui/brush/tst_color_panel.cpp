@@ -105,7 +105,7 @@ private Q_SLOTS:
         QVERIFY(isNear(p.color(), {255, 0, 0}, 4));
         p.drag(wheel->placeOfHue(0), wheel->placeOfHue(1.0 / 3));
         QVERIFY(isNear(p.color(), {0, 255, 0}, 10));
-        // beyond the corner of the square
+        // Beyond the corner of the square
         p.drag(wheel->placeInSquare(0.5, 0.5), wheel->placeInSquare(1, 0) + QPointF(50, 50));
         QVERIFY(isNear(p.color(), {0, 0, 0}, 0));
     }

@@ -256,7 +256,7 @@ private Q_SLOTS:
         QCOMPARE(ui::takePreset(loaded.last().file, window.brush(), shapes), QString());
         QTRY_VERIFY(window.brush()->stroke().alpha);
         QCOMPARE(window.brush()->stroke().alpha->fingerprint(), print);
-        // extracted to a file, because strokes name a file
+        // Extracted to a file, because strokes name a file
         QVERIFY(QFile::exists(QString::fromStdString(window.brush()->stroke().alpha->source())));
         QCOMPARE(loaded.refused.count(), 0);
     }
@@ -280,7 +280,7 @@ private Q_SLOTS:
     void theFolderCannotBeWritten()
     {
         QDir(ui::PresetLibrary::folder()).removeRecursively();
-        // a file in place of the folder, because permissions would not stop root
+        // A file in place of the folder, because permissions would not stop root
         QVERIFY(writeText(ui::PresetLibrary::folder(), "a file"));
         LoadedLibrary loaded;
         QVERIFY(loaded.library.add({}, QStringLiteral("A")).isEmpty());

@@ -116,9 +116,9 @@ void TestClassReportQuestions::html_hasARowForEachQuestion()
     QCOMPARE(figures.size(), 6 * 9);
     QCOMPARE(figures.first(), QStringLiteral("2"));
     QCOMPARE(figures[8], QStringLiteral("2")); // number of answers with 7 points
-    // third question, number of answers with 3 points
+    // Third question, number of answers with 3 points
     QCOMPARE(figures[2 * 9 + 4], QStringLiteral("1"));
-    // the script sorts the first table of the page
+    // The script sorts the first table of the page
     QVERIFY(page.indexOf("<table>") < page.indexOf("<table class=\"questions\">"));
 }
 

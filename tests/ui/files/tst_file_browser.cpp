@@ -343,7 +343,7 @@ private Q_SLOTS:
              {{QStringLiteral("files.rename"), QStringLiteral("Q")},
               {QStringLiteral("files.open"), QStringLiteral("Return; Ctrl+Return")}}});
         const QList<QKeySequence> opening =
-            // its initial keys may be set although Return is otherwise reserved
+            // Its initial keys may be set although Return is otherwise reserved
             s.window.action(QStringLiteral("files.open"))->shortcuts();
         QVERIFY(opening.size() == 2 && opening.contains(QKeySequence(Qt::Key_Return)));
         const auto renames = [&s](Qt::Key key) {

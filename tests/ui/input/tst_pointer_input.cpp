@@ -126,7 +126,7 @@ private Q_SLOTS:
             r.samples.clear();
             r.send(Kind::Press, {400, 300});
             r.send(Kind::Move, to);
-            // the brush lags behind the pointer
+            // The brush lags behind the pointer
             QVERIFY((r.samples.back().direction - r.camera.ray(to).direction).norm() > 1e-3);
             end();
             QVERIFY((r.samples.back().direction - r.camera.ray(to).direction).norm() < 1e-12);

@@ -69,7 +69,7 @@ void TestModelDialogs::move_givesThreeNumbers()
 
 void TestModelDialogs::rotate_turnsAboutTheAxisChosen()
 {
-    // image of the x axis after a quarter turn about y, x and z
+    // Image of the x axis after a quarter turn about y, x and z
     const Vec3 images[] = {{0, 0, -1}, {1, 0, 0}, {0, 1, 0}};
     for (int i = 0; i < 3; ++i) {
         Asking asking;

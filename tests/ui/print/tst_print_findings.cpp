@@ -64,7 +64,7 @@ private Q_SLOTS:
         QVERIFY(worstOf(findingsOf(shapes::cube(300), {.bed = bed}, printer)) == PrintVerdict::Bad);
         QVERIFY(worstOf(findingsOf(clay::slab(20, 0.5, 4), {.bed = bed}, printer)) == PrintVerdict::Bad);
         QVERIFY(worstOf(findingsOf(shapes::cubeWithFlippedFace(), {.bed = bed}, printer)) == PrintVerdict::Bad);
-        // is it in inches?
+        // Is it in inches?
         QVERIFY(worstOf(findingsOf(shapes::cube(1.5F), {.bed = bed}, printer)) == PrintVerdict::Warning);
     }
 

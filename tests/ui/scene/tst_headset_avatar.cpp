@@ -21,7 +21,7 @@ namespace
 {
 const QPoint onModel{200, 150}, besideModel{30, 40};
 
-/// mm of the model for a metre of the room. The model has been enlarged in the headset, so people are small beside it.
+/// Model millimetres for each metre of the room. The model has been enlarged in VR, so people are small beside it.
 constexpr double metre = 120;
 
 /// A viewport with a ball, and answers to its hover requests.
@@ -300,7 +300,7 @@ void TestHeadsetAvatar::following_standsStraightUpAndDown()
         OrbitCamera camera = cameraOnBall();
         camera.setPose(ui::headTrackingStep(camera, head, 60));
         QVERIFY(camera.viewDirection().isApprox(-head.linear().col(2), 1e-6));
-        // looking straight up or down, the direction of the face stays at the picture's side
+        // the camera's up is the head's up, so the picture does not turn
         QVERIFY(camera.up().isApprox(head.linear().col(1), 1e-6));
     }
 }

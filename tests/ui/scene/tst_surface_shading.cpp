@@ -180,7 +180,7 @@ private Q_SLOTS:
         QTest::newRow("n = 4") << 4;
     }
 
-    /// The tint's border is the brush's sphere, even on large triangles.
+    /// The tint's border follows the brush's sphere, even on large triangles.
     void tint_isRoundOnACoarseMesh()
     {
         QFETCH(int, falloff);

@@ -413,7 +413,7 @@ private Q_SLOTS:
         for (int y = 90; y < 210; ++y)
             for (int x = 140; x < 260; ++x)
                 other += before.pixel(x, y) != after.pixel(x + 70, y - 30);
-        QVERIFY2(other < 50, qPrintable(QString::number(other))); // pixels at the faces' edges, of 14400
+        QVERIFY2(other < 50, qPrintable(QString::number(other))); // pixels that differ at the faces' edges, of 14400
     }
 
     void strokesHitInParallelToo()
@@ -454,7 +454,7 @@ private Q_SLOTS:
         QVERIFY((camera.project(held) - ui::OrbitCamera::Pixel(250, 120)).norm() < 1e-6);
         QVERIFY(s.viewport.cursor().shape() != Qt::CrossCursor); // no brush cursor
         QTest::touchEvent(&s.viewport, m_finger).release(0, {190, 120}).move(1, {310, 120});
-        // the remaining finger of a gesture makes no stroke
+        // The remaining finger of a gesture makes no stroke
         QTest::touchEvent(&s.viewport, m_finger).move(1, {330, 200});
         QTest::touchEvent(&s.viewport, m_finger).release(1, {330, 200});
         QCoreApplication::processEvents();

@@ -1093,7 +1093,7 @@ private Q_SLOTS:
         QVERIFY(!drop(window, {QUrl(QStringLiteral("https://example.org/a.stl"))}));
         QVERIFY(!drop(window, {}));
         window.progress()->begin(QStringLiteral("Opening"));
-        // allowed while a file is being opened
+        // Allowed while a file is being opened
         QVERIFY(drop(window, {QUrl::fromLocalFile(QStringLiteral("/tmp/b.stl"))}));
         QTRY_COMPARE(opened.count(), 2);
     }
