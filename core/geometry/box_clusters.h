@@ -8,9 +8,9 @@
 
 namespace core
 {
-// What changed in several places at once, parted by empty slabs. Any thread.
+// Groups boxes into clusters that are separated by empty slabs. Thread: any.
 
-/// Along which no box lies across the middle of the one around them all; 3: along none.
+/// Returns an axis along which no box crosses the middle plane of `all`, or 3 if there is none.
 inline int separatingAxis(std::span<const LatticeBox> boxes, const LatticeBox& all)
 {
     const auto isSeparating = [&](int axis) {
@@ -24,8 +24,8 @@ inline int separatingAxis(std::span<const LatticeBox> boxes, const LatticeBox& a
     return axis;
 }
 
-/// Adds to the parts boxes around all of these, whose order changes: what lies in one part is connected with nothing in
-/// another, if each box holds something connected. Cost: O(n) for each part.
+/// Appends one bounding box for each cluster of `boxes`, and reorders `boxes`. If each box bounds connected elements,
+/// no elements of different clusters are connected. Cost: O(boxes) for each cluster.
 inline void addClusters(std::span<LatticeBox> boxes, std::vector<LatticeBox>& clusters)
 {
     if (boxes.empty())

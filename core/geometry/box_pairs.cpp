@@ -4,12 +4,14 @@ namespace core
 {
 namespace
 {
-constexpr int boxesPerStrip = 3;              ///< a strip is this many median boxes high
-constexpr std::int64_t entriesPerBox = 4;     ///< strips grow until boxes lie in no more of them than this on average
-constexpr std::size_t heightSamples = 1 << 8; ///< of which the median is taken
+constexpr int boxesPerStrip = 3; ///< height of a strip, in median box heights
+/// largest mean number of strips per box; strips are enlarged until it is met
+constexpr std::int64_t entriesPerBox = 4;
+constexpr std::size_t heightSamples = 1 << 8; ///< number of boxes sampled for the median height
 } // namespace
 
-/// The longest first: a patch that lies flat across an axis would crowd into few strips along it.
+/// Returns the axes by decreasing extent of the boxes. A patch that is flat across an axis would fill few strips along
+/// it.
 std::array<int, 3> BoxPairs::axesByExtent() const
 {
     LatticeBox all;
@@ -21,7 +23,8 @@ std::array<int, 3> BoxPairs::axesByExtent() const
     return axes;
 }
 
-/// By the median box: a few large ones among many small ones must not make the strips too high for the small ones.
+/// Returns the height of the strips along `axis`, lattice units. The median box sets it, so that a few large boxes do
+/// not make the strips too high for many small ones.
 int BoxPairs::stripHeight(int axis) const
 {
     const auto heightOf = [&](const LatticeBox& box) { return box.max[axis] - box.min[axis] + 1; };
@@ -47,7 +50,7 @@ std::vector<BoxPairs::Entry> BoxPairs::sortedEntries(const std::array<int, 3>& a
 {
     struct Key
     {
-        std::uint64_t place; ///< strip, then where the box begins along the sweep
+        std::uint64_t place; ///< strip in the upper 32 bits, then the start of the box along the sweep axis
         Slot box;
     };
     std::vector<Key> keys;

@@ -9,9 +9,9 @@
 
 namespace core
 {
-/// Every two boxes that meet and of which one is one of the first `first`, once.
-/// Few against all: each with each. Else a sweep along the longest axis of all inside strips along the second longest:
-/// O(n log n + pairs) for boxes most of which are of similar size.
+/// Finds the pairs of boxes that meet, each pair once; at least one box of a pair is among the first `first` boxes. If
+/// there are few possible pairs, all are tested. Otherwise a sweep runs along the longest axis, in strips along the
+/// second longest. Cost: O(n log n + pairs) if most boxes are of similar size.
 class BoxPairs
 {
 public:
@@ -19,8 +19,8 @@ public:
 
     explicit BoxPairs(std::span<const LatticeBox> boxes, Slot first) : m_boxes(boxes), m_first(first) {}
 
-    /// The pairs (i, j), i < j, of boxes that meet, the first among the first `first`, for which isWanted(i, j) holds.
-    /// On all cores, in the same order on any number of them.
+    /// Returns the pairs (i, j) of boxes that meet, where i < j, i < `first` and isWanted(i, j). Uses all cores; the
+    /// order of the pairs does not depend on their number.
     template <class Test> std::vector<Pair> those(Test isWanted) const
     {
         if (static_cast<std::size_t>(m_first) * m_boxes.size() <= fewPairs)
@@ -30,14 +30,14 @@ public:
 
 private:
     static constexpr std::size_t fewPairs = 1u << 12;
-    static constexpr std::size_t entriesPerChunk = 1024; ///< that a core takes at a time
+    static constexpr std::size_t entriesPerChunk = 1024; ///< number of entries that a core processes at a time
 
-    /// A box in one of its strips, with all that the sweep asks about at hand.
+    /// A box in one of the strips that it overlaps, with its bounds copied for the sweep.
     struct Entry
     {
         int strip;
         Slot box;
-        std::array<int, 3> min, max; ///< along the sweep, across the strips, and the third way
+        std::array<int, 3> min, max; ///< bounds along the sweep axis, the strip axis and the third axis
     };
 
     template <class Test> std::vector<Pair> eachWithEach(Test isWanted) const
@@ -67,7 +67,7 @@ private:
                             break;
                         const bool meet = (t.min[1] <= s.max[1]) & (s.min[1] <= t.max[1]) & (t.min[2] <= s.max[2]) &
                                           (s.min[2] <= t.max[2]) & (std::min(s.box, t.box) < m_first);
-                        // Of the strips that both lie in, only the first reports the pair.
+                        // Two boxes may share several strips: only the first of these reports the pair.
                         if (meet && stripOf(std::max(s.min[1], t.min[1]), height) == s.strip &&
                             isWanted(std::min(s.box, t.box), std::max(s.box, t.box)))
                             pairs.emplace_back(std::min(s.box, t.box), std::max(s.box, t.box));

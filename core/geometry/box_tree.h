@@ -6,7 +6,7 @@
 
 namespace core
 {
-/// Closed, of float32 numbers: holds boxes of float32 points and of lattice points exactly.
+/// A closed box of float32 numbers, which bounds float32 points and lattice points exactly.
 struct FaceBox
 {
     Eigen::Array3f min = Eigen::Array3f::Constant(std::numeric_limits<float>::infinity());
@@ -29,16 +29,16 @@ struct FaceBox
     }
 };
 
-/// A still tree of boxes, for whole-model questions: boxes in Morton order of their centres, eight to a node, no
-/// pointers. A box's position is its place in that order.
+/// A static tree of boxes for queries about the whole model. Boxes are sorted in Morton order of their centres; nodes
+/// have eight children and no pointers. The position of a box is its index in that order.
 class BoxTree
 {
 public:
-    /// Cost: a sort.
+    /// Cost: one sort of the boxes.
     explicit BoxTree(const std::vector<FaceBox>& boxes);
 
     Slot size() const { return static_cast<Slot>(m_order.size()); }
-    /// The index in `boxes` of the box at a position.
+    /// Returns the index in `boxes` of the box at a position.
     Slot at(Slot position) const { return m_order[position]; }
     const FaceBox& box(Slot position) const { return m_levels[0][position]; }
 
@@ -48,30 +48,30 @@ public:
         forEachMeetingAt(0, query, 0, visit);
     }
 
-    /// For questions about all pairs, on many cores: so many parts of the boxes.
+    /// Returns the number of blocks of boxes, for work about all pairs that is divided between cores.
     Slot blocks() const { return static_cast<Slot>(m_levels[blockLevel()].size()); }
-    /// Calls visit(i, j) for each pair of positions i < j whose boxes meet, i in the block.
+    /// Calls visit(i, j) for each pair of positions i < j whose boxes meet and where i is in the block.
     template <typename Visit> void forEachMeetingPair(Slot block, Visit visit) const;
 
-    /// Nearest first, about: reach(box) says how far away the box begins, infinity if it is not wanted; visit(position)
-    /// returns the distance from which on nothing is wanted any more, never more than `bound` or what it returned
-    /// before.
+    /// Visits boxes roughly nearest first. reach(box) returns the distance at which the box begins, or infinity to skip
+    /// it. visit(position) returns the new bound: boxes from that distance on are skipped. The bound must never grow.
     template <typename Reach, typename Visit> void forEachNear(Reach reach, double bound, Visit visit) const;
 
     static constexpr Slot nodeSize = 8;
 
 private:
-    static constexpr std::size_t maxLevels = 12; // 8^11 exceeds any number of faces
+    static constexpr std::size_t maxLevels = 12; // 8^11 exceeds any 32-bit number of faces
 
     std::size_t blockLevel() const { return std::min<std::size_t>(3, m_levels.size() - 1); }
-    /// visit(i) for each entry of a level, from one on, that meets the query.
+    /// Calls visit(i) for each entry i >= `from` of the level `target` that meets the query.
     template <typename Visit>
     void forEachMeetingAt(std::size_t target, const FaceBox& query, Slot from, Visit visit) const;
-    /// Of nodes a <= b of a level, which meet.
+    /// Visits the pairs of boxes below two nodes a <= b of a level. Precondition: the nodes meet.
     template <typename Visit> void visitPairs(std::size_t level, std::size_t a, std::size_t b, Visit& visit) const;
 
     std::vector<Slot> m_order;
-    std::vector<std::vector<FaceBox>> m_levels; ///< boxes by position, then of nodes, and so on up to one
+    /// level 0: the boxes by position; each further level: the nodes over the level below, up to one root
+    std::vector<std::vector<FaceBox>> m_levels;
 };
 
 template <typename Visit>
@@ -92,7 +92,8 @@ void BoxTree::forEachMeetingAt(std::size_t target, const FaceBox& query, Slot fr
         }
         const std::vector<FaceBox>& below = m_levels[level - 1];
         const std::size_t first = index * nodeSize, last = std::min(first + nodeSize, below.size());
-        const std::size_t shift = 3 * (level - 1 - target); // an entry below covers 8^that of the target's
+        // an entry of `below` covers 2^shift entries of the target level
+        const std::size_t shift = 3 * (level - 1 - target);
         for (std::size_t i = first; i < last; ++i)
             if (((i + 1) << shift) > from && below[i].meets(query))
                 stack[depth++] = {level - 1, i};
@@ -109,7 +110,7 @@ template <typename Visit> void BoxTree::visitPairs(std::size_t level, std::size_
 {
     const std::vector<FaceBox>& below = m_levels[level - 1];
     const FaceBox &boxA = m_levels[level][a], &boxB = m_levels[level][b];
-    std::array<std::size_t, nodeSize> near; // of b's those that meet a
+    std::array<std::size_t, nodeSize> near; // children of b that meet a
     std::size_t count = 0;
     for (std::size_t j = b * nodeSize; j < std::min((b + 1) * nodeSize, below.size()); ++j)
         if (a == b || below[j].meets(boxA))
@@ -155,7 +156,7 @@ template <typename Reach, typename Visit> void BoxTree::forEachNear(Reach reach,
                 bound = visit(static_cast<Slot>(i));
                 continue;
             }
-            std::size_t place = depth++; // the nearest on top
+            std::size_t place = depth++; // children are kept sorted, with the nearest on top of the stack
             for (; place > bottom && stack[place - 1].reach < distance; --place)
                 stack[place] = stack[place - 1];
             stack[place] = {distance, node.level - 1, static_cast<std::uint32_t>(i)};

@@ -7,11 +7,11 @@
 
 namespace core
 {
-/// Exact sum of products of three finite float32 numbers of any magnitude.
+/// An exact sum of products of three finite float32 numbers of any magnitude.
 ///
 /// A float32 is m x 2^e with an integer |m| < 2^24 and e >= -149. A product is an integer of 72 bits times 2^(e1 + e2 +
-/// e3). All are added in one fixed-point number that holds every exponent that can occur (after Kulisch's long
-/// accumulator): limbs of 32 bits in signed cells of 64, so that carries need settling only now and then.
+/// e3). Products are added in one fixed-point number that covers every possible exponent (Kulisch's long accumulator):
+/// 32-bit limbs in signed 64-bit cells, so that carries are propagated only once in maxUnsettled products.
 class ExactSum
 {
 public:
@@ -54,13 +54,14 @@ private:
     struct Decomposed
     {
         std::int64_t mantissa; ///< signed, |mantissa| < 2^24
-        int exponent;          ///< counted from the least one, 2^-149: 0 to 253
+        int exponent;          ///< exponent above the least one, 2^-149: 0 to 253
     };
 
     static constexpr int half = 24;
     static constexpr std::int64_t halfMask = (std::int64_t(1) << half) - 1;
     static constexpr std::int64_t limbMask = 0xffffffff;
-    /// Each product puts four pieces of less than 2^33 into cells: far from 2^63.
+    /// Number of products between two propagations of carries. Each product adds four pieces below 2^33: the cells stay
+    /// far below 2^63.
     static constexpr int maxUnsettled = 1 << 20;
 
     static Decomposed decompose(float x)
@@ -73,7 +74,8 @@ private:
         return {(bits >> 31) != 0 ? -mantissa : mantissa, biased == 0 ? 0 : biased - 1};
     }
 
-    /// |value| <= 2^48. Cut into 24 bits and the rest, so that each shifted by up to 31 fits 63 bits.
+    /// Precondition: |value| <= 2^48. Adds value x 2^shift as two pieces, split at bit 24; each fits in 63 bits after a
+    /// shift by up to 31 bits.
     void addShifted(std::int64_t value, int shift)
     {
         addPiece(value & halfMask, shift);
@@ -97,7 +99,7 @@ private:
         m_unsettled = 0;
     }
 
-    /// Exponents reach 3 x 253, a product has 72 bits, and a sum of 2^60 of them 60 more: 891 bits.
+    /// Limbs for 891 bits: 3 x 253 for the exponents, 72 for a product and 60 for a sum of 2^60 products.
     std::array<std::int64_t, 28> m_limbs{};
     int m_unsettled = 0;
 };

@@ -8,13 +8,13 @@
 
 namespace core
 {
-/// Of its faces: points that no face uses do not count.
+/// Returns the bounding box of the faces; points that no face uses are ignored.
 Box boxOf(const TriangleMesh& mesh);
 
 std::array<Vec3, 3> cornersOf(const TriangleMesh& mesh, Slot face);
 
-/// The boxes of `count` faces, whose corners triangleAt(i) names, for a BoxTree. Points of float32, of lattice
-/// integers, or of doubles (to the nearest float32). All cores.
+/// Returns the bounding boxes of `count` faces, for a BoxTree. triangleAt(i) returns the corners of face i. Points are
+/// float32, lattice integers, or doubles (rounded to the nearest float32). Uses all cores.
 template <typename Points, typename TriangleAt>
 std::vector<FaceBox> faceBoxes(const Points& points, std::size_t count, TriangleAt triangleAt)
 {
@@ -28,7 +28,7 @@ std::vector<FaceBox> faceBoxes(const Points& points, std::size_t count, Triangle
     return boxes;
 }
 
-/// Of all faces.
+/// Returns the bounding boxes of all faces.
 template <typename Points> std::vector<FaceBox> faceBoxes(const Points& points, std::span<const Triangle> triangles)
 {
     return faceBoxes(points, triangles.size(), [triangles](std::size_t f) -> const Triangle& { return triangles[f]; });

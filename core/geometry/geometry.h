@@ -8,8 +8,8 @@
 #include <array>
 #include <cstdint>
 
-/// The one place that states units and axes: a document is in millimetres, right-handed, Y up.
-/// Triangles wind counter-clockwise seen from outside; "outside" is where the normal points.
+/// Units and axes of the whole program: a document is in millimetres, right-handed, Y up. Triangles wind
+/// counter-clockwise seen from outside; their normals point outside.
 namespace core
 {
 using Vec3 = Eigen::Vector3d;
@@ -24,7 +24,7 @@ struct Rgb
     std::uint8_t r = 200, g = 200, b = 200;
     friend bool operator==(const Rgb&, const Rgb&) = default;
 };
-/// By a share of the way, 0 to 1.
+/// Interpolates between two colours; `share` is 0 to 1.
 constexpr Rgb mixed(Rgb from, Rgb to, double share)
 {
     const auto mix = [share](int a, int b) { return static_cast<std::uint8_t>(a + share * (b - a) + 0.5); };

@@ -1,5 +1,5 @@
-// The paper's sphere: each triangle of an icosahedron is split in four, new vertices are pushed out to the sphere.
-// Arithmetic is + - x / sqrt only: the same bits everywhere.
+// Builds the paper's sphere: each triangle of an icosahedron is split in four, and new vertices are moved out to the
+// sphere. Uses only + - x / sqrt, so that every machine gets the same bits.
 
 #include "core/geometry/triangle_mesh.h"
 

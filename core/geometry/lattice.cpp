@@ -7,7 +7,7 @@ namespace core
 Lattice Lattice::forExtent(double largestCoordinate)
 {
     assert(largestCoordinate > 0 && std::isfinite(largestCoordinate));
-    // 8 x largest <= 2^23 u = 2^(23 - k)
+    // Condition for k: 8 x largest <= 2^23 u = 2^(23 - k)
     int exponent = 0;
     const double mantissa = std::frexp(8 * largestCoordinate, &exponent); // 8 x largest = mantissa x 2^exponent
     const int ceilLog2 = mantissa == 0.5 ? exponent - 1 : exponent;

@@ -16,25 +16,25 @@ class Lattice
 {
 public:
     static constexpr int limit = 1 << 23;
-    /// d_detail is never less than this many units, so that rounding stays far below an edge's length.
+    /// Smallest d_detail in lattice units; keeps rounding far below an edge's length.
     static constexpr int minDetailUnits = 1024;
 
     explicit Lattice(int k = 14) : m_k(k), m_unit(std::ldexp(1.0, -k)), m_perUnit(std::ldexp(1.0, k)) {}
 
-    /// The finest lattice whose volume is eight times `largestCoordinate` (> 0, absolute, document's unit).
+    /// Returns the finest lattice that reaches at least 8 x `largestCoordinate` (> 0, absolute, mm) from the origin.
     static Lattice forExtent(double largestCoordinate);
 
     int exponent() const { return m_k; }
     double unit() const { return m_unit; }
-    /// Half the side of the working volume.
+    /// Returns half the side of the working volume, mm.
     double halfVolume() const { return m_unit * limit; }
     double minDetail() const { return m_unit * minDetailUnits; }
 
-    /// Exact for a point on the lattice.
+    /// Converts a point to lattice units. Precondition: p is on the lattice, and then the result is exact.
     LatticePoint toLattice(const Vec3f& p) const { return (p * static_cast<float>(m_perUnit)).cast<int>(); }
     Vec3f toPoint(const LatticePoint& p) const { return p.cast<float>() * static_cast<float>(m_unit); }
 
-    /// Nearest lattice point, coordinate by coordinate (ties to even). Not clamped: see contains().
+    /// Returns the nearest lattice point, coordinate by coordinate (ties to even). Does not clamp: see contains().
     Vec3f snap(const Vec3& p) const
     {
         return {static_cast<float>(snap(p.x())), static_cast<float>(snap(p.y())), static_cast<float>(snap(p.z()))};
@@ -46,7 +46,7 @@ public:
     friend bool operator==(const Lattice& a, const Lattice& b) { return a.m_k == b.m_k; }
 
 private:
-    /// std::nearbyint without the call: adding 1.5 x 2^52 pushes the fraction out of a double's mantissa.
+    /// Rounds as std::nearbyint, but inline: adding 1.5 x 2^52 pushes the fraction out of a double's mantissa.
     static double roundToEven(double x)
     {
         constexpr double shift = 6755399441055744.0;

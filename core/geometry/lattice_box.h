@@ -24,6 +24,6 @@ struct LatticeBox
     }
 };
 
-/// The box of lattice points that holds the ball, clipped to the lattice.
+/// Returns the smallest lattice box that contains the ball, clipped to the lattice.
 LatticeBox latticeBox(const Lattice& lattice, const Sphere& ball);
 } // namespace core

@@ -9,7 +9,8 @@ namespace core
 namespace
 {
 constexpr double farthestInSizes = 4;
-/// An import leaves room for eight times the model; a lattice is kept down to twice, and up to 32 times.
+/// Largest difference of exponents at which a lattice is kept. An import leaves room for 8 times the model; a kept
+/// lattice has room for 2 to 32 times.
 constexpr int maxStepsOff = 2;
 constexpr double leastStepsPerEdge = 32;
 
@@ -38,7 +39,7 @@ double floatStepsPerEdge(const Box& box, double area, std::size_t faces)
 {
     const auto largest = static_cast<float>(largestCoordinate(box));
     const double step = std::nextafter(largest, std::numeric_limits<float>::infinity()) - largest;
-    return std::sqrt(4 / std::sqrt(3.0) * area / static_cast<double>(faces)) / step; // of equilateral faces
+    return std::sqrt(4 / std::sqrt(3.0) * area / static_cast<double>(faces)) / step; // mean edge of equilateral faces
 }
 
 bool isTooFarForFloats(const Box& box, double area, std::size_t faces)

@@ -5,12 +5,12 @@
 
 namespace core
 {
-inline constexpr int mortonBits = 21; ///< of each coordinate: three of them in 63 bits
+inline constexpr int mortonBits = 21; ///< bits per coordinate: three coordinates fill 63 bits
 
-/// Interleaves the lower 21 bits of three coordinates: the place on a Morton curve (Morton 1966).
+/// Interleaves the lower 21 bits of three coordinates: returns the position on a Morton curve (Morton 1966).
 inline std::uint64_t mortonCode(const std::array<std::uint64_t, 3>& cell)
 {
-    const auto spread = [](std::uint64_t x) { // puts two zero bits between the bits
+    const auto spread = [](std::uint64_t x) { // puts two zero bits between neighbouring bits
         x &= 0x1fffff;
         x = (x | x << 32) & 0x1f00000000ffffu;
         x = (x | x << 16) & 0x1f0000ff0000ffu;

@@ -26,7 +26,7 @@ std::vector<Slot> vertexOrder(const TriangleMesh& mesh, const Lattice& lattice)
         return std::array{p.x(), p.y(), p.z()};
     };
     for (auto begin = keys.begin();
-         begin != keys.end();) { // between equal codes the point decides: two vertices never share one
+         begin != keys.end();) { // equal codes are ordered by lattice point: no two vertices share a point
         const auto end = std::find_if(begin, keys.end(), [&](const MortonKey& key) { return key.code != begin->code; });
         if (end - begin > 1)
             std::ranges::sort(begin, end, {}, pointOf);
@@ -39,7 +39,7 @@ std::vector<Slot> vertexOrder(const TriangleMesh& mesh, const Lattice& lattice)
     return order;
 }
 
-/// Ascending, by counting: those of a vertex are few.
+/// Returns the triangles in ascending order. A counting sort by first corner, then a sort of the few triangles of each.
 std::vector<Triangle> sorted(const std::vector<Triangle>& triangles, std::size_t vertices)
 {
     std::vector<Slot> ends(vertices + 1);

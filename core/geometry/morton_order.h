@@ -5,10 +5,10 @@
 
 namespace core
 {
-/// Of the upper 21 of the 24 bits of each coordinate.
+/// Returns the Morton code of the upper 21 of the 24 bits of each coordinate.
 std::uint64_t mortonCodeOf(const LatticePoint& p);
 
-/// The same mesh with vertices along a Morton curve (by their lattice points) and faces by their smallest corner, which
-/// comes first: elements that are near in space are near in memory. Does not depend on the order of the input.
+/// Returns the mesh with vertices sorted along a Morton curve and faces sorted by their smallest corner, which becomes
+/// the first corner. Elements near in space are then near in memory. The result does not depend on the input's order.
 TriangleMesh inMortonOrder(const TriangleMesh& mesh, const Lattice& lattice);
 } // namespace core

@@ -7,8 +7,8 @@ namespace core
 /// Returns the point of a triangle nearest to p (Ericson 2005, section 5.1.5).
 Vec3 nearestInTriangle(const Vec3& p, const std::array<Vec3, 3>& triangle);
 
-/// Returns the weights of a triangle's corners at a point of it: the areas of the triangles that the point makes with
-/// the opposite sides, as shares of their sum.
+/// Returns the barycentric weights of a triangle's corners at a point p in the triangle. Each weight is the area of the
+/// triangle between p and the opposite side, as a share of the sum of the three areas.
 inline std::array<double, 3> cornerWeights(const Vec3& p, const std::array<Vec3, 3>& triangle)
 {
     const auto& [a, b, c] = triangle;
@@ -18,7 +18,8 @@ inline std::array<double, 3> cornerWeights(const Vec3& p, const std::array<Vec3,
     return {atA / area, atB / area, atC / area};
 }
 
-/// Möller and Trumbore 1997, front faces only. Returns the multiple of the direction, negative for a miss.
+/// Intersects a ray with the front side of a triangle (Möller and Trumbore 1997). Returns the hit as a multiple of the
+/// ray's direction, negative for a miss.
 inline double hitTriangle(const Ray& ray, const std::array<Vec3, 3>& triangle)
 {
     const auto& [a, b, c] = triangle;

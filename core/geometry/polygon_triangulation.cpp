@@ -1,7 +1,7 @@
-// A polygon with holes into triangles (Eberly 2002, with integers in the place of tolerances):
+// Triangulates a polygon with holes (Eberly 2002, with integers instead of tolerances):
 //   1. nest     each hole belongs to the smallest loop around it
-//   2. bridge   holes, from left to right, are joined to the loop by the shortest segment that meets nothing
-//   3. clip     ears, each second one first, so that no corner collects all triangles
+//   2. bridge   each hole, from left to right, is joined to its loop by the shortest segment that meets nothing
+//   3. clip     ears are cut; every second corner is skipped, so that no corner collects all triangles
 
 #include "core/geometry/polygon_triangulation.h"
 
@@ -53,7 +53,7 @@ private:
     }
     std::int64_t turn(Slot a, Slot b, Slot c) const { return cross(at(a), at(b), at(c)); }
 
-    /// Its sign is right for loops that enclose more than rounding.
+    /// Returns twice the signed area. The sign is right unless the area is within the rounding error.
     double areaOf(const Loop& loop) const
     {
         double sum = 0;
@@ -62,7 +62,7 @@ private:
         return sum;
     }
 
-    /// The point lies on no side of the loop.
+    /// Returns whether p is inside the loop. Precondition: p is on no side of the loop.
     bool contains(const Loop& loop, const FlatPoint& p) const
     {
         bool isInside = false;
@@ -88,7 +88,7 @@ private:
                (ca == 0 && liesBetween(c, d, a)) || (cb == 0 && liesBetween(c, d, b));
     }
 
-    /// Sides that end where the segment does may.
+    /// Returns whether the segment pq meets a side of the loop. Sides that end at p or q are ignored.
     bool meetsSideOf(const Loop& loop, const FlatPoint& p, const FlatPoint& q) const
     {
         for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -101,7 +101,7 @@ private:
         return false;
     }
 
-    /// Strictly between the sides of the loop's corner, on its left.
+    /// Returns whether p is strictly between the two sides of the loop's corner, on their left.
     bool isInCorner(const Loop& loop, std::size_t corner, const FlatPoint& p) const
     {
         const FlatPoint &a = at(loop[(corner + loop.size() - 1) % loop.size()]), &b = at(loop[corner]),
@@ -136,7 +136,7 @@ private:
         return true;
     }
 
-    /// The nearest corner of the loop from which the corner of the first hole is seen.
+    /// Returns the nearest corner of the loop from which corner `from` of the first hole is visible.
     std::optional<std::size_t> cornerInSight(const Loop& loop, std::span<const Loop> holes, std::size_t from) const
     {
         const FlatPoint& p = at(holes[0][from]);
@@ -157,7 +157,8 @@ private:
     bool clip(const Loop& loop)
     {
         const auto count = static_cast<Slot>(loop.size());
-        std::vector<Slot> next(count), prev(count), bent; ///< bent: corners that are not convex, some of them no more
+        /// bent: non-convex corners; some may have become convex since
+        std::vector<Slot> next(count), prev(count), bent;
         for (Slot i = 0; i < count; ++i) {
             next[i] = (i + 1) % count;
             prev[i] = (i + count - 1) % count;

@@ -8,12 +8,12 @@
 
 namespace core
 {
-/// Of a plane lattice; |coordinate| <= Lattice::limit.
+/// A point of a plane lattice; |coordinate| <= Lattice::limit.
 using FlatPoint = Eigen::Vector2i;
 
-/// Triangles that fill what the loops enclose: what is filled lies to the left of each, so that holes run the other way
-/// round. Every point of the loops is a corner, no other is; triangles wind anticlockwise. Exact. Nothing if the loops
-/// cross, touch, or enclose nothing. Cost: the points times those at which the loops are not convex.
+/// Triangulates the area to the left of all loops: outer loops run anticlockwise, holes clockwise. The corners are
+/// exactly the points of the loops; triangles wind anticlockwise. The result is exact. Returns nothing if loops cross,
+/// touch or enclose nothing. Cost: O(points x non-convex corners).
 std::optional<std::vector<Triangle>> triangulatePolygon(std::span<const FlatPoint> points,
                                                         std::vector<std::vector<Slot>> loops);
 } // namespace core

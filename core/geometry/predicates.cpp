@@ -1,7 +1,7 @@
-// Exact signs for float32 points, where doubles cannot decide.
+// Computes exact signs for float32 points in the cases that doubles cannot decide.
 //
 // The determinant of four points, expanded without taking differences, is a sum of 24 signed products of three
-// coordinates (6 products of two in the plane), which ExactSum adds without rounding.
+// coordinates. In the plane it is a sum of 6 products of two coordinates. ExactSum adds them without rounding.
 
 #include "core/geometry/predicates.h"
 

@@ -5,8 +5,8 @@
 
 #include <cstdint>
 
-/// Exact geometric questions about points, answered by a sign: -1, 0 or 1. Two sets with one interface, so that code
-/// that asks them can be a template: points of the lattice (the engine), and float32 points as they are (files).
+/// Exact geometric tests of points, answered by a sign: -1, 0 or 1. Two classes with one interface, for use in
+/// templates: one for lattice points (the engine), one for any float32 points (files).
 namespace core
 {
 template <typename Number> constexpr int signOf(Number x)
@@ -14,21 +14,21 @@ template <typename Number> constexpr int signOf(Number x)
     return (x > Number(0)) - (x < Number(0));
 }
 
-/// Points of the lattice. No branch and no loop: about 3 ns a question.
+/// Predicates for lattice points. Cost: about 3 ns per test, without loops or branches.
 struct LatticePredicates
 {
     using Point = LatticePoint;
 
-    /// The oriented plane through three points; cheaper than orient3d when several points are asked about.
+    /// The oriented plane through three points; cheaper than orient3d when several points are tested against it.
     class Plane
     {
     public:
         Plane(const Point& a, const Point& b, const Point& c);
-        /// Sign of ((b-a) x (c-a)) . (d-a): 1 where the triangle winds counter-clockwise as seen from d.
+        /// Returns the sign of ((b-a) x (c-a)) . (d-a): 1 if the triangle winds counter-clockwise as seen from d.
         int side(const Point& d) const;
-        /// False if the points are collinear: then side() is always 0.
+        /// Returns false if the points are collinear; side() then always returns 0.
         bool isPlane() const;
-        /// An axis along which the plane can be projected without becoming a line.
+        /// Returns an axis along which the plane can be projected without becoming a line.
         int projectionAxis() const;
 
     private:
@@ -41,13 +41,15 @@ struct LatticePredicates
         return Plane(a, b, c).side(d);
     }
 
-    /// Sign of twice the area of abc, projected along `axis`: seen from the axis' positive end, 1 is counter-clockwise.
+    /// Returns the sign of twice the area of abc projected along `axis`: 1 if it is counter-clockwise as seen from the
+    /// positive end of the axis.
     static int orient2d(const Point& a, const Point& b, const Point& c, int axis);
 
     static bool collinear(const Point& a, const Point& b, const Point& c) { return !Plane(a, b, c).isPlane(); }
 };
 
-/// Finite float32 points of any magnitude, denormals included. About 5 ns, or 0.3 us where rounding could decide.
+/// Predicates for finite float32 points of any magnitude, including denormals. Cost: about 5 ns per test, or 0.3 us if
+/// rounding could change the sign.
 struct FloatPredicates
 {
     using Point = Vec3f;
@@ -63,7 +65,8 @@ struct FloatPredicates
     private:
         Point m_a, m_b, m_c;
         double m_normal[3];
-        double m_size[3]; ///< the normal's components with every sign taken positive: what rounding is relative to
+        /// the normal's components with every term taken as positive: the scale of the rounding error
+        double m_size[3];
     };
 
     static int orient3d(const Point& a, const Point& b, const Point& c, const Point& d)
@@ -102,7 +105,7 @@ inline int LatticePredicates::Plane::side(const Point& d) const
         high += (m_normal[i] >> split) * w;
         low += (m_normal[i] & lowMask) * w;
     }
-    high += low >> split; // what remains of low is not negative and below one unit of high
+    high += low >> split; // the rest of low is not negative and below one unit of high
     return high != 0 ? signOf(high) : (low & lowMask) != 0;
 }
 
@@ -151,7 +154,7 @@ inline int FloatPredicates::Plane::side(const Point& d) const
     const double size = m_size[0] * std::abs(w[0]) + m_size[1] * std::abs(w[1]) + m_size[2] * std::abs(w[2]);
     if (std::abs(det) > detail::roundingBound * size)
         return signOf(det);
-    return size == 0 ? 0 : exactOrient3d(m_a, m_b, m_c, d); // size 0: a factor of each term is 0, and that is exact
+    return size == 0 ? 0 : exactOrient3d(m_a, m_b, m_c, d); // size 0: each term has a factor that is exactly 0
 }
 
 inline int FloatPredicates::orient2d(const Point& a, const Point& b, const Point& c, int axis)

@@ -9,8 +9,9 @@ namespace core
 {
 namespace
 {
-/// The mean number of points in a cell. Where there are more, cells are made smaller, as for points on a surface, down
-/// to a share of two reaches.
+/// Target for the mean number of points per cell. If the mean is at least four times higher, cells are made smaller;
+/// the count is assumed to fall with the square of the side, as for points on a surface. Sides are at least 2 reaches /
+/// maxCellsPerSide.
 constexpr double pointsPerCell = 16;
 constexpr double maxCellsPerSide = 8;
 } // namespace
@@ -58,7 +59,7 @@ void ProximityGrid::build(const std::vector<Vec3>& points, double cellSize)
 
 std::size_t ProximityGrid::bucketOf(const Place& place) const
 {
-    // Teschner et al. 2003: three large primes.
+    // Spatial hash with the three large primes of Teschner et al. 2003.
     const auto part = [](std::int64_t x, std::uint64_t prime) { return static_cast<std::uint64_t>(x) * prime; };
     const std::uint64_t hash = part(place.x(), 73856093) ^ part(place.y(), 19349663) ^ part(place.z(), 83492791);
     return (hash ^ hash >> 17) & (m_buckets.size() - 1);

@@ -7,23 +7,24 @@
 
 namespace core
 {
-/// Keeps points in cells of one size, to find those in a box: O(1) a point, O(what is near) a question.
+/// A hash grid of points with cells of one size, for queries by box. Cost: O(1) per point to build, O(nearby points)
+/// per query.
 class ProximityGrid
 {
 public:
-    /// `reach` > 0: half the side of the largest box that is asked about, or about that. A cell is two reaches long, or
-    /// less where points lie closely.
+    /// `reach` > 0: about half the side of the largest query box. A cell is two reaches wide, or narrower if the points
+    /// are dense.
     ProximityGrid(const std::vector<Vec3>& points, double reach);
 
     /// Returns the number of cells that are not empty.
     std::size_t cells() const { return m_cells.size(); }
-    /// Returns the points in one of them, ascending.
+    /// Returns the points in a cell, ascending.
     std::span<const Slot> pointsIn(std::size_t cell) const
     {
         return std::span(m_points).subspan(m_cells[cell].first, m_cells[cell].count);
     }
 
-    /// Calls visit(cell) for every cell that is not empty and meets the box. In no useful order.
+    /// Calls visit(cell) for every non-empty cell that meets the box, in unspecified order.
     template <class Visit> void forEachCellIn(const Box& box, Visit visit) const
     {
         const Place first = placeOf(box.min()), last = placeOf(box.max());
@@ -36,7 +37,7 @@ public:
             }
         }
     }
-    /// Calls visit(i) for every point within reach of p, and some more. In no useful order.
+    /// Calls visit(i) for every point within reach of p, and for some farther points, in unspecified order.
     template <class Visit> void forEachNear(const Vec3& p, Visit visit) const
     {
         const Vec3 reach = Vec3::Constant(m_reach);
@@ -51,7 +52,7 @@ private:
     struct Cell
     {
         Place place;
-        Slot next = noSlot; ///< in the same bucket
+        Slot next = noSlot; ///< next cell in the same hash bucket
         Slot first = 0, count = 0;
     };
 
@@ -68,8 +69,8 @@ private:
 
     double m_reach;
     double m_perCell = 0;
-    std::vector<Slot> m_buckets; ///< a power of two
+    std::vector<Slot> m_buckets; ///< first cell of each hash bucket; their number is a power of two
     std::vector<Cell> m_cells;
-    std::vector<Slot> m_points; ///< by cell
+    std::vector<Slot> m_points; ///< points grouped by cell
 };
 } // namespace core

@@ -5,9 +5,9 @@
 
 namespace core
 {
-/// The squared distance from the planes of triangles, weighted by their areas, in a space of N dimensions: a point and
-/// what goes with it (Garland and Heckbert, "Surface Simplification Using Quadric Error Metrics", 1997; with colours:
-/// "Simplifying Surfaces with Color and Texture using Quadric Error Metrics", 1998).
+/// The area-weighted squared distance of a point from the planes of triangles, in N dimensions: the position and
+/// further attributes such as colour (Garland and Heckbert, "Surface Simplification Using Quadric Error Metrics", 1997;
+/// with colours: "Simplifying Surfaces with Color and Texture using Quadric Error Metrics", 1998).
 template <int N> class Quadric
 {
 public:
@@ -44,9 +44,10 @@ public:
     friend Quadric operator+(Quadric a, const Quadric& b) { return a += b; }
 
     double weight() const { return m_weight; }
-    /// Not below 0.
+    /// Returns the value at p, never below 0.
     double at(const Point& p) const { return std::max(0.0, p.dot(square() * p) + 2 * m_b.dot(p) + m_c); }
-    /// Where it is least; as near to `target` as `pull` says where it is flat: a share of the planes' weight.
+    /// Returns the point at which the quadric is least. Where it is flat, the point nearest to `target` is preferred:
+    /// `pull` is the weight of `target` as a share of the planes' weight.
     Point minimizer(const Point& target, double pull) const
     {
         const double w = pull * m_weight;
@@ -72,7 +73,7 @@ private:
         return a;
     }
 
-    /// Of a symmetric matrix, row by row.
+    /// Lower triangle of the symmetric matrix, row by row.
     Eigen::Matrix<double, packed, 1> m_a = Eigen::Matrix<double, packed, 1>::Zero();
     Point m_b = Point::Zero();
     double m_c = 0, m_weight = 0;

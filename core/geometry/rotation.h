@@ -4,9 +4,9 @@
 
 namespace core
 {
-/// Returns the smallest rotation that takes one direction to the other within 1e-7: a half turn about any
-/// perpendicular axis if they are opposite. The lengths may be any but zero. Eigen's FromTwoVectors() has a singular
-/// value decomposition for opposite directions, which takes each file that calls it 15 s to compile.
+/// Returns the smallest rotation that takes one direction to the other, accurate to 1e-7. Opposite directions give a
+/// half turn about any perpendicular axis. Precondition: the vectors are not zero; any length is allowed. Replaces
+/// Eigen's FromTwoVectors(), whose singular value decomposition costs each file that calls it 15 s of compile time.
 inline Eigen::Quaterniond rotationBetween(const Vec3& from, const Vec3& to)
 {
     const Vec3 a = from.normalized(), sum = a + to.normalized();

@@ -4,7 +4,7 @@
 
 namespace core
 {
-/// Makes the model so many times as large about the origin; each coordinate is rounded once. False: some are no numbers
-/// any more.
+/// Scales the model about the origin; each coordinate is rounded once. Returns false if a coordinate has become
+/// infinite or NaN.
 bool scaleMesh(TriangleMesh& mesh, double factor);
 } // namespace core

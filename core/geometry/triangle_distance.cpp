@@ -15,7 +15,7 @@ void keepNearer(NearestPair& nearest, const Vec3& a, const Vec3& b)
         nearest = {a, b, squaredDistance};
 }
 
-/// Cuts [from, to] of a segment down to where the height above a line, linear along the segment, is not negative.
+/// Clips the range [from, to] of a segment's parameter to where a height that is linear along the segment is >= 0.
 void clip(double atStart, double atEnd, double& from, double& to)
 {
     const double change = atEnd - atStart;
@@ -27,8 +27,8 @@ void clip(double atStart, double atEnd, double& from, double& to)
         to = -1;
 }
 
-/// A point that both triangles hold, if b crosses the plane of a. Found by cutting b with that plane, and what is left,
-/// a segment, with the sides of a.
+/// Finds a point that is in both triangles, if b crosses the plane of a. The plane cuts a segment from b; this segment
+/// is clipped by the sides of a.
 bool commonPoint(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b, Vec3& common)
 {
     const Vec3 normal = (a[1] - a[0]).cross(a[2] - a[0]);
@@ -66,7 +66,7 @@ NearestPair nearestOfSegments(const Vec3& a0, const Vec3& a1, const Vec3& b0, co
     const auto share = [](double part, double whole) { return whole > 0 ? std::clamp(part / whole, 0.0, 1.0) : 0; };
     double s = share(ab * cb - ca * bb, determinant);
     const double t = share(ab * s + cb, bb);
-    s = share(ab * t - ca, aa); // again: t may have been beyond an end
+    s = share(ab * t - ca, aa); // again: t may have been clamped to an end
     const Vec3 p = a0 + s * a, q = b0 + t * b;
     return {p, q, (p - q).squaredNorm()};
 }

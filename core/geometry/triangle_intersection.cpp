@@ -1,7 +1,7 @@
-// Do two triangles meet outside what they share? By the number of corners they share:
+// Decides whether two triangles meet outside their shared corners and edges. By the number of shared corners:
 //   3  the same triangle: yes
 //   2  only if coplanar with both apexes on one side of the shared edge (folded over)
-//   1  only if the edge opposite to the shared corner, of one or the other, meets the other triangle
+//   1  only if one triangle's edge opposite the shared corner meets the other triangle
 //   0  Guigue and Devillers, "Fast and robust triangle-triangle overlap test using orientation predicates", 2003;
 //      coplanar triangles by separating edges
 
@@ -16,8 +16,8 @@ namespace
 {
 template <typename Predicates> using Points = std::array<typename Predicates::Point, 3>;
 
-/// Corners of both triangles, turned so that shared ones come first, in the same order in both.
-/// Turning by one corner keeps the winding; exchanging two does not, and nothing here depends on the winding.
+/// The corners of two triangles, reordered so that shared corners come first, in the same order in both triangles.
+/// Reordering may reverse the winding; nothing in this file depends on the winding.
 template <typename Predicates> struct AlignedPair
 {
     Points<Predicates> s, t;
@@ -44,7 +44,7 @@ AlignedPair<Predicates> align(const CornerTriangle<Predicates>& s, const CornerT
             shared};
 }
 
-/// s and t share the edge of their first two corners.
+/// Precondition: s and t share the edge of their first two corners.
 template <typename Predicates> bool intersectBesideEdge(const Points<Predicates>& s, const Points<Predicates>& t)
 {
     const typename Predicates::Plane plane(s[0], s[1], s[2]);
@@ -54,7 +54,7 @@ template <typename Predicates> bool intersectBesideEdge(const Points<Predicates>
     return Predicates::orient2d(s[0], s[1], s[2], axis) == Predicates::orient2d(t[0], t[1], t[2], axis);
 }
 
-/// Coplanar triangles that share their first corner: do their angles there have a ray in common?
+/// Returns whether the angles of two coplanar triangles at their shared first corner overlap, even in a single ray.
 template <typename Predicates> bool anglesOverlap(Points<Predicates> s, Points<Predicates> t, int axis)
 {
     for (Points<Predicates>* corners : {&s, &t})
@@ -63,12 +63,12 @@ template <typename Predicates> bool anglesOverlap(Points<Predicates> s, Points<P
     const auto inAngle = [axis](const Points<Predicates>& a, const typename Predicates::Point& p) {
         return Predicates::orient2d(a[0], a[1], p, axis) >= 0 && Predicates::orient2d(a[0], p, a[2], axis) >= 0;
     };
-    return inAngle(s, t[1]) || inAngle(t, s[1]); // one of them is where the common part begins
+    return inAngle(s, t[1]) || inAngle(t, s[1]); // the common part begins at one of these two rays
 }
 
-/// s and t share their first corner v: s = vpq, t = vrs. An edge, crossing the plane of the other triangle, meets that
-/// triangle if the edge's line passes all its sides in one sense. Of those six orientations four are known from the
-/// planes.
+/// Precondition: s = vpq and t = vru share only their first corner v. An edge that crosses the plane of the other
+/// triangle meets that triangle if its line passes all three sides in the same sense. Four of the six orientations
+/// follow from the sides of the planes.
 template <typename Predicates> bool intersectBesideCorner(const Points<Predicates>& s, const Points<Predicates>& t)
 {
     const typename Predicates::Plane tPlane(t[0], t[1], t[2]);
@@ -88,7 +88,8 @@ template <typename Predicates> bool intersectBesideCorner(const Points<Predicate
     return oneSense(r, u) || oneSense(p, q);
 }
 
-/// Is each corner of t strictly outside one edge of s? s winds counter-clockwise in the projection.
+/// Returns whether all corners of t are strictly outside one edge of s. Precondition: s winds counter-clockwise in the
+/// projection.
 template <typename Predicates> bool edgeSeparates(const Points<Predicates>& s, const Points<Predicates>& t, int axis)
 {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -109,14 +110,14 @@ template <typename Predicates> bool coplanarIntersect(Points<Predicates> s, Poin
     return !edgeSeparates<Predicates>(s, t, axis) && !edgeSeparates<Predicates>(t, s, axis);
 }
 
-/// The corner that lies alone on its closed side of a plane, and whether that side is the positive one.
+/// The corner of a triangle that is alone on its closed side of a plane, and whether that side is the positive one.
 struct LoneCorner
 {
     std::size_t index;
     bool positive;
 };
 
-/// `sides` are neither all 0 nor all strictly of one sign.
+/// Precondition: `sides` are neither all 0 nor all strictly of one sign.
 LoneCorner loneCorner(const std::array<int, 3>& sides)
 {
     const auto count = [&sides](int side) { return (sides[0] == side) + (sides[1] == side) + (sides[2] == side); };
@@ -144,7 +145,7 @@ bool allStrictlyOneSide(const std::array<int, 3>& sides)
     return sides[0] != 0 && sides[0] == sides[1] && sides[0] == sides[2];
 }
 
-/// The triangles share no corner.
+/// Precondition: the triangles share no corner.
 template <typename Predicates> bool intersectApart(const Points<Predicates>& s, const Points<Predicates>& t)
 {
     const typename Predicates::Plane tPlane(t[0], t[1], t[2]);
@@ -158,8 +159,8 @@ template <typename Predicates> bool intersectApart(const Points<Predicates>& s, 
     if (allStrictlyOneSide(tSides))
         return false;
 
-    // Each triangle cuts the common line of the planes in an interval that ends on the two edges at its lone corner.
-    // With both lone corners on positive sides, two orientations tell whether the intervals overlap.
+    // Each triangle cuts the common line of the planes in an interval that ends on the two edges at its lone corner. If
+    // both lone corners are on positive sides, two orientations decide whether the intervals overlap.
     const LoneCorner sLone = loneCorner(sSides), tLone = loneCorner(tSides);
     Points<Predicates> a = turned<Predicates>(s, sLone.index), b = turned<Predicates>(t, tLone.index);
     if (!sLone.positive)

@@ -6,8 +6,8 @@
 
 namespace core
 {
-/// A triangle mesh as files hold it: no connectivity, no promise. What readers return, writers take, and checkMesh()
-/// examines.
+/// A triangle mesh without connectivity and without guarantees, as read from a file. Readers return it, writers accept
+/// it, and checkMesh() examines it.
 struct TriangleMesh
 {
     std::vector<Vec3f> points;
@@ -16,6 +16,7 @@ struct TriangleMesh
     std::vector<std::uint8_t> masks = {}; ///< empty, or one per point (see Mesh::mask)
 };
 
-/// The paper's sphere (subdivisions 4: 2562 vertices): an icosahedron split 1 to 4 and pushed out to the radius.
+/// Returns the paper's sphere: an icosahedron whose faces are split in four this many times, with its points moved out
+/// to the radius. Four subdivisions give 2562 vertices.
 TriangleMesh icosphere(int subdivisions, double radius);
 } // namespace core

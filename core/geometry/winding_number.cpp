@@ -12,11 +12,11 @@ namespace
 {
 constexpr std::size_t nodeSize = BoxTree::nodeSize;
 constexpr std::size_t nodesPerChunk = 1 << 8;
-/// A node's faces are one dipole for points farther away than so many of its radii.
+/// Distance from which a node's faces are approximated by one dipole, in radii of the node.
 constexpr double farAway = 3;
 
-/// Sums the angles of vectors in the plane, each in (-pi, pi], as complex numbers are multiplied: with one arc tangent
-/// for all of them. Whole turns are counted.
+/// Sums the angles of plane vectors, each in (-pi, pi], by multiplying the vectors as complex numbers. Counts whole
+/// turns, so that one arc tangent is enough for all.
 class AngleSum
 {
 public:
@@ -37,14 +37,15 @@ public:
     double value() const { return std::atan2(m_y, m_x) + 2 * std::numbers::pi * m_turns; }
 
 private:
-    /// Returns whether the angle is more than 0, which half a turn is.
+    /// Returns whether the angle of (x, y) is in (0, pi].
     static bool isUpper(double x, double y) { return y > 0 || (y == 0 && x < 0); }
 
     double m_x = 1, m_y = 0;
     int m_turns = 0;
 };
 
-/// Adds half of the solid angle of the triangle as seen from p (Van Oosterom and Strackee 1983); outwards is positive.
+/// Adds half of the solid angle of the triangle as seen from p (Van Oosterom and Strackee 1983). The angle is positive
+/// if the triangle's normal points away from p.
 void addHalfSolidAngle(const std::array<Vec3, 3>& triangle, const Vec3& p, AngleSum& sum)
 {
     const Vec3 a = triangle[0] - p, b = triangle[1] - p, c = triangle[2] - p;
