@@ -9,7 +9,8 @@ namespace core
 {
 namespace
 {
-/// Values in a gap up to this many slots are sent along: fewer, longer spans cost viewers less than the bytes do.
+/// Largest gap, in slots, between two dirty slots of one span. The unchanged values in the gap are sent too: for
+/// viewers fewer, longer spans save more than the extra bytes cost.
 constexpr Slot vertexGap = 4, faceGap = 8;
 constexpr std::size_t slotsPerChunk = 256;
 

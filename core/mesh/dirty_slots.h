@@ -6,11 +6,12 @@
 
 namespace core
 {
-/// Which slots of the draw arrays changed since a patch was last taken.
+/// Collects the slots of the draw arrays that changed since a patch was last taken.
 class DirtySlots
 {
 public:
-    /// `dirtyFaces`: alive, relinked or with a moved corner: their corners' normals changed.
+    /// Adds the slots of an edit. `dirtyFaces`: live faces that were relinked or whose corners moved, which changes the
+    /// normals of their corners.
     void add(const Mesh& mesh, const TouchedSlots& touched, std::span<const Slot> dirtyFaces);
     MeshPatch take(const Mesh& mesh);
 

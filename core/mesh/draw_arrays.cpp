@@ -30,7 +30,7 @@ void DrawArrays::apply(const MeshPatch& patch)
 
 DrawArrays drawArraysOf(const TriangleMesh& mesh)
 {
-    constexpr double longest = 127; // of a normal in a vertex
+    constexpr double longest = 127; // length of a unit normal in a DrawVertex
     std::vector<Vec3> normals(mesh.points.size(), Vec3::Zero());
     for (const Triangle& t : mesh.triangles) {
         const Vec3 a = mesh.points[t[0]].cast<double>(), b = mesh.points[t[1]].cast<double>(),

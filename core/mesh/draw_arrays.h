@@ -5,22 +5,23 @@
 
 namespace core
 {
-/// A viewer's copy of the draw arrays, in plain memory: what patches make of it, slot by slot. One thread.
+/// A viewer's copy of the draw arrays in plain memory, kept up to date by patches. Thread: one.
 struct DrawArrays
 {
     std::vector<DrawVertex> vertices;
     std::vector<Triangle> faces; ///< a free face is 0,0,0
 
-    /// Patches of one mesh in order, a whole one first. Cost: the patch's values.
+    /// Applies a patch. Precondition: patches of one mesh arrive in order, the first one is whole. Cost: O(values in
+    /// the patch).
     void apply(const MeshPatch& patch);
 
     bool isFree(Slot face) const { return faces[face][0] == faces[face][1]; }
 };
 
-/// Of a mesh as a file holds it: normals are the mean of the faces around a vertex, by area. Any thread. Cost: a pass
-/// over the faces.
+/// Returns draw arrays for a mesh as read from a file. A vertex normal is the area-weighted mean of the normals of its
+/// faces. Thread: any. Cost: O(faces).
 DrawArrays drawArraysOf(const TriangleMesh& mesh);
 
-/// The patch that makes these arrays of whatever was there.
+/// Returns the patch that replaces a viewer's draw arrays by these arrays.
 MeshPatch wholePatchOf(DrawArrays arrays);
 } // namespace core

@@ -1,5 +1,6 @@
-// One round over the faces of a vertex: the sum of their normals, the two sharpest of the edges between them, and the
-// mean curvature. Shaders make of these what needs both sides of a sharp edge, without a vertex for each side.
+// Computes, in one pass over the faces around a vertex, the sum of their normals, the two sharpest edges and the mean
+// curvature. From these the shaders restore the normals on both sides of a sharp edge, with only one vertex in the
+// buffer.
 #include "core/mesh/draw_vertex.h"
 
 #include <algorithm>
@@ -10,17 +11,18 @@ namespace core
 {
 namespace
 {
-/// Between these angles of two faces, as cosines, an edge becomes sharp: 38 to 45 degrees. A step would flicker where a
-/// crease runs along it.
+/// Cosines of the angles between two faces at which their edge begins to be sharp (38 degrees) and is fully sharp (45
+/// degrees). A hard threshold would flicker along a crease near it.
 constexpr double smoothCosine = 0.7880107536067220, sharpCosine = 0.7071067811865476;
-/// Two sharp edges at a vertex are one line if it turns by less than this: 40 degrees.
+/// Cosine of the largest turn, 40 degrees, at which two sharp edges at a vertex are one line.
 constexpr double straightCosine = 0.7660444431189780;
-/// The radius that counts as half of a sharp ridge, as a share of the longest coordinate that the lattice was made for.
+/// Radius of curvature that is drawn as half of a sharp ridge, as a share of the largest coordinate that the lattice
+/// was made for.
 constexpr double ridgeRadius = 0.025;
-constexpr double latticeSteps = 1 << 20; ///< of that coordinate
+constexpr double latticeSteps = 1 << 20; ///< that largest coordinate in lattice units
 
-/// Returns how sharp the edge between two faces of these normals is, 0 to 1. `squared`: the product of their squared
-/// lengths. Costs no square root where it is not at all.
+/// Returns how sharp the edge between two faces is, 0 to 1. a, b: normals of the faces; `squared`: product of their
+/// squared lengths. Cost: no square root for a smooth edge.
 double sharpness(const Vec3& a, const Vec3& b, double squared)
 {
     const double along = a.dot(b);
@@ -42,11 +44,12 @@ public:
             std::swap(m_edges[i], m_edges[i - 1]);
     }
 
-    /// One edge that ends at the vertex parts nothing there: both its sides are one surface.
+    /// Returns the sharpness of the second-sharpest edge, 0 to 1. A single sharp edge that ends at the vertex does not
+    /// count: the surface continues around its end.
     double sharpness() const { return m_edges[1].sharpness; }
 
-    /// The line that the two sharpest make, of unit length; shorter the sharper the third one is, and zero if they make
-    /// none.
+    /// Returns the direction of the line through the two sharpest edges, or zero if they turn too much. Its length is
+    /// 1, and less the sharper the third edge is.
     Vec3 line() const
     {
         const Vec3 there = m_edges[0].spoke.normalized(), back = m_edges[1].spoke.normalized();
@@ -64,11 +67,11 @@ private:
     std::array<Edge, 3> m_edges;
 };
 
-/// The result of a round over the faces of a vertex.
+/// Sums over the faces around a vertex.
 struct Star
 {
-    Vec3 normal =
-        Vec3::Zero();         ///< sum of the faces' normals, each as long as twice its area; exact, see vertexNormal()
+    /// Sum of the faces' normals, each as long as twice its face's area; exact, see vertexNormal().
+    Vec3 normal = Vec3::Zero();
     Vec3 pull = Vec3::Zero(); ///< mean of the spokes, each divided by its squared length; 1/mm
     SharpEdges sharp;
 };

@@ -5,7 +5,7 @@
 
 namespace core
 {
-/// Returns a vertex as viewers draw it: place, normal, colour, mask, curvature and sharp edge; all zero of a free slot.
-/// It depends on the vertex and its neighbours only. Deterministic; any thread while nobody writes. Cost: the valence.
+/// Returns a vertex as viewers draw it: position, normal, colour, mask, curvature and sharp edge; all zero for a free
+/// slot. The result depends only on the vertex and its one-ring. Thread: any while nobody writes. Cost: O(valence).
 DrawVertex drawVertex(const Mesh& mesh, Slot v);
 } // namespace core

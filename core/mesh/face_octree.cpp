@@ -9,12 +9,12 @@ namespace core
 {
 namespace
 {
-/// Cells are at least this many times a face's longest extent.
+/// Least side of a cell as a multiple of the longest extent of a face in it.
 constexpr int cellPerFace = 2;
-constexpr int smallestUsefulCell = 64; ///< in lattice units; nothing is gained below
-/// A face that shrank stays in its cell until the cell is this many times too large.
+constexpr int smallestUsefulCell = 64; ///< in lattice units; smaller cells do not make queries faster
+/// Largest factor by which a cell may exceed the best size for a face before the face is moved to another cell.
 constexpr int tolerance = 4;
-/// What a core takes at a time.
+/// Number of cells that a core processes at a time.
 constexpr std::size_t cellsPerChunk = 64;
 
 int cellSizeFor(const LatticeBox& box)
@@ -37,7 +37,7 @@ FaceOctree::FaceOctree(const Mesh& mesh)
     m_nodes.emplace_back();
     m_cells.push_back(rootBox());
     const Slot faces = mesh.slots().faces;
-    m_places.reserve(static_cast<std::size_t>(faces) * 4); // address space; no reallocation in a stroke
+    m_places.reserve(static_cast<std::size_t>(faces) * 4); // costs address space only; avoids reallocation in a stroke
     m_places.resize(faces);
     for (const Slot f : mesh.faces())
         insert(boxOf(mesh, f), f);
@@ -159,7 +159,7 @@ std::vector<Slot> facesIn(const Mesh& mesh, const FaceOctree& octree, const Latt
     struct CellFaces
     {
         std::span<const Slot> faces;
-        bool inside; ///< the box holds the cell's loose box, and so all of them
+        bool inside; ///< the box contains the cell's loose box, and so all its faces
     };
     std::vector<CellFaces> cells;
     octree.queryCells(box, [&](std::span<const Slot> faces, const LatticeBox& loose) {

@@ -12,52 +12,53 @@ namespace core
 {
 LatticeBox boxOf(const Mesh& mesh, Slot face);
 
-/// Loose octree of faces (paper, section 3.1.1). The root is the whole lattice and never changes. A face lies in a cell
-/// two to four times its own size that holds its box's centre; the cell's loose box is twice the cell, so a face that
-/// moves or shrinks a little stays in its cell. Cells stay once they exist; a subtree without faces is skipped by its
-/// count.
+/// Loose octree of faces (paper, section 3.1.1). The root is the whole lattice and never changes. A face is stored in
+/// the cell that contains its box's centre and whose side is two to four times the face's extent. The loose box of a
+/// cell has twice the cell's side, so a face that moves or shrinks a little stays in its cell. Cells are never removed;
+/// queries skip a subtree that has no faces.
 class FaceOctree
 {
 public:
-    explicit FaceOctree(const Mesh& mesh); ///< O(faces)
+    explicit FaceOctree(const Mesh& mesh); ///< Cost: O(faces).
 
-    /// Brings faces up to date: created, moved or removed ones. O(faces given).
+    /// Updates faces that were created, moved or removed. Cost: O(faces given).
     void update(const Mesh& mesh, std::span<const Slot> faces);
-    /// Two parts of it: takes out those that are no longer there; puts live ones where their boxes are.
+    /// Two parts of update(): removeDead() takes out removed faces; place() puts live faces in the cells for their
+    /// boxes.
     void removeDead(const Mesh& mesh, std::span<const Slot> faces);
     void place(std::span<const Slot> faces, std::span<const LatticeBox> boxes);
 
-    /// Calls visit(face) for every face that may meet the box: a superset, in no useful order. A face that moved since
-    /// its last update() is found where it was.
+    /// Calls visit(face) for a superset of the faces that meet the box, in unspecified order. A face that moved since
+    /// its last update() is found at its old place.
     template <class Visit> void query(const LatticeBox& box, Visit visit) const
     {
         queryCells(box, [&](std::span<const Slot> faces, const LatticeBox&) { std::ranges::for_each(faces, visit); });
     }
 
-    /// As query(), a cell at a time: visit(faces, loose box).
+    /// Calls visit(faces, loose box) for each cell that query() would search.
     template <class Visit> void queryCells(const LatticeBox& box, Visit visit) const
     {
         queryNode(rootBox(), box, visit);
     }
 
-    /// As query(), for the cells that `enter(loose box)` accepts.
+    /// Calls visit(face) for the faces of all cells that `enter(loose box)` accepts, together with all their parents.
     template <class Enter, class Visit> void traverse(Enter enter, Visit visit) const
     {
         traverseNode(rootBox(), enter, visit);
     }
 
-    /// Side of the smallest cell that is in use near nothing in particular: a first radius for a nearest search.
+    /// Returns the side of the smallest cell ever used, lattice units: a first radius for a nearest-point search.
     int smallestCell() const { return m_smallestCell; }
-    /// For tests: every live face is in just one cell, whose loose box holds it, and the counts are right: what a
-    /// rebuilt octree would find this one finds.
+    /// Returns, for tests, whether every live face is in exactly one cell whose loose box contains it, and the counts
+    /// are right. Queries then find what a rebuilt octree would find.
     bool isConsistent(const Mesh& mesh) const;
 
 private:
     struct Node
     {
-        Slot firstChild = noSlot; ///< of eight, in the order x + 2y + 4z
+        Slot firstChild = noSlot; ///< first of eight children, in the order x + 2y + 4z
         Slot parent = noSlot;
-        Slot facesBelow = 0; ///< here and in the children
+        Slot facesBelow = 0; ///< faces of this node and of all nodes below
         std::vector<Slot> faces;
     };
     struct Cell
@@ -76,7 +77,7 @@ private:
             return {parent.firstChild + static_cast<Slot>(i),
                     min + LatticePoint((i & 1) ? half : 0, (i & 2) ? half : 0, (i & 4) ? half : 0), half};
         }
-        /// Bit i: the loose box of child i meets the box.
+        /// Returns a bit mask: bit i is set if the loose box of child i meets the box.
         unsigned childrenMeeting(const LatticeBox& box) const
         {
             constexpr std::array<unsigned, 3> lower = {0x55, 0x33, 0x0f}; // the children in an axis's lower half
@@ -132,12 +133,12 @@ private:
         Slot index = 0;
     };
     std::vector<Node> m_nodes;
-    std::vector<Place> m_places; ///< by face
-    std::vector<Cell> m_cells;   ///< by node: where it lies
+    std::vector<Place> m_places; ///< cell of each face
+    std::vector<Cell> m_cells;   ///< bounds of each node
     int m_smallestCell = 2 * Lattice::limit;
 };
 
-/// Exactly the faces whose boxes meet the box, in no useful order; of those that the octree knows and the mesh still
-/// has. One that moved since its last update() may be missed, or stand where it was.
+/// Returns exactly the faces whose boxes meet the box, in unspecified order. Only faces that are in the octree and
+/// alive in the mesh count. A face that moved since its last update() may be missed or be found at its old place.
 std::vector<Slot> facesIn(const Mesh& mesh, const FaceOctree& octree, const LatticeBox& box);
 } // namespace core

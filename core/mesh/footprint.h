@@ -7,13 +7,15 @@
 
 namespace core
 {
-/// The vertices that the next dab would select, before it refines the mesh, and what share of it reaches each.
+/// The vertices that the next dab would select, before it refines the mesh, and the dab's weight at each.
 struct Footprint
 {
-    /// A brush that holds more is not searched to its end.
+    /// Largest number of vertices; the search stops at this number.
     static constexpr Slot maxSlots = 1 << 15;
 
-    std::vector<Slot> slots;           ///< one that the dab and images of it select stands as often
-    std::vector<std::uint8_t> weights; ///< of each slot b(x) x 255, at least 1
+    /// selected vertices; a vertex selected by several symmetric images of the dab is repeated
+    std::vector<Slot> slots;
+    /// falloff weight b(x) x 255 of each vertex in `slots`, at least 1
+    std::vector<std::uint8_t> weights;
 };
 } // namespace core

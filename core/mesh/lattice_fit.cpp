@@ -1,8 +1,8 @@
 // Moves a surface onto its lattice (core/README.md, "The lattice"):
 //   1. snap     each vertex to the nearest lattice point
-//   2. check    degenerate faces and faces that meet, exactly
-//   3. resnap   a corner of each unsound face to the next lattice point nearby, and check again, a few times
-//   4. nesting  the whole must bound a solid
+//   2. check    for degenerate faces and self-intersections, exactly
+//   3. resnap   a corner of each unsound face to the next-nearest lattice point, check again, and repeat a few times
+//   4. nesting  the whole surface must bound a solid
 
 #include "core/mesh/lattice_fit.h"
 
@@ -17,7 +17,8 @@ namespace
 {
 constexpr std::size_t resnapRounds = 6;
 
-/// Some at least, if the snapped surface is not sound.
+/// Returns faces that are degenerate or meet another face. Stops at 1000 pairs, so the list may be incomplete; it is
+/// empty only if the surface is sound.
 std::vector<Slot> unsoundFaces(std::span<const LatticePoint> points, std::span<const Triangle> triangles,
                                const std::stop_token& stop)
 {
@@ -31,7 +32,8 @@ std::vector<Slot> unsoundFaces(std::span<const LatticePoint> points, std::span<c
     return faces;
 }
 
-/// Lattice points by distance from where the vertex was before it was snapped; `choice` 0 is the nearest.
+/// Returns the lattice point that is at rank `choice` among the 27 nearest by distance from `exact`, the position
+/// before snapping; 0 is the nearest.
 LatticePoint latticeNeighbour(const Lattice& lattice, const Vec3& exact, std::size_t choice)
 {
     const LatticePoint nearest = lattice.toLattice(lattice.snap(exact));
@@ -68,7 +70,8 @@ LatticeFit fitToLattice(const Lattice& lattice, std::span<const Vec3> points, st
     std::vector<Slot> unsound = unsoundFaces(fit.points, triangles, control.stop);
     for (std::size_t round = 0; round < resnapRounds && !unsound.empty() && !control.isCancelled(); ++round) {
         for (std::size_t i = 0; i < unsound.size(); ++i) {
-            const Slot v = triangles[unsound[i]][(i + round) % 3]; // one corner of each face, so that corners part
+            // different corners for neighbouring faces, so that the corners separate
+            const Slot v = triangles[unsound[i]][(i + round) % 3];
             fit.points[v] = latticeNeighbour(lattice, points[v], ++choices[v]);
         }
         unsound = unsoundFaces(fit.points, triangles, control.stop);

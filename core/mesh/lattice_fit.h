@@ -8,21 +8,23 @@
 
 namespace core
 {
-/// A surface put on a lattice.
+/// A surface snapped to a lattice.
 struct LatticeFit
 {
     std::vector<LatticePoint> points;
-    std::size_t resnapped = 0;   ///< vertices that went to a neighbouring lattice point, so that no faces meet
-    std::size_t unsnappable = 0; ///< faces that are unsound on the lattice whatever was tried
+    std::size_t resnapped = 0; ///< vertices moved to a neighbouring lattice point to avoid intersections
+    /// faces still degenerate or intersecting after all retries (of at most 1000 intersecting pairs); all faces if the
+    /// snapped surface bounds no solid
+    std::size_t unsnappable = 0;
 };
 
-/// Each point to the lattice point nearest to it. Precondition: the lattice contains them.
+/// Returns the lattice point nearest to each point. Precondition: the lattice contains the points.
 std::vector<LatticePoint> snappedTo(const Lattice& lattice, std::span<const Vec3> points);
 
-/// Snaps the surface and checks it exactly: no face degenerate, no two meeting, the boundary of a solid. Where faces
-/// came to meet, corners are sent to other lattice points nearby. The triangles are closed, manifold and oriented;
-/// points that none of them uses are only snapped. Whole-mesh cost, on all cores. If it is cancelled, the result is not
-/// usable.
+/// Snaps a surface to the lattice and checks it exactly: no degenerate face, no self-intersection, the boundary of a
+/// solid. Where faces intersect, their corners are moved to other lattice points nearby. Precondition: the triangles
+/// are closed, manifold and oriented. Points without triangles are only snapped. Cost: O(mesh), on all cores. The
+/// result of a cancelled call must not be used.
 LatticeFit fitToLattice(const Lattice& lattice, std::span<const Vec3> points, std::span<const Triangle> triangles,
                         const JobControl& control = {});
 } // namespace core

@@ -21,7 +21,7 @@ Mesh::Mesh(const TriangleMesh& mesh, Lattice lattice) : m_frame{lattice}
     const Slot vertices = static_cast<Slot>(mesh.points.size());
     const Slot faces = static_cast<Slot>(mesh.triangles.size());
     const SlotCounts counts{vertices, faces / 2 * 3, faces};
-    // Address space is free: room for growth is reserved now, so that nothing is reallocated in a stroke.
+    // Reserves address space for growth, which costs no memory, so that nothing is reallocated in a stroke.
     reserve({std::max(minReserve, 4 * counts.vertices), std::max(3 * minReserve, 4 * counts.edges),
              std::max(2 * minReserve, 4 * counts.faces)});
     resize(counts);
@@ -32,7 +32,7 @@ Mesh::Mesh(const TriangleMesh& mesh, Lattice lattice) : m_frame{lattice}
         m_kernel.set_color(vertexHandle(v), {c.r, c.g, c.b, mesh.masks.empty() ? std::uint8_t(0) : mesh.masks[v]});
     }
 
-    // Half-edges are paired in the order of faces, so edges lie along the same curve as the faces.
+    // Half-edges are paired in the order of the faces, so that edges follow the same Morton curve as the faces.
     UnpairedHalfedges open;
     open.reserve(counts.edges / 4);
     Slot edges = 0;
@@ -152,7 +152,7 @@ std::uint64_t Mesh::stateHash() const
     return hash ^ m_meshHash;
 }
 
-// --- the gate: every write below journals first
+// --- the write interface: each function below journals an element before it changes it
 
 void Mesh::setPoint(Slot v, const Vec3f& p)
 {
@@ -220,7 +220,7 @@ Slot Mesh::newVertex(Slot hint, const Vec3f& p, const OpenMesh::Vec4uc& colorAnd
         m_vertexStamp.push_back(0);
     }
     m_vertexSlots.setFree(v, true);
-    touchVertex(v); // as a free slot
+    touchVertex(v); // journalled as a free slot
     m_vertexSlots.setFree(v, false);
     m_kernel.set_point(vertexHandle(v), p);
     m_kernel.set_color(vertexHandle(v), colorAndMask);
@@ -272,11 +272,11 @@ void Mesh::freeFace(Slot f)
     m_faceSlots.setFree(f, true);
 }
 
-// --- the three operations
+// --- split, collapse, flip
 
 namespace
 {
-/// Returns the mean colour and mask of two vertices, each weighted by how near it is to p (paper, section 3.5.3).
+/// Returns the mean colour and mask of two vertices, weighted by how near each is to p (paper, section 3.5.3).
 OpenMesh::Vec4uc colorAndMaskBetween(const Mesh& mesh, Slot v0, Slot v1, const Vec3f& p)
 {
     const double to0 = (p - mesh.point(v0)).norm(), to1 = (p - mesh.point(v1)).norm();
@@ -342,7 +342,8 @@ void Mesh::collapse(Slot h, const Vec3f& p)
     const Slot left1 = next(h), left0 = prev(h);   // v1 -> left, left -> v0
     const Slot right0 = next(o), right1 = prev(o); // v0 -> right, right -> v1
     const Slot left = to(left1), right = to(right0);
-    const Slot outerLeft = left0 ^ 1, outerRight = right0 ^ 1; // v0 -> left, right -> v0: their faces stay
+    // v0 -> left, right -> v0: half-edges of the faces that remain
+    const Slot outerLeft = left0 ^ 1, outerRight = right0 ^ 1;
     const Slot fl = face(h), fr = face(o), leftFace = face(outerLeft), rightFace = face(outerRight);
 
     forEachOutgoing(v0, [&](Slot g) {

@@ -6,7 +6,7 @@
 #include "core/mesh/surgery.h"
 #include "core/util/slot_map.h"
 
-// EigenVectorT.hh needs vector_traits declared before it.
+// EigenVectorT.hh needs a declaration of vector_traits before it.
 // clang-format off
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Core/Geometry/EigenVectorT.hh>
@@ -17,7 +17,7 @@
 
 namespace core
 {
-/// What an open journal has seen since a mark. Slots are distinct, in the order of first touch.
+/// Elements journalled since a mark of the open journal. Slots are distinct, in the order of first touch.
 struct TouchedSlots
 {
     struct Place
@@ -25,27 +25,28 @@ struct TouchedSlots
         Slot vertex;
         Vec3f point;
     };
-    std::vector<Slot> vertices;        ///< moved, relinked, created or removed
-    std::vector<Slot> faces;           ///< relinked, created or removed; not those of which only a corner moved
-    std::vector<Place> before;         ///< of the vertices that were there, each once: where they were then
-    std::vector<Triangle> facesBefore; ///< of the faces that were there: their corners then
+    std::vector<Slot> vertices; ///< vertices moved, relinked, created or removed
+    /// faces relinked, created or removed; a face of which only a corner moved is not included
+    std::vector<Slot> faces;
+    std::vector<Place> before;         ///< positions at the mark of the touched vertices that existed then, each once
+    std::vector<Triangle> facesBefore; ///< corners at the mark of the touched faces that existed then
 };
 
-/// The surface: an OpenMesh kernel whose elements are recycled slots, and the one gate through which it is written. The
-/// gate notes an element's before-image at its first touch; undo, rollback, verification and dirty ranges are readers
-/// of that journal. Closed triangle meshes only: each half-edge has a face. Not thread-safe.
+/// The surface: an OpenMesh kernel whose elements are recycled slots, and the only interface that writes to it. The
+/// journal keeps the before-image of each element at its first touch. Undo, rollback, verification and dirty ranges
+/// read this journal. Only closed triangle meshes: each half-edge has a face. Thread: one at a time.
 ///
-/// Vertices, edges, half-edges and faces are named by their slots; half-edges 2e and 2e+1 belong to edge e.
+/// Vertices, edges, half-edges and faces are identified by their slots; half-edges 2e and 2e+1 belong to edge e.
 class Mesh
 {
 public:
-    /// Builds connectivity. Precondition: `mesh` is closed, manifold and consistently oriented, each point lies on the
-    /// lattice and each vertex has a face; slots are the indices.
+    /// Builds the connectivity. Precondition: `mesh` is closed, manifold and consistently oriented; each point is on
+    /// the lattice; each vertex has a face. Slots equal the indices in `mesh`.
     Mesh(const TriangleMesh& mesh, Lattice lattice);
 
     const MeshFrame& frame() const { return m_frame; }
     const Lattice& lattice() const { return m_frame.lattice; }
-    /// d_detail of the uniform topology: at first 4/3 of the mean edge (Botsch and Kobbelt 2004).
+    /// Returns d_detail of the uniform topology, mm. A new mesh has 4/3 of its mean edge (Botsch and Kobbelt 2004).
     double uniformDetail() const { return m_frame.uniformDetail; }
 
     // --- queries
@@ -62,16 +63,16 @@ public:
     const Vec3f& point(Slot v) const { return m_kernel.points()[v]; }
     LatticePoint latticePoint(Slot v) const { return m_frame.lattice.toLattice(point(v)); }
     Rgb color(Slot v) const;
-    /// How far the vertex is kept from whatever a brush does: 0 not at all, 255 wholly.
+    /// Returns how far the vertex is protected from brushes: 0 not at all, 255 completely.
     std::uint8_t mask(Slot v) const { return m_kernel.vertex_colors()[v][3]; }
-    /// Of a displacement, the part that the mask leaves: 0 to 1.
+    /// Returns the share of a displacement that the mask lets through, 0 to 1.
     double freedom(Slot v) const { return (255 - mask(v)) / 255.0; }
-    /// By half or more: then it is not remeshed away and does not fuse (the same bound as in Blender's dynamic
-    /// topology).
+    /// Returns whether the mask is at least one half. Such a vertex is neither removed by remeshing nor fused (the same
+    /// threshold as in Blender's dynamic topology).
     bool isMasked(Slot v) const { return mask(v) >= 128; }
-    /// Whether the mask lets the edge go: neither of its ends is masked. A split leaves the shape: it needs just one
-    /// that is not.
+    /// Returns whether the mask allows removing the edge: both of its ends are unmasked.
     bool mayGo(Slot e) const { return !isMasked(to(2 * e)) && !isMasked(to(2 * e + 1)); }
+    /// Returns whether the mask allows splitting the edge. One unmasked end is enough, because a split keeps the shape.
     bool mayBeSplit(Slot e) const { return !isMasked(to(2 * e)) || !isMasked(to(2 * e + 1)); }
     const Triangle& corners(Slot f) const { return m_corners[f]; }
 
@@ -80,12 +81,12 @@ public:
     Slot next(Slot h) const { return slot(m_kernel.next_halfedge_handle(halfedge(h))); }
     Slot prev(Slot h) const { return slot(m_kernel.prev_halfedge_handle(halfedge(h))); }
     Slot face(Slot h) const { return slot(m_kernel.face_handle(halfedge(h))); }
-    /// An outgoing half-edge of a live vertex.
+    /// Returns an outgoing half-edge of a live vertex.
     Slot outgoing(Slot v) const { return slot(m_kernel.halfedge_handle(vertexHandle(v))); }
     Slot faceHalfedge(Slot f) const { return slot(m_kernel.halfedge_handle(faceHandle(f))); }
-    /// The next outgoing half-edge of the same vertex, counter-clockwise.
+    /// Returns the next outgoing half-edge of the same vertex, counter-clockwise.
     Slot rotate(Slot h) const { return prev(h) ^ 1; }
-    /// The half-edge v0 -> v1, or noSlot. Cost: the valence of v0.
+    /// Returns the half-edge v0 -> v1, or noSlot. Cost: O(valence of v0).
     Slot findHalfedge(Slot v0, Slot v1) const;
     unsigned valence(Slot v) const;
 
@@ -100,39 +101,42 @@ public:
     }
 
     // --- edits, only while a stroke is open
-    void setPoint(Slot v, const Vec3f& p); ///< p lies on the lattice
+    void setPoint(Slot v, const Vec3f& p); ///< p must be on the lattice
     void setColor(Slot v, Rgb color);
     void setMask(Slot v, std::uint8_t mask);
-    /// Puts a vertex into edge e at p, with the mean colour and mask of its ends. Returns the vertex.
+    /// Inserts a vertex into edge e at p, with the mean colour and mask of the edge's ends. Returns the vertex.
     Slot splitEdge(Slot e, const Vec3f& p);
-    /// Exchanges faces for others. Returns the vertices that came. Precondition: isSurgeryOk(*this, surgery).
+    /// Replaces faces by others. Precondition: isSurgeryOk(*this, surgery). Returns the new vertices.
     std::vector<Slot> replaceFaces(const Surgery& surgery);
-    /// Whether collapsing h leaves a closed 2-manifold: the ends have just two common neighbours, and no valence falls
-    /// below 3.
+    /// Returns whether collapsing h leaves a closed 2-manifold: the ends of h have exactly two common neighbours, and
+    /// no valence falls below 3.
     bool isCollapseOk(Slot h) const;
-    /// Merges from(h) into to(h), which moves to p and gets the mean colour and mask of both, weighted by distance.
-    /// Precondition: isCollapseOk(h).
+    /// Merges from(h) into to(h), which moves to p. Colour and mask are the mean of both ends, weighted by distance
+    /// from p. Precondition: isCollapseOk(h).
     void collapse(Slot h, const Vec3f& p);
-    /// Whether the opposite corners of e are not neighbours already and its ends keep valence 3.
+    /// Returns whether the corners opposite e are distinct and not adjacent, and the ends of e keep a valence of at
+    /// least 3.
     bool isFlipOk(Slot e) const;
     void flip(Slot e);
-    /// Puts every vertex elsewhere, on another lattice perhaps: `points`, by slot, lie on it. O(mesh), as the next
-    /// three.
+    /// Moves every vertex to points[slot], perhaps on another lattice. Precondition: the points are on `lattice`. Cost:
+    /// O(mesh).
     void relocate(const Lattice& lattice, std::span<const Vec3f> points);
-    /// Every face looks to the other side. Twice is the identity.
+    /// Reverses the orientation of every face. A second call restores the mesh. Cost: O(mesh).
     void reverseOrientation();
-    /// Becomes the other mesh slot for slot; what is alike is not touched. No mark may be open.
+    /// Becomes a copy of `other`, slot for slot; equal elements are not touched. Precondition: no mark is open. Cost:
+    /// O(mesh).
     void assign(const Mesh& other);
-    /// Sets what the mesh keeps as a whole. Preconditions: a stroke is open; the lattice is the mesh's own.
+    /// Sets the frame. Precondition: a stroke is open, and the frame's lattice is that of the mesh.
     void setFrame(const MeshFrame& frame);
 
     // --- the journal
     void beginStroke();
     bool strokeOpen() const { return m_strokeOpen; }
-    /// Closes the stroke; images of elements that came and went again within it are kept, they are part of the state.
+    /// Closes the stroke. The delta keeps images of elements that were created and removed within it: they are part of
+    /// the state.
     MeshDelta endStroke();
 
-    /// A point of the open stroke that rollback can return to. Marks nest: rolling back to one drops those after it.
+    /// A state of the open stroke that rollback() can restore. Marks nest: a rollback to a mark drops all later marks.
     struct Mark
     {
         std::size_t vertices, edges, faces;
@@ -144,31 +148,32 @@ public:
     Mark mark();
     /// Restores the state of the mark bit for bit. The mark stays usable.
     void rollback(const Mark& mark);
-    /// Forgets that elements were touched again since the mark (they keep their stroke image). Keeps the journal's
-    /// length at the number of distinct elements the stroke touched. The mark is spent.
+    /// Drops images of elements that were touched again since the mark, but keeps their first image of the stroke. The
+    /// journal's length then is the number of distinct elements that the stroke touched. The mark becomes invalid.
     void commit(const Mark& mark);
 
-    /// A mark that outlives the commits of marks after it, so that the images since it tell of all that these changed.
-    /// One at a time, until forget(), which is its commit. Between the two nothing before it is rolled back.
+    /// Makes a mark that survives commits of later marks, so that the images since it show the whole change.
+    /// Precondition: only one exists at a time, until forget(). Marks before it must not be rolled back until then.
     Mark remember();
     void forget(const Mark& mark);
 
-    /// The vertices that went in the open stroke, and were not brought back by a rollback, in order. A slot may have
-    /// been another vertex's since.
+    /// Returns the vertices removed in the open stroke and not restored by a rollback, in order. A slot may have been
+    /// reused since.
     const std::vector<Slot>& removedVertices() const { return m_removed; }
 
     TouchedSlots touchedSince(const Mark& mark) const;
-    /// Images since the mark: of an element touched several times since, the first is its state at the mark.
+    /// Returns the images since the mark. If an element has several, the first one is its state at the mark.
     std::span<const VertexImage> vertexImagesSince(const Mark& mark) const;
     std::span<const FaceImage> faceImagesSince(const Mark& mark) const;
 
-    /// Exchanges the mesh's state with the delta's. Precondition: no stroke is open, and the mesh is in the state in
-    /// which the delta's stroke ended (to undo) or began (to redo).
+    /// Exchanges the state of the mesh with that of the delta. Precondition: no stroke is open, and the mesh is in the
+    /// state at the end of the delta's stroke (to undo) or at its beginning (to redo).
     void swap(MeshDelta& delta);
 
-    /// Digest of the live surface, independent of slots and order (mesh_hash.h). O(1): kept up by the journal.
+    /// Returns a digest of the live surface, independent of slots and order (mesh_hash.h). Cost: O(1), endStroke()
+    /// updates it.
     std::uint64_t meshHash() const { return m_meshHash; }
-    /// Digest of slots, links, free slots and frame too. O(mesh).
+    /// Returns a digest that also covers slots, links, free slots and the frame. Cost: O(mesh).
     std::uint64_t stateHash() const;
 
 private:
@@ -197,7 +202,7 @@ private:
     void setOutgoing(Slot v, Slot h);
     void setTo(Slot h, Slot v);
     void setFace(Slot h, Slot f);
-    void link(Slot f, Slot h0, Slot h1, Slot h2); ///< makes the three half-edges the face's boundary
+    void link(Slot f, Slot h0, Slot h1, Slot h2); ///< makes the three half-edges the boundary of face f
     void relabelCorner(Slot f, Slot from, Slot to);
     Slot newVertex(Slot hint, const Vec3f& p, const OpenMesh::Vec4uc& colorAndMask);
     Slot newEdge(Slot hint);
@@ -220,11 +225,12 @@ private:
     std::vector<Triangle> m_corners;
     SlotMap m_vertexSlots, m_edgeSlots, m_faceSlots;
 
-    /// The epoch in which an element was last journalled; it is journalled again when a later mark opened a new epoch.
+    /// Epoch in which each element was last journalled. Every mark begins a new epoch, in which an element is
+    /// journalled again at its next touch.
     std::vector<std::uint32_t> m_vertexStamp, m_edgeStamp, m_faceStamp;
     std::uint32_t m_epoch = 0;
     std::uint32_t m_strokeEpoch = 0;
-    /// A commit forgets images of what was touched since: the stroke's epoch, or that of remember().
+    /// Start of the epochs whose repeated images a commit drops: the epoch of the stroke, or of remember().
     std::uint32_t m_baseEpoch = 0;
     bool m_strokeOpen = false;
     MeshDelta m_journal;

@@ -1,9 +1,9 @@
-// From a stranger's triangles to a sculptable mesh:
-//   1. check      the coordinates as they came, exactly                          mesh_check
-//   2. place      move, choose the lattice                                       lattice_placement
-//   3. fit        snap, and check again if that moved a point and step 1 did not see this lattice; retry neighbouring
-//                 lattice points where faces came to meet                        lattice_fit
-//   4. lay out    along a Morton curve, and link                                 morton_order, mesh
+// Makes a sculptable mesh from the triangles of any file:
+//   1. check      the coordinates as read, exactly                                mesh_check
+//   2. place      move the model, choose the lattice                             lattice_placement
+//   3. fit        snap; check again if snapping moved a point and step 1 did not check on this lattice;
+//                 retry neighbouring lattice points where faces intersect        lattice_fit
+//   4. sort       along a Morton curve, and link                                 morton_order, mesh
 
 #include "core/mesh/mesh_builder.h"
 
@@ -17,18 +17,19 @@ namespace core
 {
 namespace
 {
-/// Shares of the time that a build takes.
+/// Shares of the progress at the end of the check and of the lattice fit.
 constexpr double afterCheck = 0.7, afterFit = 0.75;
 
-/// Where the model goes on its lattice.
+/// A model moved to its place on a lattice.
 struct Placed
 {
     LatticePlacement placement;
-    std::vector<Vec3> points; ///< moved, not snapped
-    bool exact = true;        ///< all lie on the lattice as they are
+    std::vector<Vec3> points; ///< translated, not snapped
+    bool exact = true;        ///< every translated point is on the lattice
 };
 
-/// Places the model on the lattice that it had, where it was on it. Returns nothing if it does not lie there.
+/// Places the model at its old position on its old lattice. Returns nothing if there is no frame or if a point is not
+/// on that lattice.
 std::optional<Placed> restorePlacement(const TriangleMesh& model, const std::optional<MeshFrame>& frame)
 {
     if (!frame)
@@ -112,7 +113,7 @@ BuildResult buildMesh(const TriangleMesh& model, bool centre, const JobControl& 
         used.points[v] = lattice.toPoint(fit.points[v]);
     result.mesh = std::make_unique<Mesh>(inMortonOrder(used, lattice), lattice);
     MeshFrame own = restored ? *frame : result.mesh->frame();
-    own.place = Vec3::Zero() - placed.placement.moved; // no -0
+    own.place = Vec3::Zero() - placed.placement.moved; // subtraction avoids -0
     result.mesh->beginStroke();
     result.mesh->setFrame(own);
     result.mesh->endStroke();

@@ -10,25 +10,27 @@ namespace core
 {
 struct BuildResult
 {
-    std::unique_ptr<Mesh> mesh; ///< nothing if the model was refused
-    MeshReport report;          ///< of the model as it came: if it is not print-ready, that is why it was refused
-    std::size_t resnapped = 0;  ///< vertices that went to a neighbouring lattice point, so that no faces meet
-    /// Faces that are unsound on the lattice whatever was tried: the model was refused for them.
+    std::unique_ptr<Mesh> mesh; ///< null if the model was refused
+    /// check of the model as read; a model that is not print-ready is refused for what the report contains
+    MeshReport report;
+    std::size_t resnapped = 0; ///< vertices moved to a neighbouring lattice point to avoid intersections
+    /// Number of faces that no retry made valid on the lattice. If it is not 0, the model is refused.
     std::size_t unsnappable = 0;
 };
 
-/// Makes the model sculptable: checks it exactly, places and snaps it on its lattice, lays its elements out along a
-/// Morton curve and builds the links. With `centre` the middle of its box goes to the origin (see placeOnLattice); the
-/// mesh's frame keeps where it was (MeshFrame::place).
-/// Whole-mesh cost, on all cores; no mesh if it is cancelled. The file's order does not matter for speed afterwards.
-/// `frame`: that the model had before, perhaps. If all of it lies on that lattice it is that again, and stays where it
-/// is; so does its uniform detail.
+/// Makes a model sculptable: checks it exactly, moves and snaps it to a lattice, sorts its elements along a Morton
+/// curve and builds the connectivity. The order of the file does not affect later speed.
+/// `centre`: moves the middle of the model's box to the origin (see placeOnLattice); MeshFrame::place keeps the old
+/// position.
+/// `frame`: the frame that the model had before, if any. If all its points are on the frame's lattice, the model keeps
+/// lattice, place and uniform detail.
+/// Returns no mesh if it is cancelled. Cost: O(mesh), on all cores.
 BuildResult buildMesh(const TriangleMesh& model, bool centre = false, const JobControl& control = {},
                       const std::optional<MeshFrame>& frame = {});
 
 TriangleMesh withoutUnusedVertices(const TriangleMesh& mesh);
 
-/// The live surface, compact: vertices and faces in the order of their slots. Without colours if no vertex has been
-/// coloured.
+/// Returns the live surface without gaps: vertices and faces in the order of their slots. Has no colours if every
+/// vertex has the default colour.
 TriangleMesh extractMesh(const Mesh& mesh);
 } // namespace core

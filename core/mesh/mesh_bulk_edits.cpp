@@ -1,4 +1,4 @@
-// Edits of the whole mesh, O(mesh).
+// Edits of the whole mesh. Cost: O(mesh), except setFrame().
 
 #include "core/mesh/mesh.h"
 

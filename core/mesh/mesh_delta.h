@@ -10,7 +10,7 @@
 
 namespace core
 {
-/// Everything of an element that the mesh keeps, as it was before an edit touched it. `stamp` is the journal's (see
+/// Before-image: the state of an element before an edit touched it. `stamp` is the element's stamp at that time (see
 /// Mesh).
 struct VertexImage
 {
@@ -46,22 +46,22 @@ struct SlotCounts
     friend bool operator==(const SlotCounts&, const SlotCounts&) = default;
 };
 
-/// The other side of one edit: what its elements were before it, or after it once it is undone. Mesh::swap exchanges
-/// the sides, so one copy serves undo and redo.
+/// The other state of one edit: its elements before the edit, or after the edit once it is undone. Mesh::swap exchanges
+/// the two states, so one copy serves undo and redo.
 struct MeshDelta
 {
     std::vector<VertexImage> vertices;
     std::vector<EdgeImage> edges;
     std::vector<FaceImage> faces;
-    SlotCounts counts;          ///< lengths of the arrays on the other side
-    std::uint64_t meshHash = 0; ///< Mesh::meshHash on the other side
-    MeshFrame frame;            ///< on the other side
+    SlotCounts counts;          ///< lengths of the arrays in the other state
+    std::uint64_t meshHash = 0; ///< Mesh::meshHash in the other state
+    MeshFrame frame;            ///< frame of the mesh in the other state
 
     bool empty() const { return vertices.empty() && edges.empty() && faces.empty(); }
     std::size_t bytes() const;
 
-    /// For spilling to disk within one run of the program: raw images, no portability. A failed stream is the caller's
-    /// to see.
+    /// Spills a delta to disk and reads it back, within one run of the program: raw memory images, not portable.
+    /// Callers must check the stream for errors.
     void write(std::ostream& out) const;
     static MeshDelta read(std::istream& in);
 };

@@ -4,16 +4,16 @@
 
 namespace core
 {
-/// The d_detail of a mesh that is to stay as fine as it is, in terms of its mean edge (Botsch and Kobbelt 2004).
+/// Ratio of the uniform d_detail to the mean edge at which remeshing keeps the mean edge (Botsch and Kobbelt 2004).
 inline constexpr double detailPerMeanEdge = 4.0 / 3;
 
-/// What a mesh keeps as a whole.
+/// Properties of a mesh as a whole.
 struct MeshFrame
 {
     Lattice lattice = Lattice();
-    double uniformDetail = 0; ///< d_detail of Topology::Uniform, in the document's unit
-    /// The place of the document's origin in the space of the model's file, in the document's unit. On the lattice when
-    /// the model is opened.
+    double uniformDetail = 0; ///< d_detail of Topology::Uniform, mm
+    /// Position of the document's origin in the coordinates of the model's file, mm. A vector of the lattice when the
+    /// model has just been opened.
     Vec3 place = Vec3::Zero();
 
     friend bool operator==(const MeshFrame&, const MeshFrame&) = default;

@@ -9,7 +9,7 @@ namespace core
 {
 namespace
 {
-/// The finaliser of splitmix64 (Steele, Lea and Flood 2014).
+/// Finaliser of splitmix64 (Steele, Lea and Flood 2014).
 std::uint64_t mix(std::uint64_t x)
 {
     x ^= x >> 30;
@@ -84,7 +84,8 @@ std::uint64_t hashChange(const Mesh& mesh, const MeshDelta& before)
         mesh.forEachOutgoing(v, [&](Slot h) {
             const Slot f = mesh.face(h);
             if (counted.insert(f).second)
-                change += currentHash(mesh, f) - oldHash(mesh.corners(f)); // its corners are the same, only moved
+                // the face kept its corners; only their points or colours changed
+                change += currentHash(mesh, f) - oldHash(mesh.corners(f));
         });
     }
     return change;

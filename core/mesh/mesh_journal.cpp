@@ -1,4 +1,4 @@
-// The mesh's journal: before-images of elements at their first touch, and its readers that restore: rollback, undo,
+// The mesh's journal: records before-images of elements at their first touch, and restores them for rollback, undo and
 // redo.
 
 #include "core/mesh/mesh.h"
@@ -53,8 +53,7 @@ MeshDelta Mesh::endStroke()
 {
     assert(m_strokeOpen);
     m_strokeOpen = false;
-    commit(
-        {0, 0, 0, {}, 0}); // what was edited after a mark that was neither rolled back nor committed has several images
+    commit({0, 0, 0, {}, 0}); // merges the several images that edits after an open mark leave
     m_meshHash += hashChange(*this, m_journal);
     return std::move(m_journal);
 }

@@ -6,7 +6,7 @@ namespace core
 {
 namespace
 {
-/// A span of one of the two patches, with its values.
+/// A span of one of the two merged patches, with its values.
 template <class Value> struct Piece
 {
     Slot first, end;
@@ -49,14 +49,14 @@ private:
     std::vector<Value> m_values;
 };
 
-/// Lays the newer values over the older ones; slots past `length` are gone.
+/// Replaces older values by newer ones; drops slots from `length` on.
 template <class Value>
 void mergeValues(std::vector<SlotSpan>& spans, std::vector<Value>& values, const std::vector<SlotSpan>& newSpans,
                  const std::vector<Value>& newValues, Slot length)
 {
     const std::vector<Piece<Value>> older = pieces(spans, values, length), newer = pieces(newSpans, newValues, length);
     Overlay<Value> result;
-    Slot done = 0; // slots below are decided
+    Slot done = 0; // all slots below it are in the result or unchanged
     auto old = older.begin();
     const auto appendOldUpTo = [&](Slot end) {
         for (; old != older.end() && old->first < end; ++old) {
@@ -64,7 +64,7 @@ void mergeValues(std::vector<SlotSpan>& spans, std::vector<Value>& values, const
             if (from < to)
                 result.append(from, to, old->values + (from - old->first));
             if (old->end > end)
-                break; // the rest of it comes after the newer piece
+                break; // the rest of the older span is appended after the newer piece
         }
     };
     for (const Piece<Value>& piece : newer) {
@@ -93,6 +93,6 @@ void MeshPatch::merge(MeshPatch&& newer)
     liveFaces = newer.liveFaces;
     shortens = shortens || newer.shortens;
     epoch = newer.epoch;
-    sampledNs = sampledNs != 0 ? sampledNs : newer.sampledNs; // the oldest input that still waits to be seen
+    sampledNs = sampledNs != 0 ? sampledNs : newer.sampledNs; // keep the oldest input that is not yet displayed
 }
 } // namespace core

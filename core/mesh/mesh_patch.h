@@ -9,19 +9,19 @@ namespace core
 /// A vertex as viewers draw it: 24 bytes.
 struct DrawVertex
 {
-    /// The curvature of a surface that is neither hollow nor a ridge.
+    /// Curvature byte of a surface that is neither concave nor convex.
     static constexpr std::uint8_t flat = 128;
 
     Vec3f position;
-    std::array<std::int8_t, 4> normal; ///< unit normal x 127; the fourth is half of the mask (see Mesh::mask)
-    std::array<std::uint8_t, 4> color; ///< sRGB; the fourth is the curvature: 1 a sharp valley, 255 a sharp ridge
-    /// Unit direction of the sharp edge through the vertex, x 127, to either side; zero where edges meet or turn. The
-    /// fourth is how sharp it is: 0 not at all, 127 by 45 degrees or more.
+    std::array<std::int8_t, 4> normal; ///< unit normal x 127; [3]: half of the mask (see Mesh::mask)
+    std::array<std::uint8_t, 4> color; ///< sRGB; [3]: curvature, from 1 (sharp valley) to 255 (sharp ridge)
+    /// Unit direction x 127 of the sharp edge through the vertex, in either sense; zero where sharp edges meet or turn.
+    /// [3]: sharpness, from 0 (smooth) to 127 (45 degrees or more).
     std::array<std::int8_t, 4> crease{};
 };
 static_assert(sizeof(DrawVertex) == 24);
 
-/// `count` slots from `first` on; their values follow those of the spans before in the patch's value array.
+/// A range of `count` slots from `first` on. The values of all spans are concatenated in the patch's value array.
 struct SlotSpan
 {
     Slot first = 0;
@@ -29,9 +29,10 @@ struct SlotSpan
     friend bool operator==(const SlotSpan&, const SlotSpan&) = default;
 };
 
-/// What viewers must draw anew. The draw arrays are slot-stable: vertex slot i is vertex i of the buffers, face slot f
-/// is index triple f (a free face is 0,0,0). Values are absolute, so a newer patch may be merged into an older one,
-/// slot by slot. Spans are ascending, disjoint and not adjacent. A patch is always the mesh of a sub-step's boundary.
+/// The changes that a viewer needs to draw. The draw arrays are slot-stable: vertex slot i is vertex i of the buffers,
+/// and face slot f is index triple f (0,0,0 for a free face). Values are absolute, so a newer patch can be merged into
+/// an older one, slot by slot. Spans are ascending, disjoint and not adjacent. A patch always shows the mesh between
+/// two sub-steps.
 struct MeshPatch
 {
     std::vector<SlotSpan> vertexSpans;
@@ -40,17 +41,18 @@ struct MeshPatch
     std::vector<Triangle> faces;
     Slot vertexSlots = 0; ///< length of the draw arrays after this patch
     Slot faceSlots = 0;
-    Slot liveVertices = 0; ///< of the whole mesh, for people
+    Slot liveVertices = 0; ///< number in the whole mesh, for display to users
     Slot liveFaces = 0;
-    std::uint64_t epoch = 0;    ///< grows with each patch of a mesh
-    std::int64_t sampledNs = 0; ///< steady-clock time of the input that this patch answers, 0 if none (latency)
-    bool whole = false;         ///< covers every slot: an earlier patch, or another mesh, need not be known
-    /// The draw arrays end sooner than they did: all that changes, where the last slots are given back.
+    std::uint64_t epoch = 0; ///< grows with each patch of a mesh
+    /// steady-clock time in nanoseconds of the input that caused this patch, 0 if none; used to measure latency
+    std::int64_t sampledNs = 0;
+    bool whole = false; ///< covers every slot: can be applied whatever the viewer has now
+    /// The draw arrays become shorter. Can be the only change, if just the last slots were removed.
     bool shortens = false;
 
     bool empty() const { return vertexSpans.empty() && faceSpans.empty() && !whole && !shortens; }
 
-    /// Lays `newer` over this patch. Cost: the sum of both patches' values.
+    /// Replaces values of this patch by those of `newer`. Cost: O(values in both patches).
     void merge(MeshPatch&& newer);
 };
 } // namespace core

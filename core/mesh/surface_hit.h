@@ -4,13 +4,14 @@
 
 namespace core
 {
-/// A point of the surface.
+/// A point on the surface, found by a ray or a nearest-point query.
 struct SurfaceHit
 {
     Vec3 position;
-    Vec3 normal;     ///< of the face, unit length, outwards
-    double distance; ///< from the ray's origin, or from the point asked about
+    Vec3 normal; ///< outward unit normal of the face
+    /// distance from the ray's origin or from the queried point, mm
+    double distance;
     Slot face;
-    Rgb color = {}; ///< there, between those of the face's corners
+    Rgb color = {}; ///< colour at `position`, interpolated between the face's corners
 };
 } // namespace core

@@ -16,7 +16,7 @@ Corners cornersOf(const Mesh& mesh, Slot f)
     return {mesh.point(t[0]).cast<double>(), mesh.point(t[1]).cast<double>(), mesh.point(t[2]).cast<double>()};
 }
 
-/// Returns whether the ray meets the box. Slab test (Kay and Kajiya 1986).
+/// Returns whether the ray meets the box (slab test, Kay and Kajiya 1986).
 bool meetsBox(const Ray& ray, const Box& box)
 {
     double enter = 0, leave = std::numeric_limits<double>::infinity();
@@ -51,7 +51,8 @@ SurfaceHit surfaceHit(const Mesh& mesh, Slot f, const Corners& t, const Vec3& po
     return {position, (t[1] - t[0]).cross(t[2] - t[0]).normalized(), distance, f, colorAt(mesh, f, t, position)};
 }
 
-/// Returns the first hit on faces whose corners `cornersOf` gives, at most `farthest` (mm) away from the mesh's.
+/// Returns the first hit on the mesh's faces with corners from `cornersOf`, which are at most `farthest` mm away from
+/// the mesh's corners.
 template <class Of>
 std::optional<SurfaceHit> firstHitOf(const Mesh& mesh, const FaceOctree& octree, const Ray& ray, const Of& cornersOf,
                                      double farthest)
@@ -110,7 +111,7 @@ std::optional<SurfaceHit> nearestPoint(const Mesh& mesh, const FaceOctree& octre
         if (face != noSlot && nearest2 <= radius * radius)
             return surfaceHit(mesh, face, cornersOf(mesh, face), position, std::sqrt(nearest2));
         if (!(radius < max))
-            return std::nullopt; // nothing there, or no point
+            return std::nullopt; // no face within `max`, or NaN coordinates
         radius = std::min(2 * radius, max);
     }
 }

@@ -1,8 +1,7 @@
-// Exchanging faces (see surgery.h):
-//   1. the half-edges of the faces that go stand open
-//   2. each side of a face that comes takes an open half-edge, or the opposite of a side that came before it, or a new
-//   edge
-//   3. edges and vertices that nothing uses any more go
+// Exchanges faces (see surgery.h):
+//   1. the half-edges of removed faces become open
+//   2. each side of an added face takes an open half-edge, the opposite of a side added before it, or a new edge
+//   3. edges and vertices that are no longer used are removed
 
 #include "core/mesh/surgery.h"
 
@@ -15,7 +14,7 @@ namespace core
 {
 namespace
 {
-using Side = std::pair<Slot, Slot>; ///< from, to: a half-edge by its ends
+using Side = std::pair<Slot, Slot>; ///< a half-edge, by the vertices from and to
 
 template <class Visit> void forEachSide(const Triangle& t, Visit visit)
 {
@@ -34,7 +33,7 @@ bool has(const std::vector<Slot>& sortedSlots, Slot slot)
     return std::ranges::binary_search(sortedSlots, slot);
 }
 
-/// The vertices that the surgery involves, ascending; new ones come last.
+/// Returns the vertices of all removed and added faces, ascending; new vertices are last.
 std::vector<Slot> involved(const Mesh& mesh, const Surgery& surgery)
 {
     std::vector<Slot> vertices;
@@ -47,7 +46,7 @@ std::vector<Slot> involved(const Mesh& mesh, const Surgery& surgery)
     return vertices;
 }
 
-/// The sides opposite to v of the faces around it: links of its ring.
+/// Returns the sides opposite v of the faces around v after the surgery; together they form the ring of v.
 std::vector<Side> ringSides(const Mesh& mesh, const Surgery& surgery, const std::vector<Slot>& gone, Slot v)
 {
     std::vector<Side> sides;
@@ -67,7 +66,7 @@ std::vector<Side> ringSides(const Mesh& mesh, const Surgery& surgery, const std:
     return sides;
 }
 
-/// The cycles of a ring, each from its lowest slot; empty if the sides do not make cycles.
+/// Returns the cycles of a ring, each starting with its lowest slot; empty if the sides do not form cycles.
 std::vector<std::vector<Slot>> cycles(const std::vector<Side>& sides)
 {
     std::vector<std::vector<Slot>> found;
@@ -92,7 +91,7 @@ std::vector<std::vector<Slot>> cycles(const std::vector<Side>& sides)
     return found;
 }
 
-/// Each half-edge once, and each with its opposite.
+/// Returns whether, after the surgery, each half-edge occurs once and has its opposite.
 bool sidesPair(const Mesh& mesh, const Surgery& surgery, const std::vector<Slot>& gone)
 {
     std::vector<Side> sides;
@@ -167,7 +166,8 @@ void splitUmbrellas(const Mesh& mesh, Surgery& surgery, double apart)
             surgery.vertices.push_back(
                 {mesh.lattice().snap(pointOf(v) + apart * (mean - pointOf(v))), mesh.color(v), v, mesh.mask(v)});
 
-            // The faces of this cycle take the copy; those of the mesh go, and come again with it.
+            // New faces of this cycle get the copy as corner. Faces of the mesh are removed and added again with the
+            // copy.
             const std::vector<Slot> ring = sorted(rings[i]);
             for (Triangle& t : surgery.faces) {
                 const auto corner = std::ranges::find(t, v);

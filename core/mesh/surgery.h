@@ -9,23 +9,22 @@ namespace core
 {
 class Mesh;
 
-/// An exchange of faces: some go, others come in their place. All that changes topology is one: joining two sheets,
-/// cutting a neck, removing a speck, adding a shell. A plain list, so that it can be checked before half-edges know of
-/// it.
+/// An exchange of faces: some are removed, others are added. Joining two surfaces, cutting a neck, removing a speck and
+/// adding a shell are all surgeries. A surgery is a plain list, so that it can be checked before any half-edge changes.
 struct Surgery
 {
     struct Vertex
     {
-        Vec3f point; ///< on the lattice
+        Vec3f point; ///< position, on the lattice
         Rgb color;
-        Slot original = noSlot; ///< the live vertex that it is a copy of
+        Slot original = noSlot; ///< the live vertex that this vertex copies
         std::uint8_t mask = 0;
     };
 
-    std::vector<Slot> removed;    ///< live faces, each once
-    std::vector<Vertex> vertices; ///< that come; those that lose all their faces go
-    std::vector<Triangle> faces;  ///< that come; a corner is a live vertex's slot or newVertex(i)
-    Slot near = 0;                ///< a live vertex: new elements take slots near it
+    std::vector<Slot> removed;    ///< live faces to remove, each once
+    std::vector<Vertex> vertices; ///< new vertices; vertices that lose all their faces are removed
+    std::vector<Triangle> faces;  ///< new faces; a corner is the slot of a live vertex or newVertex(i)
+    Slot near = 0;                ///< a live vertex; new elements get slots near it
 
     static constexpr Slot newVertex(std::size_t i) { return firstNew + static_cast<Slot>(i); }
     static constexpr bool isNew(Slot corner) { return corner >= firstNew; }
@@ -35,16 +34,17 @@ private:
     static constexpr Slot firstNew = Slot(1) << 31;
 };
 
-/// Adds a closed, manifold, consistently oriented shell whose points lie on the lattice.
+/// Returns the surgery that adds a shell. Precondition: the shell is closed, manifold and consistently oriented, and
+/// its points are on the lattice.
 Surgery additionOf(const TriangleMesh& shell, Slot near);
 
-/// Whether the mesh is a closed 2-manifold, consistently oriented, after the surgery: each half-edge has its opposite,
-/// no two faces use the same one, and the faces around each vertex make one umbrella. Cost: the faces and their
-/// corners' stars.
+/// Returns whether the mesh after the surgery is a closed 2-manifold, consistently oriented: each half-edge has its
+/// opposite, no two faces share a half-edge, and the faces around each vertex form one umbrella. Cost: O(exchanged
+/// faces and stars of their corners).
 bool isSurgeryOk(const Mesh& mesh, const Surgery& surgery);
 
-/// Makes one umbrella of several: where the surgery leaves the faces around a vertex in more than one cycle, each cycle
-/// but the largest gets a copy of the vertex, moved by `apart` of the way to the mean of that cycle's ring. Where
-/// half-edges are not paired nothing is done; then isSurgeryOk says so.
+/// Splits vertices whose faces would form several cycles after the surgery. Each cycle except the largest gets a copy
+/// of the vertex, moved by the share `apart` (0 to 1) towards the mean of the cycle's ring. Skips a vertex around which
+/// half-edges are unpaired; isSurgeryOk() then returns false.
 void splitUmbrellas(const Mesh& mesh, Surgery& surgery, double apart);
 } // namespace core

@@ -6,11 +6,11 @@
 
 namespace core
 {
-/// Half-edges that still wait for their face, by their ends.
+/// Half-edges that have no face yet, found by their ends.
 class UnpairedHalfedges
 {
 public:
-    /// The waiting half-edge from -> to, which then waits no more, or noSlot.
+    /// Removes and returns the unpaired half-edge from -> to; returns noSlot if there is none.
     Slot take(Slot from, Slot to)
     {
         const auto found = m_unpaired.find(key(from, to));
