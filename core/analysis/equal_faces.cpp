@@ -12,8 +12,8 @@ namespace
 {
 struct Key
 {
-    std::uint64_t least; ///< corner
-    Slot second, third;  ///< corners, ascending
+    std::uint64_t least; ///< smallest corner
+    Slot second, third;  ///< the other two corners, ascending
     Slot face;
 
     auto corners() const { return std::tie(least, second, third); }

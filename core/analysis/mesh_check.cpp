@@ -12,12 +12,12 @@ namespace core
 {
 namespace
 {
-/// Shares of the time.
+/// Progress, 0 to 1, at the end of each step.
 constexpr double afterDegenerate = 0.02, afterTopology = 0.15, afterIntersections = 0.95;
 
 constexpr std::size_t facesPerChunk = 1 << 14, pointsPerChunk = 1 << 14;
 
-/// Sums over faces; added up chunk by chunk, so that they do not depend on the threads.
+/// Sums over faces. They are added chunk by chunk in a fixed order, so that they do not depend on the threads.
 struct Measures
 {
     double area = 0, volume = 0;
@@ -90,7 +90,7 @@ void addMeasures(MeshReport& report, const TriangleMesh& mesh, const Box& box)
         report.volume = measures.volume;
 }
 
-/// The model's points on its lattice; none if they lie there already.
+/// Returns the model's points snapped to its lattice; empty if all points are on the lattice already.
 std::vector<LatticePoint> latticeImage(const TriangleMesh& mesh, const Box& box)
 {
     const LatticePlacement placement = placeOnLattice(box);
@@ -124,7 +124,7 @@ MeshReport checkMesh(const TriangleMesh& mesh, const JobControl& control)
     addTopology(report, mesh);
     control.reportProgress(afterTopology);
     addMeasures(report, mesh, box);
-    const bool hasArea = report.degenerateFaces.count == 0; // everywhere; without any there may be no lattice
+    const bool hasArea = report.degenerateFaces.count == 0; // every face has area; otherwise there may be no lattice
     const std::vector<LatticePoint> image = hasArea ? latticeImage(mesh, box) : std::vector<LatticePoint>();
     bool staysValid = image.empty() || degenerateFaces<LatticePredicates>(image, mesh.triangles).empty();
     if (staysValid && !image.empty()) {

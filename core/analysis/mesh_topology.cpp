@@ -1,5 +1,5 @@
-// Each vertex looks at its own faces: they give the edges to its neighbours (counted at the lower end) and the links
-// between neighbours, which must form one piece.
+// Examines each vertex by its own faces. They give its edges, each counted at the lower of its two vertices. They also
+// link its neighbours; these links must form one connected piece.
 
 #include "core/analysis/mesh_topology.h"
 
@@ -14,7 +14,7 @@ namespace
 {
 constexpr std::size_t verticesPerChunk = 1 << 12;
 
-/// The corners of the mesh, vertex by vertex.
+/// The corners of all faces, grouped by vertex.
 class Corners
 {
 public:
@@ -72,7 +72,7 @@ struct Counts
     }
 };
 
-/// Looks at one vertex after the other; keeps its memory.
+/// Counts the edges and defects of one vertex after another; reuses its buffers.
 class VertexInspector
 {
 public:
@@ -129,7 +129,7 @@ private:
             m_counts.misoriented.add(face);
     }
 
-    /// Sets of neighbours that the vertex' faces join.
+    /// Returns the number of sets of neighbours that are connected by the faces around the vertex.
     std::size_t umbrellas(std::size_t begin, std::size_t end)
     {
         m_parent.resize(m_neighbours.size());

@@ -8,7 +8,7 @@
 
 namespace core
 {
-/// How often something was found, and the first faces where, ascending, at most maxFirst.
+/// The number of defects of one kind, and the first faces that have it, ascending, at most maxFirst.
 struct Finding
 {
     static constexpr std::size_t maxFirst = 1000;
@@ -17,17 +17,17 @@ struct Finding
     std::vector<Slot> firstFaces;
 };
 
-/// How the faces of a loose mesh hang together.
+/// Connectivity of a mesh without half-edges: its edges, and its defects by kind.
 struct MeshTopology
 {
-    std::size_t vertices = 0; ///< that a face uses
+    std::size_t vertices = 0; ///< vertices that a face uses
     std::uint64_t edges = 0;
-    Finding openEdges;           ///< of one face
-    Finding nonManifoldEdges;    ///< of more than two
-    Finding nonManifoldVertices; ///< whose faces are not all joined by edges there
-    Finding misorientedEdges;    ///< of two faces that run it in the same direction
+    Finding openEdges;           ///< edges of one face
+    Finding nonManifoldEdges;    ///< edges of more than two faces
+    Finding nonManifoldVertices; ///< vertices whose faces form more than one umbrella
+    Finding misorientedEdges;    ///< edges whose two faces run along them in the same direction
 };
 
-/// All cores; the result does not depend on their number.
+/// Computes the topology on all cores; the result does not depend on their number.
 MeshTopology topologyOf(std::size_t vertices, std::span<const Triangle> triangles);
 } // namespace core

@@ -1,6 +1,6 @@
-// For each shell: the sign of its volume, in doubles where their rounding cannot decide it, else in an exact sum; and,
-// if there are others, how many of their faces lie above its highest vertex: odd means it lies inside an odd number of
-// them.
+// Computes, for each shell, the sign of its volume: in doubles or, if rounding could change the sign, in an exact sum.
+// If there are other shells, counts how many of their faces are above the shell's highest vertex. An odd count means
+// that the shell is inside an odd number of other shells.
 
 #include "core/analysis/nesting.h"
 
@@ -44,7 +44,7 @@ private:
         return std::span(m_faces).subspan(m_firstFace[shell], m_firstFace[shell + 1] - m_firstFace[shell]);
     }
 
-    /// The faces, shell by shell.
+    /// Sorts the faces by shell.
     void collectFaces()
     {
         m_firstFace.assign(m_components.count + 1, 0);
@@ -57,8 +57,8 @@ private:
             m_faces[next[m_components.ofFace[f]]++] = f;
     }
 
-    /// Each term has a relative error of less than 8 roundings, as in an orientation, and the sum of n terms adds n
-    /// more.
+    /// Returns the sign of the shell's volume. The rounding error of a term is less than 8 roundings, as in orient3d;
+    /// the sum of n terms adds n more.
     int volumeSign(std::size_t shell) const
     {
         const Vec3 origin = m_points[m_triangles[facesOf(shell)[0]][0]].cast<double>();
@@ -113,8 +113,8 @@ private:
         return odd;
     }
 
-    /// Does the ray upwards (+z) from the origin cross the face? The origin is thought moved by (e, e^2, 0) for a tiny
-    /// e > 0: then the ray meets no edge, and no face that is vertical.
+    /// Returns whether the ray upwards (+z) from the origin crosses the face. The origin is treated as if moved by (e,
+    /// e^2, 0) for a tiny e > 0: then the ray meets no edge and no vertical face.
     bool liesAbove(const Triangle& face, const Vec3f& origin) const
     {
         constexpr int z = 2;
@@ -128,7 +128,8 @@ private:
         return facing * FloatPredicates::orient3d(a, b, c, origin) < 0;
     }
 
-    /// orient2d(p, q, moved origin): where it is 0, its derivatives by e and then e^2 decide.
+    /// Returns orient2d(p, q, moved origin). If the sign is 0 for the unmoved origin, the derivatives by e and then e^2
+    /// decide.
     static int sideOfMoved(const Vec3f& p, const Vec3f& q, const Vec3f& origin)
     {
         const int side = FloatPredicates::orient2d(p, q, origin, 2);
@@ -141,7 +142,7 @@ private:
     std::span<const Triangle> m_triangles;
     Components m_components;
     std::vector<Slot> m_faces;
-    std::vector<std::size_t> m_firstFace; ///< of each shell, in m_faces
+    std::vector<std::size_t> m_firstFace; ///< first face of each shell, as an index into m_faces
 };
 } // namespace
 
@@ -166,7 +167,7 @@ Components componentsOf(std::size_t vertices, std::span<const Triangle> triangle
 
 std::size_t edgeComponents(std::span<const Triangle> triangles)
 {
-    std::vector<std::pair<std::uint64_t, Slot>> edges; // the two ends, the face
+    std::vector<std::pair<std::uint64_t, Slot>> edges; // edge as both vertices, and a face at it
     edges.reserve(3 * triangles.size());
     for (Slot f = 0; f < triangles.size(); ++f) {
         for (std::size_t i = 0; i < 3; ++i) {
@@ -193,7 +194,7 @@ bool boundsSolid(std::span<const Vec3f> points, std::span<const Triangle> triang
 
 bool boundsSolid(std::span<const LatticePoint> points, std::span<const Triangle> triangles)
 {
-    std::vector<Vec3f> same; // a float32 holds each lattice coordinate
+    std::vector<Vec3f> same; // exact: a float32 holds each lattice coordinate
     same.reserve(points.size());
     for (const LatticePoint& p : points)
         same.push_back(p.cast<float>());

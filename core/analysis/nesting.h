@@ -8,13 +8,14 @@
 
 namespace core
 {
-/// Do these shells bound a solid: does each face outwards at even nesting depth and inwards at odd? Exact: signs of
-/// volumes and parities of rays. The triangles must be closed, manifold, consistently oriented within each shell, not
-/// degenerate, and free of intersections. Cost: O(faces), and a tree of boxes if there is more than one shell.
+/// Returns whether the shells bound a solid: each faces outwards at even nesting depth and inwards at odd depth. Exact:
+/// uses signs of volumes and parities of ray crossings. Precondition: the triangles are closed, manifold and
+/// consistently oriented within each shell, not degenerate, and free of intersections. Cost: O(faces), and a tree of
+/// boxes if there is more than one shell.
 bool boundsSolid(std::span<const Vec3f> points, std::span<const Triangle> triangles);
 bool boundsSolid(std::span<const LatticePoint> points, std::span<const Triangle> triangles);
 
-/// The sets of faces connected by vertices, numbered by their first faces. In a manifold mesh these are its shells.
+/// Sets of faces connected by vertices, numbered by their first faces. In a manifold mesh they are its shells.
 struct Components
 {
     std::vector<Slot> ofFace;
@@ -22,6 +23,7 @@ struct Components
 };
 Components componentsOf(std::size_t vertices, std::span<const Triangle> triangles);
 
-/// How many sets of faces are connected by edges: parts that touch at a point are parts. Slower.
+/// Returns the number of sets of faces connected by edges: parts that touch only at a vertex count separately. Slower
+/// than componentsOf().
 std::size_t edgeComponents(std::span<const Triangle> triangles);
 } // namespace core

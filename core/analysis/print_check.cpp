@@ -1,4 +1,4 @@
-// Will it print? Walls by wall_thickness; the rest is a pass over the faces.
+// Checks whether a model will print. Walls are measured by wall_thickness; everything else is one pass over the faces.
 
 #include "core/analysis/print_check.h"
 
@@ -14,14 +14,14 @@ namespace core
 {
 namespace
 {
-/// Shares of the time.
+/// Progress, 0 to 1, at the end of checkMesh().
 constexpr double afterCheck = 0.3;
 constexpr double degree = std::numbers::pi / 180;
 
-/// What the pass needs of a face.
+/// The properties of a face that the checks need.
 struct Side
 {
-    Vec3 centre, normal; ///< the normal is as long as the face has area
+    Vec3 centre, normal; ///< length of the normal: area of the face
     bool isOnBed;
 
     double area() const { return std::sqrt(normal.squaredNorm()); }
@@ -54,15 +54,15 @@ private:
     double m_bed = 0;
 };
 
-/// Degrees from the vertical: above 0 it leans out.
+/// Returns the angle of a face from the vertical, degrees; above 0 it leans out.
 double leaningOf(const Side& side)
 {
     const double area = side.area();
     return side.isOnBed || area == 0 ? -90 : std::asin(std::clamp(-side.normal.y() / area, -1.0, 1.0)) / degree;
 }
 
-/// The tolerance of the limit, which floats cannot hold and printers cannot tell: a wall that misses it by less is not
-/// thin.
+/// Returns the tolerance of the wall limit, mm, below what floats can represent and printers can resolve. A wall is not
+/// thin if it misses the limit by less.
 double wallTolerance(const TriangleMesh& mesh, double minWall)
 {
     constexpr double share = 1e-3, floatSteps = 4;
@@ -105,8 +105,7 @@ PrintFault overhangPlaces(const TriangleMesh& mesh, const Sides& sides, double l
     PrintPlaces places(mesh);
     for (Slot f = 0; f < mesh.triangles.size(); ++f) {
         const Side side = sides[f];
-        if (!side.isOnBed &&
-            -side.normal.y() > sine * side.area() * (1 + 1e-6)) // a face that leans so much exactly is none
+        if (!side.isOnBed && -side.normal.y() > sine * side.area() * (1 + 1e-6)) // not for a face at exactly the limit
             places.addFace(f, side.normal.y() / side.area());
     }
     PrintFault fault = places.take();
@@ -115,7 +114,7 @@ PrintFault overhangPlaces(const TriangleMesh& mesh, const Sides& sides, double l
     return fault;
 }
 
-/// The least of all faces' centres and of all parts; nothing where nothing is opposite.
+/// Returns the least thickness over all faces' centres and all parts; nothing if no face has an opposite face.
 std::optional<double> minOf(const WallThickness& walls, const std::vector<float>& atCentres, float WallPart::*ofPart)
 {
     float min = std::numeric_limits<float>::infinity();
@@ -126,7 +125,7 @@ std::optional<double> minOf(const WallThickness& walls, const std::vector<float>
     return std::isfinite(min) ? std::optional(static_cast<double>(min)) : std::nullopt;
 }
 
-/// The corner of a face that has most weight at a point of it.
+/// Returns the corner of the face with the largest barycentric weight at the point p.
 Slot nearestCorner(const TriangleMesh& mesh, Slot face, const Vec3f& p)
 {
     const auto weights = cornerWeights(p.cast<double>(), cornersOf(mesh, face));
@@ -165,7 +164,8 @@ PrintReport checkForPrint(const PrintMeasures& measures, const PrintLimits& limi
                 report.minByBalls = least;
     }
     report.thin = thinPlaces(measures, sides, limits.minWall);
-    report.thin.area = std::min(report.thin.area, report.area); // strips along thin edges lie on faces that count, too
+    // strips along thin ridges overlap faces that are counted too
+    report.thin.area = std::min(report.thin.area, report.area);
     report.overhangs = overhangPlaces(measures.mesh, sides, limits.overhang);
     for (Slot f = 0; f < measures.mesh.triangles.size(); ++f) {
         const Side side = sides[f];

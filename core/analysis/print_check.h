@@ -7,7 +7,7 @@
 
 namespace core
 {
-/// What a printer holds, mm: width and depth of its bed, and how high it prints.
+/// Size of the space in which a printer can print, mm: x and y of its bed, and the height z.
 struct PrintBed
 {
     double x = 0, y = 0, z = 0;
@@ -16,77 +16,81 @@ struct PrintBed
 struct PrintLimits
 {
     static constexpr double defaultNozzle = 0.4, linesPerWall = 2;
-    static constexpr double maxWall = 10; ///< mm, that may be asked for
-    /// mm; thicker walls are measured by rays alone.
+    static constexpr double maxWall = 10; ///< largest minimum wall that a user may ask for, mm
+    /// Diameter up to which thickness is measured with balls, mm; thicker walls are measured by rays only.
     static constexpr double largestBall = maxWall;
-    /// mm above the lowest point that count as the bed: less than any first layer is high.
+    /// Height above the lowest point that counts as touching the bed, mm. Smaller than the height of any first layer.
     static constexpr double bedTolerance = 0.01;
-    /// Below these volumes, in mm^3, slicers take a model for one in inches, and in metres (PrusaSlicer's).
+    /// Volumes below which slicers take a model for one in inches or in metres, mm^3 (PrusaSlicer's thresholds).
     static constexpr double inchVolume = 8, metreVolume = 0.001;
-    static constexpr double inchSide = 20, metreSide = 1; ///< mm; a longest side below these is rarely meant so
+    /// longest side below which a model was probably made in inches or in metres, mm
+    static constexpr double inchSide = 20, metreSide = 1;
 
     double minWall = linesPerWall * defaultNozzle; ///< mm, at most maxWall
-    double overhang = 45;                          ///< degrees that a face may lean out, from the vertical; 0 to 90
+    /// largest angle from the vertical at which a face may lean out, degrees, 0 to 90
+    double overhang = 45;
     PrintBed bed;
 };
 
-/// All that takes long, of a model; what limits say of it does not.
+/// The slow measurements of a model. Checking them against limits is fast.
 struct PrintMeasures
 {
-    TriangleMesh mesh; ///< mm, Y up
+    TriangleMesh mesh; ///< the model in mm, Y up
     MeshReport report;
-    std::optional<WallThickness> walls; ///< missing unless it bounds a solid
+    std::optional<WallThickness> walls; ///< missing unless the model bounds a solid
 };
-/// Costs: checkMesh() and wallThickness().
+/// Cost: that of checkMesh() and wallThickness().
 PrintMeasures measureForPrint(TriangleMesh mesh, const JobControl& control = {});
 
-/// Faces that hang together and have the same fault.
+/// A connected set of faces with the same fault.
 struct PrintPlace
 {
-    Slot face = 0;             ///< the worst of them
-    Vec3 point = Vec3::Zero(); ///< its centre
+    Slot face = 0;             ///< worst face
+    Vec3 point = Vec3::Zero(); ///< centre of the worst face, or the thinnest point found on it, mm
     Vec3 normal = Vec3::Zero();
-    double worst = 0; ///< thickness in mm, or degrees that it leans out
-    double area = 0;  ///< of all of them, mm^2
+    double worst = 0; ///< worst value: thickness in mm, or degrees by which a face leans out
+    double area = 0;  ///< area of all faces of the place, mm^2
 };
 
-/// Places by area, the largest first, no more than maxPlaces; the sums are of all.
+/// The places of one kind of fault by area, largest first, at most maxPlaces. `count` and `area` are for all places.
 struct PrintFault
 {
     static constexpr std::size_t maxPlaces = 20;
 
     std::vector<PrintPlace> places;
-    std::size_t count = 0; ///< of places
+    std::size_t count = 0; ///< number of all places
     double area = 0;
 };
 
-enum class BedFit { AsItStands, Turned, Not }; ///< Turned: by a quarter about the vertical
+enum class BedFit { AsItStands, Turned, Not }; ///< Turned: fits after a quarter turn about the vertical
 
 struct PrintReport
 {
-    double area = 0; ///< mm^2, of the whole surface
-    /// Mm; missing where thickness was not measured or nothing is opposite.
+    double area = 0; ///< area of the whole surface, mm^2
+    /// Least thickness, mm. Missing if thickness was not measured or no face has an opposite face.
     std::optional<double> minByRays, minByBalls;
-    PrintFault thin;      ///< thinner than the limit, by either method
-    PrintFault overhangs; ///< lean out more than the limit; those on the bed do not count
-    double baseArea = 0;  ///< mm^2 of flat surface on the bed, looking down
+    PrintFault thin;      ///< places thinner than the limit, by rays or by balls
+    PrintFault overhangs; ///< places that lean out more than the limit, except those on the bed
+    double baseArea = 0;  ///< area of the flat surface that touches the bed, mm^2
     BedFit fit = BedFit::AsItStands;
 };
-/// Returns whether a place is thin on more than a square of the limit. Smaller ones are slivers in creases and tips of
-/// edges, which a printer rounds.
+/// Returns whether a thin place is larger than a square whose side is the limit. Smaller places are slivers in creases
+/// and tips of edges, which a printer rounds.
 bool hasThinWalls(const PrintReport& report, const PrintLimits& limits);
-/// Of a model that stands on its lowest point. Cost: O(faces).
+/// Checks a model that stands on its lowest point. Cost: O(faces).
 PrintReport checkForPrint(const PrintMeasures& measures, const PrintLimits& limits);
 
-/// What a slicer would take a model of that volume for. By PrusaSlicer's thresholds, which others have, too.
+/// The unit that a slicer would assume for a model of this volume, by PrusaSlicer's thresholds, which other slicers use
+/// too.
 enum class UnitDoubt { None, Inches, Metres };
 UnitDoubt unitDoubtOf(double volume);
-/// Returns the unit in which a model was made that is too small for slicers in millimetres, or shorter than
-/// PrintLimits::inchSide: below metreSide metres are likelier than inches.
+/// Returns the likely unit of a model that is too small for slicers if its unit is mm, or whose longest side is below
+/// PrintLimits::inchSide. Below metreSide, metres are likelier than inches.
 UnitDoubt guessedUnit(double volume, double longestSide);
 
 enum class PrintPicture { Thickness, Overhang };
-/// By vertex, for a picture: the least thickness of its faces in mm, or the most that one of them leans out, degrees
-/// from the vertical (90: a ceiling, -90: a floor; on the bed -90). Infinity of a thickness that was not measured.
+/// Returns a value for each vertex, for a coloured picture. Thickness: the least of the vertex's faces in mm, infinity
+/// if not measured. Overhang: the largest angle from the vertical at which one of its faces leans out, degrees (90 for
+/// a ceiling, -90 for a floor and for faces on the bed).
 std::vector<float> pictureOf(const PrintMeasures& measures, PrintPicture picture);
 } // namespace core

@@ -27,7 +27,7 @@ void PrintPlaces::addRidge(const WallRidge& ridge)
         {ridge.face, memberAt(ridge.face), static_cast<double>(ridge.least), ridge.area(), nullptr, &ridge});
 }
 
-/// Returns a new member of the sets, for what lies within a face or at its border.
+/// Returns a new element of the disjoint sets, for a part or ridge in a face or at its border.
 Slot PrintPlaces::memberAt(Slot face)
 {
     m_isAtPart.resize(m_mesh.points.size());
@@ -68,8 +68,8 @@ bool PrintPlaces::isAtPart(const Bad& bad) const
            std::ranges::any_of(m_mesh.triangles[bad.face], [this](Slot corner) { return m_isAtPart[corner]; });
 }
 
-/// Parts do not share corners with their neighbours as faces do: they are asked whether they touch, up to what floats
-/// hold of their corners.
+/// Unites parts, ridges and faces around them that touch. Parts do not share corners with their neighbours as faces do,
+/// so they are tested by distance, within the float32 rounding of their corners.
 void PrintPlaces::uniteTouching(DisjointSets& sets) const
 {
     std::vector<const Bad*> bad;

@@ -7,34 +7,34 @@
 
 namespace core
 {
-/// Gathers what has a fault into places: what touches hangs together. Faces are added in ascending order, so that the
-/// places have one order.
+/// Groups faulty faces, parts and ridges into places: whatever touches belongs to one place. Faces must be added in
+/// ascending order, so that the order of the places is fixed.
 class PrintPlaces
 {
 public:
     explicit PrintPlaces(const TriangleMesh& mesh) : m_mesh(mesh), m_vertices(mesh.points.size()) {}
 
-    /// A whole face. The place's worst is the least badness.
+    /// Adds a whole face. The least badness of a place becomes its worst value.
     void addFace(Slot face, double badness);
-    /// A part that is thin on an area.
+    /// Adds a thin part of a face; `area` is its thin area, mm^2.
     void addPart(const WallPart& part, double area);
 
-    /// A piece of a ridge that is thin.
+    /// Adds a thin piece of a ridge.
     void addRidge(const WallRidge& ridge);
 
-    /// Cost: a sort of the parts, and of the whole faces around them.
+    /// Returns the places. Cost: a sort of the parts and of the whole faces around them.
     PrintFault take();
 
 private:
     struct Bad
     {
-        Slot face, member; ///< of the sets
+        Slot face, member; ///< member: element of the disjoint sets
         double badness, area;
-        const WallPart* part;   ///< null, and
-        const WallRidge* ridge; ///< null: the whole face
+        const WallPart* part;   ///< null for a whole face or a ridge
+        const WallRidge* ridge; ///< null for a whole face or a part
     };
 
-    Vec3 normalOf(Slot face) const; ///< as long as the face has area
+    Vec3 normalOf(Slot face) const; ///< length of the normal: area of the face
     Slot memberAt(Slot face);
     std::array<Vec3, 3> cornersOf(const Bad& bad) const;
     Vec3 pointOf(const Bad& bad) const;
@@ -44,7 +44,7 @@ private:
     const TriangleMesh& m_mesh;
     DisjointSets m_vertices;
     std::vector<Bad> m_bad;
-    std::vector<bool> m_isAtPart; ///< by vertex: of a face that has parts or ridges; empty without any
+    std::vector<bool> m_isAtPart; ///< for each vertex: a face around it has parts or ridges; empty without any
     std::size_t m_parts = 0;
 };
 } // namespace core

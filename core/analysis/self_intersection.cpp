@@ -1,5 +1,5 @@
-// All pairs of faces that meet: pairs whose boxes meet in a tree of boxes are tested exactly. One face stands for all
-// that have its corners.
+// Finds all pairs of faces that meet: a tree of boxes gives the pairs whose boxes meet, which are tested exactly. One
+// face represents all faces with the same corners.
 
 #include "core/analysis/self_intersection.h"
 
@@ -19,13 +19,13 @@ namespace
 constexpr std::size_t facesPerPairChunk = 1 << 12;
 constexpr std::size_t blocksPerChunk = 4;
 
-/// Counts pairs of faces, and keeps the first ones.
+/// Counts pairs of faces, and keeps the first pairs in ascending order.
 class Pairs
 {
 public:
     explicit Pairs(std::size_t keep) : m_pairs(keep) {}
 
-    /// Adds the pairs of a face of one group and a face of another; both ascending.
+    /// Adds all pairs of a face of group a and a face of group b. Precondition: both groups are ascending.
     void add(std::span<const Slot> a, std::span<const Slot> b)
     {
         m_pairs.count(a.size() * b.size());
@@ -36,7 +36,7 @@ public:
             left -= addBehind(first, isFirstOfA ? b.subspan(j) : a.subspan(i), left);
         }
     }
-    /// Adds the pairs of the faces of a group, which are ascending.
+    /// Adds all pairs of faces within one group. Precondition: the group is ascending.
     void add(std::span<const Slot> group)
     {
         m_pairs.count(group.size() * (group.size() - 1) / 2);
@@ -49,7 +49,7 @@ public:
     IntersectionReport report() { return {m_pairs.count(), m_pairs.take()}; }
 
 private:
-    /// Keeps the first pairs of a face with those behind it, as many as `most`. Returns how many these are.
+    /// Keeps the first pairs of a face with the faces after it, at most `most`. Returns the number of these pairs.
     std::size_t addBehind(Slot first, std::span<const Slot> behind, std::size_t most)
     {
         const std::span<const Slot> taken = behind.first(std::min(behind.size(), most));
@@ -64,7 +64,7 @@ private:
 class PairSearch
 {
 public:
-    /// Of some faces, ascending.
+    /// `faces`: the faces to search, ascending.
     template <typename Points>
     PairSearch(const Points& points, std::span<const Triangle> triangles, const std::vector<Slot>& faces)
         : m_triangles(triangles)
@@ -73,7 +73,8 @@ public:
                            [this](std::size_t i) -> const Triangle& { return m_triangles[m_faces.group(i).front()]; }))
     {}
 
-    /// meet(i, j) for the faces at two positions whose boxes meet; meet(i, i) where there are several at one.
+    /// Returns the pairs for which meet(i, j) is true. Calls meet(i, j) for positions whose boxes meet, and meet(i, i)
+    /// for a position with several equal faces.
     template <typename Meet> IntersectionReport find(std::size_t keep, const std::stop_token& stop, Meet meet) const
     {
         std::vector<Pairs> found(chunksOf(m_tree.blocks(), blocksPerChunk), Pairs(keep));
@@ -93,7 +94,7 @@ public:
         return all.report();
     }
 
-    /// By position, in memory: neighbours are met with again and again.
+    /// Returns the faces by position, so that faces tested together are near in memory.
     template <typename Predicates>
     std::vector<CornerTriangle<Predicates>> inOrder(std::span<const typename Predicates::Point> points) const
     {
@@ -111,11 +112,11 @@ private:
     std::span<const Slot> facesAt(Slot position) const { return m_faces.group(m_tree.at(position)); }
 
     std::span<const Triangle> m_triangles;
-    EqualFaces m_faces; ///< the faces that take part
+    EqualFaces m_faces; ///< the searched faces, grouped by equal corners
     BoxTree m_tree;     ///< boxes of one face of each group
 };
 
-/// Faces that are degenerate, or those that are not, ascending.
+/// Returns, ascending, the faces that are degenerate if `degenerate`, otherwise the faces that are not.
 template <typename Predicates>
 std::vector<Slot> facesThatAre(bool degenerate, std::span<const typename Predicates::Point> points,
                                std::span<const Triangle> triangles)

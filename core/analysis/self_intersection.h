@@ -18,13 +18,14 @@ struct FacePair
 
 struct IntersectionReport
 {
-    std::uint64_t count = 0;     ///< of unordered pairs of faces that meet outside their shared vertices and edges
-    std::vector<FacePair> pairs; ///< the first ones, ascending, as many as were asked for
+    /// number of unordered pairs of faces that meet outside their shared vertices and edges
+    std::uint64_t count = 0;
+    std::vector<FacePair> pairs; ///< the first pairs, ascending, at most as many as requested
 };
 
-/// Exact; touching is meeting. Faces that are degenerate take no part. All cores, memory bounded whatever the count;
-/// the result does not depend on the number of cores. If it is cancelled, the result is not usable. Instantiated for
-/// both sets of predicates.
+/// Finds all pairs of faces that meet, exactly; touching counts as meeting. Degenerate faces are ignored. `keep`: the
+/// largest number of pairs in the report. Uses all cores and bounded memory; the result does not depend on the number
+/// of cores. The result of a cancelled search must not be used. Instantiated for LatticePredicates and FloatPredicates.
 template <typename Predicates>
 IntersectionReport selfIntersections(std::span<const typename Predicates::Point> points,
                                      std::span<const Triangle> triangles, std::size_t keep = 1000,
@@ -33,15 +34,16 @@ IntersectionReport selfIntersections(std::span<const typename Predicates::Point>
 struct SurfaceAndImage
 {
     IntersectionReport surface;
-    bool imageMeets = false; ///< itself, somewhere
+    bool imageMeets = false; ///< the image has a self-intersection
 };
 
-/// A surface and its image on a lattice at once, in little more than the time of one. Neither has a degenerate face,
-/// and the order of coordinates is kept: of two points, none comes before the other in the image that came after it.
+/// Tests a surface and its image on a lattice together, in little more than the time for one. Precondition: neither has
+/// a degenerate face, and snapping preserved the order of coordinates: x1 <= x2 implies that their images are ordered
+/// alike.
 SurfaceAndImage selfIntersections(std::span<const Vec3f> points, std::span<const LatticePoint> image,
                                   std::span<const Triangle> triangles, std::size_t keep, const std::stop_token& stop);
 
-/// Faces whose corners are collinear, or not three, ascending.
+/// Returns the faces whose corners are collinear or not distinct, ascending.
 template <typename Predicates>
 std::vector<Slot> degenerateFaces(std::span<const typename Predicates::Point> points,
                                   std::span<const Triangle> triangles);

@@ -12,7 +12,7 @@ void ShellOrientation::addFace(const Points& points)
     const Vector n = points[1].cast<std::int64_t>().cross(points[2].cast<std::int64_t>());
     for (int i = 0; i < 3; ++i)
         m_sixVolumes += static_cast<Int128>(a[i]) * n[i];
-    for (const LatticePoint& p : points) { // the highest vertex: the fewest faces above
+    for (const LatticePoint& p : points) { // the highest vertex has the fewest faces above it
         if (std::tie(m_origin.z(), m_origin.x(), m_origin.y()) < std::tie(p.z(), p.x(), p.y()))
             m_origin = p;
     }
@@ -23,8 +23,8 @@ LatticeBox ShellOrientation::column() const
     return {m_origin, {m_origin.x(), m_origin.y(), Lattice::limit}};
 }
 
-/// The ray goes up (+z) from the origin, which is thought moved by (e, e^2, 0) for a tiny e > 0, so that it meets no
-/// edge.
+/// The ray goes up (+z) from the origin. The origin is treated as if moved by (e, e^2, 0) for a tiny e > 0, so that the
+/// ray meets no edge.
 void ShellOrientation::castAt(const Points& points)
 {
     bool inside = false;
@@ -33,8 +33,8 @@ void ShellOrientation::castAt(const Points& points)
         const LatticePoint& b = points[static_cast<std::size_t>((i + 1) % 3)];
         if ((a.y() > m_origin.y()) == (b.y() > m_origin.y()))
             continue;
-        // The edge crosses the origin's line y; to the right of the origin if the origin lies to the left of the rising
-        // edge.
+        // The edge crosses the horizontal line y = origin.y. The crossing is right of the origin if the origin is left
+        // of the rising edge.
         const LatticePoint& low = a.y() > b.y() ? b : a;
         const LatticePoint& high = a.y() > b.y() ? a : b;
         if (LatticePredicates::orient2d(low, high, m_origin, 2) > 0)

@@ -4,23 +4,23 @@
 
 namespace core
 {
-/// Does a closed, embedded shell face the right way at its depth: outwards (positive volume) inside an even number of
-/// other shells, inwards inside an odd number? Exact: integer volume, and the parity of the faces above one of its
-/// vertices.
+/// Decides whether a closed, embedded shell faces the right way at its nesting depth. It must face outwards (positive
+/// volume) inside an even number of other shells, inwards inside an odd number. Exact: uses the integer volume and the
+/// parity of the faces above one vertex of the shell.
 class ShellOrientation
 {
 public:
     using Points = std::array<LatticePoint, 3>;
 
     ShellOrientation() = default;
-    /// Of a point instead of a shell: then isInside() is the question.
+    /// Tests a point instead of a shell: isInside() then returns whether the point is inside.
     explicit ShellOrientation(const LatticePoint& origin) : m_origin(origin) {}
 
-    /// A face of the shell itself.
+    /// Adds a face of the shell itself.
     void addFace(const Points& points);
-    /// The other faces that can lie above the probe meet this box. Precondition: the shell has a face.
+    /// Returns the box that every face above the shell's probe point meets. Precondition: the shell has a face.
     LatticeBox column() const;
-    /// A face of another shell; it does not touch this one.
+    /// Counts a face of another shell if it is above the probe point. Precondition: the face does not touch this shell.
     void castAt(const Points& points);
     bool isInside() const { return m_odd; }
     bool isCorrectlyOriented() const { return (m_sixVolumes > 0) == !m_odd; }

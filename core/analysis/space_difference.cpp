@@ -44,14 +44,15 @@ double volumeOf(const FaceBox& box)
     return (box.max - box.min).cast<double>().prod();
 }
 
-/// Gives points of two surfaces' box, most of them in the boxes of their components, which may be small and far apart.
+/// Samples the common box of two surfaces. Most points are in the boxes of components, which may be small and far
+/// apart.
 class SpaceSamples
 {
 public:
     struct Sample
     {
         Vec3 point;
-        double space; ///< space that it stands for, to some scale
+        double space; ///< volume that the sample represents, up to a constant factor
     };
 
     SpaceSamples(const TriangleMesh& a, const TriangleMesh& b) : m_boxes(componentBoxes(a, b)), m_tree(m_boxes)
@@ -62,10 +63,10 @@ public:
         }
     }
 
-    /// Returns one of the points, which are spread evenly: the R4 sequence (Roberts 2018).
+    /// Returns sample i of an evenly spread sequence, the R4 sequence (Roberts 2018).
     Sample at(std::size_t i) const
     {
-        constexpr double inAll = 0.25; // share of the points
+        constexpr double inAll = 0.25; // share of the samples in the common box
         const Eigen::Array4d steps(0.8566748838545029, 0.7338918566271260, 0.6287067210378087, 0.5385972572236101);
         const Eigen::Array4d turns = 0.5 + static_cast<double>(i) * steps, unit = turns - turns.floor();
         const bool isInAll = unit[3] < inAll || m_volume == 0;
@@ -84,15 +85,15 @@ private:
     std::vector<FaceBox> m_boxes; ///< boxes of the components
     BoxTree m_tree;
     FaceBox m_all;
-    std::vector<double> m_ends; ///< ends of the boxes' volumes, laid one behind the other
-    double m_volume = 0;        ///< sum of these
+    std::vector<double> m_ends; ///< running sums of the boxes' volumes
+    double m_volume = 0;        ///< sum of the boxes' volumes
 };
 
-/// Sums of what the points count.
+/// Sums of the weights of sample points.
 struct Sums
 {
     double lost = 0, gained = 0, inEither = 0;
-    std::size_t inside = 0; ///< points
+    std::size_t inside = 0; ///< number of points inside either surface
 };
 } // namespace
 
@@ -100,7 +101,7 @@ SpaceDifference spaceDifference(const TriangleMesh& faces, WoundAround counted, 
                                 const JobControl& control)
 {
     constexpr std::size_t maxSamples = 65'536, perStep = 8192, perChunk = 256;
-    constexpr std::size_t enough = 16'384; // points inside
+    constexpr std::size_t enough = 16'384; // number of points inside either surface at which sampling stops
     const WindingNumber ofFaces = windingOf(faces), ofSolid = windingOf(solid);
     const SpaceSamples samples(faces, solid);
     Sums all;

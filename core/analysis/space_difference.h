@@ -5,25 +5,25 @@
 
 namespace core
 {
-/// Shares, 0 to 1, of the space that two surfaces enclose together.
+/// Shares, 0 to 1, of the space that at least one of an old and a new surface encloses.
 struct SpaceDifference
 {
-    double lost = 0;   ///< only the old one does
-    double gained = 0; ///< only the new one does
+    double lost = 0;   ///< share that only the old surface encloses
+    double gained = 0; ///< share that only the new surface encloses
 };
 
-/// Says what space a surface encloses.
+/// Decides which points count as enclosed by a surface.
 enum class WoundAround {
-    EitherWay, ///< by more than a half, inwards or outwards
-    Outwards   ///< by more than a half, outwards
+    EitherWay, ///< winding number above 0.5 or below -0.5
+    Outwards   ///< winding number above 0.5
 };
 
 /// Compares the space within `solid`, which is closed and faces outwards, with the space that `faces` wind around
-/// (generalized winding number; Jacobson, Kavan and Sorkine-Hornung 2013). They may be open: where they wind around a
-/// point by about a half, either answer is as good, so a point counts by how far its winding number is from that. Up to
-/// 65,536 points, a quarter of them in the box of both, the rest in the boxes of components. Both have faces, in one
-/// unit. All cores; the same on any machine. If it is cancelled, the result is not usable. Cost: two WindingNumbers and
-/// some 20 us a point.
+/// (generalized winding number; Jacobson, Kavan and Sorkine-Hornung 2013). `faces` may be open. Where their winding
+/// number is about a half, inside and outside are equally right: a point's weight is its distance from a half.
+/// Samples up to 65,536 points: a quarter in the common box, the rest in the boxes of components. Precondition: both
+/// meshes have faces and use one unit. Uses all cores; every machine gets the same result. The result of a cancelled
+/// call must not be used. Cost: two WindingNumbers and about 20 us per point.
 SpaceDifference spaceDifference(const TriangleMesh& faces, WoundAround counted, const TriangleMesh& solid,
                                 const JobControl& control = {});
 } // namespace core

@@ -1,7 +1,7 @@
-// 1. same      faces that both surfaces have are nowhere apart
-// 2. inside    samples in the other faces, each search bounded by where the last one ended
-// 3. corners   only the largest distance is asked of them: a search ends as soon as a corner is known to be nearer than
-// that
+// Steps of distanceFrom():
+//   1. same      skip faces that both surfaces have: their distance is 0
+//   2. inside    sample the other faces; each search is bounded by the result of the previous one
+//   3. corners   find only the largest distance: a search ends as soon as a corner is known to be nearer than that
 
 #include "core/analysis/surface_distance.h"
 
@@ -33,7 +33,7 @@ std::size_t mixed(std::size_t hash, std::uint32_t bits)
     return (hash ^ bits) * 0x9E3779B97F4A7C15 >> 7 ^ hash << 23;
 }
 
-/// What a surface consists of, to be found by where it is.
+/// Points and faces of a surface, found by coordinates.
 class Parts
 {
 public:
@@ -50,7 +50,7 @@ public:
     }
 
     bool hasPoint(const Vec3f& p) const { return m_points.contains(p); }
-    /// However it runs.
+    /// Returns whether the surface has this face, in either orientation.
     bool hasFace(const TriangleMesh& mesh, Slot face) const
     {
         Triangle places;
@@ -89,7 +89,7 @@ private:
     std::unordered_set<Triangle, FaceHash> m_faces;
 };
 
-/// A point of the surface, and how far it is from the one asked about, squared.
+/// A point of the surface, and its squared distance from the queried point.
 struct Found
 {
     double squared = std::numeric_limits<double>::infinity();
@@ -110,11 +110,11 @@ public:
         });
     }
 
-    /// `known`: some point of the surface; the nearer, the faster. A point that is near `enough`, squared, ends the
-    /// search.
+    /// Returns the point nearest to p. `known`: any point of the surface; a nearer one makes the search faster. The
+    /// search ends early at a point whose squared distance is at most `enough`.
     Found nearest(const Vec3& p, const Found& known, double enough) const
     {
-        constexpr double slack = 1 + 1e-9; // the known point is found again, but for its rounding
+        constexpr double slack = 1 + 1e-9; // so that the search finds the known point again despite rounding
         Found best = known;
         const Eigen::Array3d at = p.array();
         const auto reach = [&](const FaceBox& box) {
@@ -135,16 +135,16 @@ public:
 
 private:
     BoxTree m_tree;
-    std::vector<std::array<Vec3f, 3>> m_corners; ///< by position in the tree
+    std::vector<std::array<Vec3f, 3>> m_corners; ///< corners of the face at each position in the tree
 };
 
-/// Distances of points that lie near each other.
+/// Measures distances of successive points that are near each other: the last result bounds the next search.
 class Measuring
 {
 public:
     explicit Measuring(const Nearest& to) : m_to(to) {}
 
-    /// Exact if it is more than `enough`.
+    /// Returns the distance from p to the surface; exact only if it is larger than `enough`.
     double operator()(const Vec3& p, double enough = 0)
     {
         if (m_last.squared < std::numeric_limits<double>::infinity())
@@ -158,7 +158,7 @@ private:
     Found m_last;
 };
 
-/// Evenly in the triangle: the R2 sequence (Roberts 2018), folded.
+/// Returns evenly spread sample i of the triangle: the R2 sequence (Roberts 2018), folded at the diagonal.
 Vec3 sampleIn(const std::array<Vec3, 3>& t, std::size_t i)
 {
     constexpr double a = 0.7548776662466927, b = 0.5698402909980532;
@@ -185,7 +185,7 @@ struct DistanceSums
     }
 };
 
-/// Evenly over the surface, face by face: how many samples there are in the faces up to and with each.
+/// Returns running sums of the number of samples, for each face including it. Samples are spread evenly over the area.
 std::vector<std::size_t> samplesUpTo(const TriangleMesh& mesh, double wanted)
 {
     std::vector<double> area;
@@ -200,7 +200,7 @@ std::vector<std::size_t> samplesUpTo(const TriangleMesh& mesh, double wanted)
     return samples;
 }
 
-/// `counted`: the distance that counts for a sample at a distance.
+/// `counted`: a function that maps a sample and its distance to the distance that counts.
 template <typename Counted>
 DistanceSums measureInside(const TriangleMesh& mesh, const Parts& parts, const Nearest& nearest, double wanted,
                            const JobControl& control, Counted counted)
@@ -231,7 +231,7 @@ DistanceSums measureInside(const TriangleMesh& mesh, const Parts& parts, const N
     return all;
 }
 
-/// Of the corners that the other surface does not have as they are, and `known`.
+/// Returns the largest of `known` and the distances of the corners that the other surface does not have.
 double farthestCorner(const TriangleMesh& mesh, const Parts& parts, const Nearest& nearest, double known,
                       const JobControl& control)
 {
@@ -251,7 +251,8 @@ double farthestCorner(const TriangleMesh& mesh, const Parts& parts, const Neares
                 if (measuring(p, soFar) <= soFar)
                     continue;
                 const double distance =
-                    std::sqrt(nearest.nearest(p, {}, 0).squared); // whatever came before it, the same
+                    // searched from scratch: the result must not depend on earlier points
+                    std::sqrt(nearest.nearest(p, {}, 0).squared);
                 while (distance > soFar && !largest.compare_exchange_weak(soFar, distance, std::memory_order_relaxed)) {
                 }
             }
@@ -262,7 +263,7 @@ double farthestCorner(const TriangleMesh& mesh, const Parts& parts, const Neares
 
 SurfaceDistance distanceFrom(const TriangleMesh& a, const TriangleMesh& b, const JobControl& control)
 {
-    constexpr double afterPreparing = 0.1, afterInside = 0.8; // shares of the time
+    constexpr double afterPreparing = 0.1, afterInside = 0.8; // progress, 0 to 1, at the end of each step
     const Parts parts(b);
     const Nearest nearest(b);
     control.reportProgress(afterPreparing);

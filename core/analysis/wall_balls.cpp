@@ -1,13 +1,13 @@
-// Measures thickness by balls: the ball inside that touches the surface at p with the normal n, and touches it again at
-// q, has the diameter |q - p|^2 / ((p - q) . n).
-//   1. rays     from p inward; each hit on an opposite face is a q
-//               (after Shapira, Shamir and Cohen-Or 2008, whose cone it is)
-//   2. ball     a ball shrinks: the point nearest to its centre, of the opposite faces, is the next q, until none lies
-//               inside (after Ma, Bae and Choi 2012, with the faces themselves in the place of sampled points)
+// Measures thickness with balls. A ball inside the solid that touches the surface at p, with normal n, and again at q
+// has the diameter |q - p|^2 / ((p - q) . n).
+//   1. rays     from p inward; each hit on an opposite face is a candidate q
+//               (after Shapira, Shamir and Cohen-Or 2008, whose cone of rays it uses)
+//   2. ball     the ball shrinks: the next q is the point of the opposite faces nearest to its centre, until none is
+//               inside (after Ma, Bae and Choi 2012, with the faces themselves instead of sampled points)
 //   3. cell     the same for all points p of a flat triangle at once. The diameter is convex in p and q together, so
-//               that for each opposite face the shrinking ends at the least ball of all.
-// A q aside, more than 30 degrees from the normal at p, does not count: where the ground of a groove bends, its walls
-// reach behind each other's planes without matter between them.
+//               for each opposite face the shrinking ends at the least ball.
+// A point q that is more than 30 degrees off the normal at p is ignored. At the bottom of a groove, for example, the
+// walls reach behind each other's planes without matter between them.
 
 #include "core/analysis/wall_balls.h"
 
@@ -21,18 +21,19 @@ namespace core
 {
 namespace
 {
-/// A ball is as good as empty if what lies in it is so near to its surface, in radii. Much less, and a ball in round
-/// matter, whose whole surface it all but touches, would look at all faces there are.
+/// A ball counts as empty if every point in it is within this share of the radius from its surface. With a much smaller
+/// share, a ball in round matter, which nearly touches all of the surface, would test every face.
 constexpr double shallow = 0.04, shallowOfMany = 0.1;
 constexpr int maxShrinkings = 48;
-/// The least diameter that a second search begins with.
+/// Least start diameter of a second search, in the model's unit.
 constexpr double leastSecondStart = 0.05;
-/// The number of faces out of sight that are passed over for one ball.
+/// Largest number of hidden faces that are skipped for one ball.
 constexpr std::size_t maxHidden = 16;
-/// Lines of sight begin and end so far within the faces, as a share of the line's length: on an edge rounding decides.
+/// Distance by which lines of sight begin and end inside the faces, as a share of the line's length. On an edge,
+/// rounding would decide what they hit.
 constexpr double inset = 1e-3;
 
-/// Moves a point towards another, by no more than a length.
+/// Moves p towards `goal`, by at most `length`.
 Vec3 towards(const Vec3& p, const Vec3& goal, double length)
 {
     const Vec3 way = goal - p;
@@ -40,19 +41,21 @@ Vec3 towards(const Vec3& p, const Vec3& goal, double length)
     return distance > length ? Vec3(p + length / distance * way) : goal;
 }
 
-/// The squared cosine of half the angle between the normals of opposite faces.
+/// Squared cosine of half the least angle between the normals of opposite faces.
 constexpr double minSteepness = (1 - maxOppositeCosine) / 2;
 
-/// Returns whether a ball that touches the surface at p and at p + way touches it there from 120 degrees away or more.
+/// Returns whether a ball that touches the surface at p and at p + way has its two contact normals 120 degrees or more
+/// apart.
 bool isSteep(const Vec3& way, const Vec3& inward)
 {
     const double height = way.dot(inward);
     return height > 0 && height * height >= minSteepness * way.squaredNorm();
 }
 
-/// Returns the point of a segment that the least ball reaches which touches the surface at p, steeply: f(s) = |w + s
-/// e|^2 / ((w + s e) . n) has its minimum where D s^2 + 2 C s + 2 B C - D A = 0, with A = w . w, B = w . e, C = w . n
-/// and D = e . n. It is steep on an interval, unless the segment itself is steep. Nothing if it is steep nowhere.
+/// Returns the point q of a segment that gives the least ball touching the surface at p, among the points that are
+/// steep: within 30 degrees of the normal. The diameter f(s) = |w + s e|^2 / ((w + s e) . n) has its minimum where D
+/// s^2 + 2 C s + 2 B C - D A = 0, with A = w . w, B = w . e, C = w . n and D = e . n. The steep points form an
+/// interval, unless the segment itself is steep. Returns nothing if no point is steep.
 std::optional<Vec3> steepPoint(const Vec3& p, const Vec3& inward, const Vec3& from, const Vec3& to)
 {
     const Vec3 w = from - p, side = to - from;
@@ -79,8 +82,8 @@ double ballOf(const Vec3& way, const Vec3& inward)
     return way.squaredNorm() / way.dot(inward);
 }
 
-/// Returns the point of an opposite face that the least ball reaches which touches the surface at p, steeply: where the
-/// ball touches the face's plane, as far from it as from p, or on a side of the face.
+/// Returns the point q of an opposite face that gives the least ball touching the surface at p, among the steep points.
+/// It is where the ball touches the face's plane, or a point on a side of the face.
 std::optional<Vec3> steepPoint(const Vec3& p, const Vec3& inward, const std::array<Vec3, 3>& face)
 {
     constexpr double inside = 1e-12;
@@ -96,7 +99,7 @@ std::optional<Vec3> steepPoint(const Vec3& p, const Vec3& inward, const std::arr
     return least;
 }
 
-/// The faces that were found to be out of sight, of one ball.
+/// Faces found to be hidden from the contact point of one ball.
 class HiddenFaces
 {
 public:
@@ -117,8 +120,8 @@ WallBalls::WallBalls(const TriangleMesh& mesh, const WallSurface& surface, const
     , m_shallow(surface.hasMany() ? shallowOfMany : shallow)
 {}
 
-/// A cell in a frame of its face: x along the face's longest side, z inward. Long thin cells that lie across the axes
-/// have wide boxes in space, but not here.
+/// A cell in the frame of its face: x along the face's longest side, z inward. A long thin cell across the world's axes
+/// has a wide box in space, but a narrow one in this frame.
 class WallBalls::LiftedCell
 {
 public:
@@ -166,7 +169,8 @@ public:
     Vec3 toFrame(const Vec3& p) const { return m_axes * (p - m_origin); }
     Vec3 toSpace(const Vec3& p) const { return m_axes.transpose() * p + m_origin; }
 
-    /// Returns bounds from below of squared distances; noBall for what is not behind the face.
+    /// Returns lower bounds of the squared distances from the lifted cell to eight boxes; infinity for boxes behind the
+    /// face.
     WallTree::Floats operator()(const WallTree::Node& node) const
     {
         constexpr float closer = 1 - 1e-6F;
@@ -192,8 +196,8 @@ public:
         const Floats bound = closer * inFrame.max(inSpace);
         return (top <= -m_float.error).select(Floats::Constant(std::numeric_limits<float>::infinity()), bound);
     }
-    /// Returns the pair of the lifted cell and a segment, in the frame, if a ball that touches the face below reaches
-    /// the segment steeply; otherwise about the nearest pair that does, or none.
+    /// Returns the nearest pair of the lifted cell and a segment, in the frame, if a ball that touches the face reaches
+    /// the segment steeply. Otherwise returns approximately the nearest pair that is steep, or none.
     NearestPair nearestSteepPair(const Vec3& from, const Vec3& to) const
     {
         const NearestPair pair = nearestOfTriangleAndSegment(m_cell, from, to);
@@ -202,7 +206,7 @@ public:
         const Vec3 p = nearestOfTriangleAndSegment(below(), from, to).a;
         return toPoint(p, steepPoint(p, Vec3::UnitZ(), from, to));
     }
-    /// Returns the same for a triangle that is opposite.
+    /// Returns the nearest steep pair of the lifted cell and an opposite triangle, in the frame.
     NearestPair nearestSteepPair(const std::array<Vec3, 3>& triangle) const
     {
         const NearestPair pair = nearestOfTriangles(m_cell, triangle);
@@ -221,7 +225,7 @@ public:
     }
 
 private:
-    /// Returns the cell on its face.
+    /// Returns the cell before lifting, in the plane of its face.
     std::array<Vec3, 3> below() const
     {
         std::array<Vec3, 3> cell = m_cell;
@@ -233,7 +237,7 @@ private:
     {
         return isSteep(pair.b - pair.a + pair.a.z() * Vec3::UnitZ(), Vec3::UnitZ());
     }
-    /// Returns the pair of the centre above a point of the face and another point.
+    /// Returns the pair of the ball's centre above the face's point p and a point q; no pair if there is no q.
     NearestPair toPoint(const Vec3& p, const std::optional<Vec3>& q) const
     {
         const Vec3 centre = p + m_min.z() * Vec3::UnitZ();
@@ -244,7 +248,7 @@ private:
         return (min - m_max).cwiseMax(m_min - max).cwiseMax(0.0).squaredNorm();
     }
 
-    /// Numbers for the tests of boxes, with room for what float32 is off by.
+    /// Numbers for the box tests, widened by the float32 error.
     struct InFloats
     {
         std::array<float, 3> low, high, min, max, origin;
@@ -255,13 +259,13 @@ private:
     Vec3 m_origin, m_min, m_max;
     Eigen::Matrix3d m_axes;
     std::array<Vec3, 3> m_cell;
-    Box m_space; ///< of the cell on its face
+    Box m_space; ///< box of the cell before lifting
     double m_error;
     InFloats m_float;
-    bool m_isWide = false; ///< against how high it is lifted: the frame tells more than the space
+    bool m_isWide = false; ///< the cell is wider than its lift, so that bounds in the frame are tighter than in space
 };
 
-/// Returns whether the cell has a corner, or a point of an edge, that both faces have.
+/// Returns whether the cell has a corner, or a point of an edge, that its face shares with the other face.
 bool WallBalls::doTouch(Slot position, const WallCell& cell, Slot other) const
 {
     const Triangle &own = m_mesh.triangles[m_surface.faceAt(position)],
@@ -279,8 +283,8 @@ bool WallBalls::doTouch(Slot position, const WallCell& cell, Slot other) const
     return false;
 }
 
-/// Returns the diameter of a small ball to begin a second search with, 0 if it is too small to matter. A large ball all
-/// but touches what is near to its own point of the surface: that lies less deep in the ball than is looked for.
+/// Returns the start diameter for a second search with a small ball, 0 if it would be too small to matter. A large ball
+/// nearly touches the surface near its own contact point: what is there does not reach deep enough to be found.
 double WallBalls::secondStart(double diameter) const
 {
     const double second = m_shallow / (2 - m_shallow) * diameter;
@@ -294,7 +298,8 @@ double WallBalls::byBall(Slot position, const Vec3& p, double start) const
     return second > 0 ? std::min(found, shrunk(position, p, second)) : found;
 }
 
-/// The last ball is the least of all: unless it is out of sight, nobody needs to know whether those before it are.
+/// Shrinks the ball to the last contact, which gives the least diameter. Visibility is tested only for this contact; if
+/// it is hidden, the search is repeated with a test at each step.
 double WallBalls::shrunk(Slot position, const Vec3& p, double start) const
 {
     const Vec3 inward = m_surface.inwardOf(position);
@@ -376,7 +381,7 @@ ThinnestPlace WallBalls::shrunk(Slot position, const WallCell& cell, double star
     return thinnest;
 }
 
-/// Finds the nearest pair of points. A face that is not opposite counts by its opposite edges and corners only.
+/// Returns the nearest pair of points. A face that is not opposite counts only by its opposite edges and corners.
 template <typename NearestOfFace, typename NearestOfSide>
 NearestPair WallBalls::nearestOf(Slot position, const Vec3& inward, Slot other, NearestOfFace ofFace,
                                  NearestOfSide ofSide) const

@@ -8,8 +8,8 @@
 
 namespace core
 {
-/// A triangle within a face, by the weights that its corners give to the face's. Halving gives weights that doubles
-/// hold exactly, so that a weight of 0 tells that a corner lies on a side of the face.
+/// A triangle within a face. Its corners are barycentric weights of the face's corners. Halving keeps the weights exact
+/// in doubles, so a weight of exactly 0 means that a corner is on a side of the face.
 struct WallCell
 {
     std::array<Vec3, 3> weights = {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
@@ -20,24 +20,25 @@ struct WallCell
 /// The thinnest place of a cell.
 struct ThinnestPlace
 {
-    double diameter = noBall;  ///< of its ball; noBall: none below what was asked for
-    Vec3 point = Vec3::Zero(); ///< of the surface; not on the cell's border
-    /// The least ball of opposite points that are not in sight of the cell's nearest point; points near them may be.
+    double diameter = noBall;  ///< diameter of the ball there; noBall: none is smaller than the start value
+    Vec3 point = Vec3::Zero(); ///< point on the surface, moved slightly inside the cell
+    /// Diameter of the least ball whose opposite points are hidden from the cell's nearest point. Points near them may
+    /// be visible.
     double hidden = noBall;
 };
 
-/// Measures thickness by balls, at points of a face or at the thinnest point of a part of it.
+/// Measures wall thickness with balls inside the solid, at a point of a face or at the thinnest point of a part of it.
 class WallBalls
 {
 public:
-    /// Keeps references.
+    /// Keeps references to all three arguments.
     WallBalls(const TriangleMesh& mesh, const WallSurface& surface, const WallRays& rays);
 
-    /// The ball that no opposite face in sight of p reaches into, from one with the diameter `start` on; infinity if
-    /// there is none below.
+    /// Returns the diameter of the ball at p that no visible opposite face reaches into. The search starts from the
+    /// diameter `start`; returns infinity if no smaller ball is found.
     double byBall(Slot position, const Vec3& p, double start) const;
-    /// Measures all points of the cell at once: lifted by the radius, it is the locus of the balls' centres. Opposite
-    /// faces that the cell touches, at an edge or corner of the solid, do not count.
+    /// Measures all points of a cell at once. The cell, lifted by the radius, is the locus of the balls' centres.
+    /// Opposite faces that the cell touches, at an edge or corner of the solid, are ignored.
     ThinnestPlace thinnestIn(Slot position, const WallCell& cell, double start) const;
 
 private:

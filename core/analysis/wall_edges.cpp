@@ -10,17 +10,16 @@ namespace core
 {
 namespace
 {
-/// A corner is pointed if its edges lie so far to one side of its mean normal, as a cosine: those of a round surface
-/// do not.
+/// Least cosine between each edge of a pointed corner and its mean normal. Vertices of a round surface do not reach it.
 constexpr double pointed = 0.1;
 
-/// A side of a face, at the lower of its vertices.
+/// A side of a face, stored at the lower of its two vertices. `across`: index of the opposite corner.
 struct Side
 {
     Slot high, face, across;
 };
 
-/// The sides of all faces by their lower vertices: those of vertex v are [first[v], first[v + 1]).
+/// The sides of all faces, grouped by lower vertex: those of vertex v are [first[v], first[v + 1]).
 struct Sides
 {
     std::vector<std::size_t> first;
@@ -56,7 +55,7 @@ Vec3 edgeFrom(const TriangleMesh& mesh, const Triangle& triangle, Slot corner)
     return mesh.points[triangle[(corner + 1) % 3]].cast<double>() - mesh.points[triangle[corner]].cast<double>();
 }
 
-/// Returns the mean of the normals around each vertex, by angles, turned into the matter; zero where there is none.
+/// Returns the mean normal at each vertex, weighted by angle and pointing into the matter; zero without faces.
 std::vector<Vec3> meanNormals(const TriangleMesh& mesh)
 {
     std::vector<Vec3> normals(mesh.points.size(), Vec3::Zero());
@@ -105,7 +104,7 @@ void WallEdges::addEdge(const TriangleMesh& mesh, const std::array<Slot, 2>& fac
     const Vec3 normal = (b - a).cross(c - a), other = (e - d).cross(f - d);
     const double bend = normal.dot(other), size2 = normal.squaredNorm() * other.squaredNorm();
     if (!(size2 > 0) || (bend > 0 && bend * bend >= maxInwardCosine * maxInwardCosine * size2))
-        return; // all but a few edges of a fine model, without a root
+        return; // rejects most edges of a fine model without a square root
     const Triangle& triangle = mesh.triangles[faces[0]];
     const auto at = [&](Slot vertex) { return Vec3(mesh.points[vertex].cast<double>()); };
     Edge edge;
@@ -128,8 +127,8 @@ void WallEdges::addEdge(const TriangleMesh& mesh, const std::array<Slot, 2>& fac
     m_edges.push_back(edge);
 }
 
-/// Looks at all vertices: the edges at a tip with many sides are hardly bent. A corner that juts outwards counts only
-/// at an edge that does: around a round tip the faces are opposite to each other.
+/// Examines all vertices, because the edges at a tip with many sides are hardly bent. A corner that juts outwards
+/// counts only at a bent edge: around a round tip the faces themselves are opposite.
 void WallEdges::findCorners(const TriangleMesh& mesh)
 {
     const std::vector<Vec3> inward = meanNormals(mesh);

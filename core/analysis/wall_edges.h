@@ -7,49 +7,52 @@
 
 namespace core
 {
-/// Cosines between the normals of two faces: an edge that juts into the matter counts if it is bent by more than 20
-/// degrees, one that juts out of it if the matter at it has less than 80 degrees.
+/// Cosines between the normals of two faces. An edge that juts into the matter counts if it is bent by more than 20
+/// degrees. An edge that juts out counts if the matter at it has less than 80 degrees.
 constexpr double maxInwardCosine = 0.94, maxOutwardCosine = -0.17364817766693036;
-/// Faces are opposite if the cosine between their normals is less: they look more than 120 degrees away from each
-/// other, by more than what floats are off by, so that 60 degree edges are the same whichever way they are turned.
+/// Faces are opposite if the cosine between their normals is less: the normals are more than 120 degrees apart. The
+/// margin exceeds the float error, so that the result for 60 degree edges does not depend on their position.
 constexpr double maxOppositeCosine = -0.5 - 1e-4;
 
 /// Bent edges and pointed corners of a solid, at which a wall may be thinnest. Their normals are all directions between
-/// those of the faces that meet there.
+/// the normals of the faces that meet at them.
 class WallEdges
 {
 public:
-    /// A bent edge. Its faces lie on one side of it, as seen along any of its normals.
+    /// A bent edge. Both faces are on one side of the edge, as seen along any of its normals.
     struct Edge
     {
         std::array<Slot, 2> vertices, faces;
-        Vec3 along;                 ///< unit length
-        std::array<Vec3, 2> across; ///< in each face, across the edge, unit length; out of it if the edge juts outwards
+        Vec3 along; ///< unit length
+        /// unit vectors in each face, across the edge; they point out of the face if the edge juts outwards
+        std::array<Vec3, 2> across;
         std::array<Vec3, 2> inward; ///< the faces' normals, turned into the matter
-        bool isInward = false;      ///< juts into the matter, as that at the ground of a groove does
+        bool isInward = false;      ///< the edge juts into the matter, as at the bottom of a groove
     };
-    /// A corner all of whose edges lie on one side, as seen along its normals.
+    /// A corner whose edges are all on one side of it, as seen along its normals.
     struct Corner
     {
         Slot vertex, face;
-        std::size_t first, count; ///< of its edges
+        std::size_t first, count; ///< range of the corner's edges in m_star
         Vec3 inward;              ///< the mean normal
         bool isInward = false;
     };
 
-    /// Costs: a few passes over the faces. A mesh that is not closed has edges only where two faces meet.
+    /// Finds edges and corners. In a mesh that is not closed only pairs of two faces form edges. Cost: a few passes
+    /// over the faces.
     explicit WallEdges(const TriangleMesh& mesh);
 
-    /// Returns whether a face has an edge or corner that may be opposite to faces which it is not opposite to itself.
+    /// Returns whether the face has an edge or corner that may be opposite to faces that the face itself is not
+    /// opposite to.
     bool isAt(Slot face) const { return m_isAt[face] != 0; }
-    /// Returns whether one of the normals at a side of the face, named by the corner across from it, is opposite: more
-    /// than 120 degrees away from the normal of the face that looks `inward`.
+    /// Returns whether one of the normals at a side of the face is opposite, more than 120 degrees away, to the normal
+    /// of the face that looks `inward`. `side`: index of the corner across from the side.
     bool isOppositeSide(Slot face, std::size_t side, const Vec3& inward) const
     {
         const Slot edge = m_edgeOf[face][side];
         return edge != noSlot && isOpposite(m_edges[edge], inward);
     }
-    /// Returns whether one of the normals at a vertex is `inward` itself; what is near to it is an edge's or a face's.
+    /// Returns whether one of the normals at a vertex equals `inward`. Normals near it are covered by edges and faces.
     bool isOppositeCorner(Slot vertex, const Vec3& inward) const
     {
         const Slot corner = m_cornerOf[vertex];
@@ -58,7 +61,7 @@ public:
 
     const std::vector<Edge>& edges() const { return m_edges; }
     const std::vector<Corner>& corners() const { return m_corners; }
-    /// The edges at a corner, bent or not, from it; turned round at one that juts outwards.
+    /// Returns unit vectors along all edges at a corner, pointing away from it; reversed if the corner juts outwards.
     std::span<const Vec3> edgesAt(const Corner& corner) const { return {m_star.data() + corner.first, corner.count}; }
 
 private:
@@ -76,9 +79,9 @@ private:
 
     std::vector<Edge> m_edges;
     std::vector<Corner> m_corners;
-    std::vector<Vec3> m_star;                  ///< by corner
-    std::vector<std::array<Slot, 3>> m_edgeOf; ///< by face and side
-    std::vector<Slot> m_cornerOf;              ///< by vertex
-    std::vector<std::uint8_t> m_isAt;          ///< by face
+    std::vector<Vec3> m_star;                  ///< edge directions, grouped by corner
+    std::vector<std::array<Slot, 3>> m_edgeOf; ///< edge at each side of each face, or noSlot
+    std::vector<Slot> m_cornerOf;              ///< corner at each vertex, or noSlot
+    std::vector<std::uint8_t> m_isAt;          ///< result of isAt() for each face
 };
 } // namespace core

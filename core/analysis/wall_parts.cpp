@@ -7,22 +7,24 @@ namespace core
 {
 namespace
 {
-/// The centre speaks for a face that is so small, in thicknesses: where two faces meet at 60 degrees, the most for a
-/// thin place, the thickness changes by as much as one goes, and by little elsewhere.
+/// Radius of a face, in thicknesses, up to which the thickness at its centre holds for the whole face. Where two faces
+/// meet at 60 degrees, the extreme for a thin place, thickness changes by the distance moved; elsewhere by little.
 constexpr double small = 0.05, smallOfMany = 0.35;
-/// The same where the matter is thicker than the largest ball, and figures need not be as good.
+/// Radius of such a face if the matter is thicker than the largest ball, where less accuracy is needed.
 constexpr double thick = 0.25;
-/// The centre speaks for a face that is nowhere thinner than this share of it, and a part is divided if its thinnest
-/// place is less than that share of its thickest.
+/// The thickness at the centre holds for a face that is nowhere thinner than the share sameThickness of it. A part is
+/// divided if its least thickness is below the share evenThickness of its largest.
 constexpr double sameThickness = 0.97, evenThickness = 0.9, evenThicknessOfMany = 0.8;
-/// A face that is small enough, in thicknesses, is one of many that stand for a round surface. Its corners, which lie
-/// aside of its normal, would seem thinner than the matter is: its centre speaks for it unless something juts in.
+/// Radius of a face, in thicknesses, that is taken for one of many that approximate a round surface. Its corners are
+/// off its normal and would seem too thin: the thickness at its centre is used unless a ball of compactThickness finds
+/// something.
 constexpr double compact = 0.1, compactOfMany = 0.5, compactThickness = 0.9;
-/// Somewhere else in a face balls begin with so many times the size of the face, or of its centre's ball.
+/// Factor from the size of the face, or of the ball at its centre, to the start diameter of balls elsewhere in the
+/// face.
 constexpr double many = 4;
-/// Towards a sharp edge parts are divided until they are all thinner than any wall that is printed, mm.
+/// Thickness down to which parts are divided towards a sharp edge, mm: thinner than any printed wall.
 constexpr double finest = 0.1;
-/// The places at which a part is measured: its middle, and near its corners.
+/// Barycentric weights of the places at which a part is measured: its middle, and near its corners.
 constexpr std::array<std::array<double, 3>, 4> places = {
     {{1.0 / 3, 1.0 / 3, 1.0 / 3}, {0.94, 0.03, 0.03}, {0.03, 0.94, 0.03}, {0.03, 0.03, 0.94}}};
 
@@ -104,7 +106,8 @@ std::vector<WallPart> WallParts::divide(Slot position, double centre, const JobC
     return parts;
 }
 
-/// Measures a cell at its places and then as a whole, from what was found there on: between them it may be thinner.
+/// Measures a cell at its places and then as a whole, starting from the least diameter found: between the places it may
+/// be thinner.
 WallParts::Cell WallParts::measured(Slot position, const WallCell& cell, double share, const Starts& starts) const
 {
     Cell result{cell, share, {}, noBall, 0, m_surface.pointOf(position, cell.centre()), 0, 0};
@@ -141,8 +144,8 @@ double WallParts::even() const
     return m_surface.hasMany() ? evenThicknessOfMany : evenThickness;
 }
 
-/// A cell that was not to be divided further although it is not even, as where the thickness jumps, counts in quarters:
-/// each with the thickness of its place.
+/// Adds a cell as one part if its thickness is even. A cell that is uneven but was not divided further, as where the
+/// thickness jumps, becomes four quarters, each with the thickness of its place.
 void WallParts::addParts(Slot position, const Cell& cell, std::vector<WallPart>& parts) const
 {
     if (cell.least >= m_limits.largestBall || cell.least >= even() * cell.most) {

@@ -7,19 +7,20 @@
 
 namespace core
 {
-/// Divides a face into parts of about one thickness each: halves of halves across the longest side, those first of
-/// which the most area is in doubt.
+/// Divides a face into parts, each with about one thickness. Cells are halved across their longest side; the cell with
+/// the largest doubtful area is halved first.
 class WallParts
 {
 public:
     struct Limits
     {
-        double largestBall = 0; ///< where the matter is thicker, a face is not divided
-        std::size_t parts = 1;  ///< of a face, at most
-        double area = 0;        ///< below which a doubt does not count
+        /// a face is not divided where the matter is thicker than this, in the model's unit
+        double largestBall = 0;
+        std::size_t parts = 1; ///< largest number of parts per face
+        double area = 0;       ///< doubtful areas below this are ignored
     };
 
-    /// Keeps references.
+    /// Keeps references to the first three arguments.
     WallParts(const WallSurface& surface, const WallRays& rays, const WallBalls& balls, const Limits& limits)
         : m_surface(surface)
         , m_rays(rays)
@@ -27,10 +28,10 @@ public:
         , m_limits(limits)
     {}
 
-    /// Returns whether a face is too large for its centre to speak for it. `centre`: the thickness there; `reach`: how
-    /// far away the centre has seen.
+    /// Returns whether the thickness at the centre of a face is not enough for the whole face. `centre`: that
+    /// thickness; `reach`: distance that was searched from the centre.
     bool isLarge(Slot position, double centre, double reach) const;
-    /// Returns the parts of a face; none if the centre speaks for all of it.
+    /// Returns the parts of a face; none if the thickness at the centre holds for the whole face.
     std::vector<WallPart> divide(Slot position, double centre, const JobControl& control) const;
 
 private:
@@ -38,19 +39,19 @@ private:
     {
         WallCell cell;
         double share = 1;
-        std::array<double, 4> atPlaces = {}; ///< in its middle, and near its corners
+        std::array<double, 4> atPlaces = {}; ///< thickness in the middle and near each corner
         double least = 0, most = 0;
         Vec3 thinnest = Vec3::Zero();
-        double doubt = 0; ///< area about whose thickness too little is known
+        double doubt = 0; ///< area whose thickness is uncertain
         std::size_t number = 0;
 
-        bool operator<(const Cell& other) const // the queue's first is its greatest
+        bool operator<(const Cell& other) const // the queue's first element is its greatest
         {
             return doubt != other.doubt ? doubt < other.doubt : number > other.number;
         }
     };
 
-    /// The diameters that the search begins with.
+    /// Start diameters for the search in the whole cell and at its places.
     struct Starts
     {
         double inCell, atPlaces;

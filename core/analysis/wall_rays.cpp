@@ -6,13 +6,13 @@ namespace core
 {
 namespace
 {
-/// The rays around the normal: 30 degrees from it, their tangent.
+/// Tangent of the angle, 30 degrees, between the normal and the rays around it.
 constexpr double coneTangent = 0.57735026918962576;
-/// Lines of sight between points of the surface begin and end so far from them, as a share of their length.
+/// Distance by which lines of sight begin and end inside the surface, as a share of their length.
 constexpr double endInset = 1e-3;
 } // namespace
 
-/// The first face that the ray leaves the matter by.
+/// Returns the first face through which the ray leaves the matter.
 WallRays::Hit WallRays::firstHit(Slot from, const Vec3& origin, const Vec3& direction, double farthest) const
 {
     Hit hit{noSlot, farthest};
@@ -21,7 +21,8 @@ WallRays::Hit WallRays::firstHit(Slot from, const Vec3& origin, const Vec3& dire
     m_surface.tree().forEachNear(WallTree::Ray(m_surface.tree(), origin, direction), farthest, [&](Slot position) {
         if (position == from || !m_surface.mayLeave(position, ray, length, hit.distance))
             return hit.distance;
-        const auto [a, c, b] = m_surface.cornersOf(position); // seen from within: to enter by a face is to miss it
+        // reversed, seen from within: entering through a face is no hit
+        const auto [a, c, b] = m_surface.cornersOf(position);
         const double distance = hitTriangle(ray, {a, b, c});
         if (distance >= 0 && distance < hit.distance)
             hit = {position, distance};
@@ -30,7 +31,7 @@ WallRays::Hit WallRays::firstHit(Slot from, const Vec3& origin, const Vec3& dire
     return hit;
 }
 
-/// Casts rays that go one unit inward: the ball that a hit at t makes has the diameter t (1 + tan^2).
+/// Casts rays whose component along the normal is 1: a hit at t gives a ball with the diameter t (1 + tan^2).
 double WallRays::byRays(Slot position, const Vec3& p, double largest) const
 {
     static constexpr std::array<std::array<double, 2>, 4> around = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};

@@ -1,6 +1,6 @@
-// Measures chords between ridges: the ball that touches the matter's surface at p on one ridge, along one of the
-// normals there, and reaches q on another one, has the diameter |q - p| / c, where c is the cosine between chord and
-// normal. Pairs of segments are halved until the shortest chord of a pair leaves both as it should (branch and bound).
+// Measures chords between ridges. A ball that touches p on one ridge, along a normal there, and reaches q on another
+// ridge has the diameter |q - p| / c, where c is the cosine between chord and normal. Pairs of segments are halved
+// until the shortest chord of a pair leaves both within the allowed angle (branch and bound).
 
 #include "core/analysis/wall_ridges.h"
 
@@ -15,20 +15,23 @@ namespace core
 {
 namespace
 {
-/// The square of it is (1 - maxOppositeCosine) / 2: a chord leaves both ends within 30 degrees of a normal there.
+/// Least cosine between a chord and a normal at each of its ends: 30 degrees. Its square is (1 - maxOppositeCosine) /
+/// 2.
 const double minChordCosine = std::sqrt((1 - maxOppositeCosine) / 2);
-/// The chord is as good as along the normal; the ends of a pair are as good as points, as a share of its distance.
+/// straight: cosine from which a chord counts as parallel to the normal. pointLike: length, as a share of the distance,
+/// up to which segments count as points.
 constexpr double straight = 0.99, pointLike = 0.05;
-/// The number of pairs of pieces that are looked at for two ridges.
+/// Largest number of pairs of pieces that are tested for two ridges.
 constexpr int maxPairs = 256;
 constexpr std::size_t ridgesAtOnce = 16;
-/// A piece is divided if it is not evenly thick, unless it is that short, in thicknesses.
+/// A piece is divided if it is less even than evenRidge, the ratio of two thicknesses, and longer than shortPiece, in
+/// thicknesses.
 constexpr double evenRidge = 0.8, shortPiece = 0.5;
 constexpr int maxHalvings = 7;
-/// A ridge tells something new if it is thinner than its faces by more than their error.
+/// A ridge is reported if it is thinner than this share of its faces' thickness, which is more than their error.
 constexpr double thinnerThanFaces = 0.97;
 
-/// The cosine of an angle that is 30 degrees larger; -1 if that is more than 90 degrees.
+/// Returns the cosine of an angle that is 30 degrees larger; -1 if that angle is more than 90 degrees.
 double widened(double cosine)
 {
     const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
@@ -94,7 +97,7 @@ std::vector<WallRidge> WallRidges::measure(const std::vector<float>& ofFaces, co
     return found;
 }
 
-/// Halves the ridge until each piece is about evenly thick or hardly longer than it is thick.
+/// Halves the ridge until each piece is about evenly thick or short compared with its thickness.
 void WallRidges::measure(Slot number, const std::vector<float>& ofFaces, std::vector<WallRidge>& found) const
 {
     const Ridge& ridge = m_ridges[number];
@@ -176,13 +179,13 @@ void WallRidges::search(const Ridge& ridge, const Segment& piece, const Ridge& o
         std::array<Segment, 2> halves = {{{longer.from, longer.middle()}, {longer.middle(), longer.to}}};
         const Vec3& near = a > b ? nearest.a : nearest.b;
         if ((halves[0].middle() - near).squaredNorm() < (halves[1].middle() - near).squaredNorm())
-            std::swap(halves[0], halves[1]); // the nearer one on top
+            std::swap(halves[0], halves[1]); // the nearer half on top of the stack
         for (const Segment& half : halves)
             pairs.push_back(a > b ? Pair{half, pair.b} : Pair{pair.a, half});
     }
 }
 
-/// Returns whether some chord of two segments may leave the ridge within 30 degrees of one of its normals.
+/// Returns whether some chord between two segments may leave the ridge within 30 degrees of one of its normals.
 bool WallRidges::mayLook(const Ridge& ridge, const Segment& from, const Segment& to, double sign, double distance) const
 {
     if (ridge.minCosine < 0)
@@ -193,8 +196,8 @@ bool WallRidges::mayLook(const Ridge& ridge, const Segment& from, const Segment&
     return ahead >= ridge.minCosine * distance;
 }
 
-/// The cosine between a chord that leaves the ridge and the nearest of its normals. A corner's normals are asked for
-/// those along the chord only; what is near to them is its edges'.
+/// Returns the cosine between a chord that leaves the ridge and the nearest of the ridge's normals. A corner counts
+/// only normals parallel to the chord; the edges at the corner cover normals near it.
 double WallRidges::cosineOf(const Ridge& ridge, const Vec3& chord) const
 {
     if (ridge.edge == noSlot) {

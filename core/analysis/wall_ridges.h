@@ -5,17 +5,17 @@
 
 namespace core
 {
-/// Measures walls between ridges: edges and corners that jut into the matter, as the grounds of two grooves on both
-/// sides of a plate do. Their faces need not be opposite at all.
+/// Measures walls between ridges: edges and corners that jut into the matter, as the bottoms of two grooves on both
+/// sides of a plate do. The faces at the ridges need not be opposite.
 class WallRidges
 {
 public:
-    /// Keeps references. Walls thicker than that are not sought, in the model's unit.
+    /// Keeps references. `thickest`: walls thicker than this are not searched, in the model's unit.
     WallRidges(const TriangleMesh& mesh, const WallEdges& edges, const WallRays& rays, double thickest);
 
-    /// Returns pieces of ridges, and corners, that are thinner than their faces are by `ofFaces`, by face in ascending
-    /// order. Runs on all cores; the result does not depend on their number. Cost: a few microseconds for each pair of
-    /// ridges that look at each other within the thickest wall.
+    /// Returns pieces of ridges, and corners, that are thinner than their faces, sorted by face. `ofFaces`: thickness
+    /// of each face. Uses all cores; the result does not depend on their number. Cost: a few microseconds for each pair
+    /// of ridges that face each other within the thickest wall.
     std::vector<WallRidge> measure(const std::vector<float>& ofFaces, const JobControl& control) const;
 
 private:
@@ -27,14 +27,15 @@ private:
         Vec3 middle() const { return (from + to) / 2; }
         Box box() const;
     };
-    /// An edge or a corner, and about where it looks.
+    /// An edge or a corner, and roughly the direction of its normals.
     struct Ridge
     {
         Segment segment;
-        Slot edge = noSlot, corner = noSlot; ///< one of them
+        Slot edge = noSlot, corner = noSlot; ///< one of the two is noSlot
         std::array<Slot, 2> vertices, faces;
-        Vec3 mean;        ///< of its normals
-        double minCosine; ///< between the mean and a chord that leaves the ridge; negative: does not tell anything
+        Vec3 mean; ///< mean of the ridge's normals
+        /// least cosine between `mean` and a chord that leaves the ridge; negative: no bound
+        double minCosine;
     };
     struct Place
     {

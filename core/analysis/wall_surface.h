@@ -10,18 +10,19 @@
 
 namespace core
 {
-/// A diameter where no opposite face is found.
+/// Diameter if no opposite face is found.
 constexpr double noBall = std::numeric_limits<double>::infinity();
 
-/// The surface of a solid, seen from within. Faces go by their positions in the tree, so that neighbours ask about the
-/// same boxes.
+/// The surface of a solid, seen from within. Faces are addressed by their positions in the tree, so that neighbouring
+/// faces use the same boxes.
 class WallSurface
 {
 public:
     explicit WallSurface(const TriangleMesh& mesh);
 
     std::size_t size() const { return m_walls.size(); }
-    /// Returns whether there are so many faces that each may be measured less well: its neighbours make up for it.
+    /// Returns whether there are so many faces that each may be measured less accurately, because its neighbours
+    /// compensate.
     bool hasMany() const { return size() > 100'000; }
     Slot faceAt(Slot position) const { return m_walls[position].face; }
     bool hasArea(Slot position) const { return !m_walls[position].normal.isZero(); }
@@ -31,25 +32,26 @@ public:
 
     Vec3 inwardOf(Slot position) const { return -m_walls[position].normal.cast<double>(); }
     bool areOpposite(Slot a, Slot b) const;
-    /// Returns whether a ball at a face may touch another one, or an edge or corner of it.
+    /// Returns whether a ball at one face may touch the other face, or an edge or corner of it.
     bool mayTouch(Slot position, Slot other) const;
-    /// Returns a bound from below of the squared distance from a point to a face.
+    /// Returns a lower bound of the squared distance from a point to a face.
     double reach(Slot position, const Vec3& p) const;
-    /// Returns whether a ray, of a direction so long, may leave the matter by a face before it is so far, in the
-    /// direction's length. Boxes of long thin faces are full of other faces.
+    /// Returns whether a ray may leave the matter through a face before the parameter `farthest`, in multiples of the
+    /// direction. `length`: length of the direction. Filters faces whose boxes contain much else, such as long thin
+    /// faces.
     bool mayLeave(Slot position, const Ray& ray, double length, double farthest) const;
 
     const WallTree& tree() const { return m_tree; }
     const WallEdges& edges() const { return m_edges; }
 
 private:
-    /// A face at its place in the tree.
+    /// A face, stored at its position in the tree.
     struct Wall
     {
         std::array<Vec3f, 3> corners;
         Vec3f normal;      ///< unit length, or zero
-        Vec3f across;      ///< in the face, across its longest side
-        float least, most; ///< along that, from the first corner
+        Vec3f across;      ///< unit vector in the face, across its longest side
+        float least, most; ///< extent of the face along `across`, measured from the first corner
         Slot face;
         bool isAtEdge = false; ///< see WallEdges
     };
@@ -59,7 +61,7 @@ private:
 
     WallEdges m_edges;
     WallTree m_tree;
-    std::vector<Wall> m_walls; ///< by position
+    std::vector<Wall> m_walls; ///< faces by position in the tree
 };
 
 inline bool WallSurface::areOpposite(Slot a, Slot b) const
@@ -72,7 +74,7 @@ inline bool WallSurface::mayTouch(Slot position, Slot other) const
     return areOpposite(position, other) || m_walls[other].isAtEdge;
 }
 
-/// Measures by the face's plane, and by how wide it is across its longest side.
+/// Bounds the distance by the face's plane and by its extent across its longest side.
 inline double WallSurface::reach(Slot position, const Vec3& p) const
 {
     constexpr double error = 1e-6;

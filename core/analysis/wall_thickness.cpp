@@ -1,4 +1,4 @@
-// Measures walls: a face at its centre, and faces that are large for their thickness in parts.
+// Measures walls: every face at its centre, and faces that are large for their thickness in parts.
 
 #include "core/analysis/wall_thickness.h"
 
@@ -15,11 +15,12 @@ namespace
 {
 constexpr std::size_t centresAtOnce = 256, facesPerPart = 1 << 14, largeFacesAtOnce = 8;
 
-/// Parts of a face: the fewer the more faces there are.
+/// Limits for the parts of a face; the more faces, the fewer parts per face.
 constexpr std::size_t allParts = 200'000, minParts = 4, maxParts = 4096;
-/// A ball that begins so much deeper than the matter holds well within it what is straight ahead.
+/// Factor from the depth of the matter to the start diameter of a ball, so that the ball contains what is straight
+/// ahead.
 constexpr double beyond = 1.25;
-/// An area that does not count, as a share of the whole.
+/// Area that is ignored, as a share of the whole area.
 constexpr double smallShare = 5e-7;
 
 class Thickness
@@ -76,7 +77,8 @@ private:
                 smallShare * area};
     }
 
-    /// A ball from the rays' on, or from one as deep as the matter, but from no larger one than is asked for.
+    /// Measures a face at its centre. The ball starts from the rays' result or from the depth of the matter, but not
+    /// above the largest ball.
     void measureCentre(Slot position, WallThickness& result)
     {
         double rays = noBall, ball = noBall;
@@ -96,7 +98,8 @@ private:
     WallBalls m_balls;
     double m_largestBall;
     WallParts m_parts;
-    std::vector<std::uint8_t> m_isLarge; ///< by position; bytes, because threads write them
+    /// by position in the tree; bytes, because threads write neighbouring elements
+    std::vector<std::uint8_t> m_isLarge;
 };
 } // namespace
 
@@ -114,7 +117,7 @@ double WallRidge::area() const
     return width * (length > 0 ? length : width);
 }
 
-/// A slice at a time: others get the cores in between.
+/// Works slice by slice, so that other threads get the cores between slices.
 WallThickness wallThickness(const TriangleMesh& mesh, double largestBall, const JobControl& control)
 {
     WallThickness result;

@@ -7,64 +7,68 @@
 
 namespace core
 {
-/// A triangle within a face whose thickness is not the same all over.
+/// A triangle within a face of varying thickness.
 struct WallPart
 {
     Slot face = 0;
     std::array<Vec3f, 3> corners;
-    float share = 1; ///< of its face's area
-    /// The thinnest place, at most 4 % too large, and about the thickest (infinity: somewhere no face is opposite, or
-    /// one much farther away).
+    float share = 1; ///< share of the face's area, 0 to 1
+    /// Thickness at the thinnest place, at most 4 % too large, and approximately the largest thickness. `most` is
+    /// infinity if somewhere no face is opposite or the opposite face is much farther away.
     float least = 0, most = 0;
-    float byRays = 0; ///< by rays from the thinnest place, never below `least`
+    float byRays = 0; ///< thickness by rays from the thinnest place, never below `least`
     Vec3f thinnest = Vec3f::Zero();
 
-    /// The share of the part, 0 to 1, that is thinner than that: as if its thickness grew evenly from least to most.
+    /// Returns the share of the part, 0 to 1, that is thinner than `thickness`. Assumes a linear increase from least to
+    /// most.
     double shareBelow(double thickness) const;
 };
 
-/// A piece of an edge that juts into the matter, or a corner that does: nearer to another one than its faces are to
-/// what is opposite to them.
+/// A piece of an edge, or a corner, that juts into the matter. Its distance to another ridge is smaller than the
+/// thickness at its faces.
 struct WallRidge
 {
-    Slot face = 0; ///< one of those at it
+    Slot face = 0; ///< a face at the ridge
     std::array<Vec3f, 2> ends;
-    float least = 0; ///< the thinnest place, at most 1 % too large
+    float least = 0; ///< thickness at the thinnest place, at most 1 % too large
     Vec3f thinnest = Vec3f::Zero();
 
-    /// Returns the area of a strip as wide as the wall is thick: what balls of that size touch around it.
+    /// Returns the area of a strip along the ridge that is as wide as the wall is thick: balls of that size touch it.
     double area() const;
 };
 
-/// Thickness of the matter in the model's unit: the diameter of a ball that touches a point of the surface from within,
-/// along a normal there, and on the other side reaches a point in sight with a normal more than 120 degrees away. The
-/// chord between the two points leaves the first one within 30 degrees of its normal.
-///   - A face has one normal. An edge, and a corner all of whose edges lie to one side of it, has all normals between
-///     those of its faces. It counts if it juts into the matter, as the ground of a groove does (bent by more than 20
-///     degrees) or the tip of a pit (its edges rise by more than 6 degrees), or if it juts far out of it, as the edges
-///     of a thin three-sided spike do (matter of less than 80 degrees at it).
-///   - Faces are measured against faces, edges and corners. Edges and corners that jut into the matter are measured
-///     against each other, too: there the chord leaves the second point so, too.
-///   - An edge sharper than 60 degrees is a thin place, and so is the tip of a sharp spike, the thinner the nearer to
-///     it; it is followed down to about 0.1.
-/// Infinity where nothing is opposite, and behind a face without area.
+/// Thickness of the matter, in the model's unit. It is the diameter of a ball that touches a point of the surface from
+/// within, along a normal, and reaches a visible point on the other side whose normal is more than 120 degrees away.
+/// The chord between the two points is within 30 degrees of the normal at the first point.
+///   - A face has one normal. An edge has all normals between those of its faces, and so has a corner all of whose
+///     edges are on one side.
+///   - An edge counts if it juts into the matter, as the bottom of a groove does (bent by more than 20 degrees), or if
+///     it juts out sharply, as the edges of a thin three-sided spike do (matter of less than 80 degrees).
+///   - A corner counts if it juts in, as the tip of a pit does (its edges rise by more than 6 degrees), or if it juts
+///     out at such a sharp edge.
+///   - Faces are measured against faces, edges and corners. Edges and corners that jut into the matter are also
+///     measured against each other; then the chord must be within 30 degrees of a normal at both ends.
+///   - An edge sharper than 60 degrees is a thin place, and so is the tip of a sharp spike. The thickness falls towards
+///     it and is followed down to about 0.1.
+/// Infinity where nothing is opposite, and for a face without area.
 struct WallThickness
 {
-    std::vector<float> byRays; ///< by face, at its centre; the least ball that one of a cone of five rays finds
-    /// Thickness by face, at its centre: the ball that no opposite face in sight reaches into, at most 4 % too large
-    /// (with more than 100,000 faces 7 %); never above byRays.
+    /// thickness of each face at its centre: the least ball that a cone of five rays finds
+    std::vector<float> byRays;
+    /// Thickness of each face at its centre: the ball that no visible opposite face reaches into, at most 4 % too large
+    /// (7 % for meshes of more than 100,000 faces). Never above byRays.
     std::vector<float> byBalls;
-    /// Parts of the faces for which the centre does not speak, because they are large for their thickness; by face, and
-    /// together the whole of each such face. A face is divided where it is thinner than the largest ball, until each
-    /// part's thickness differs by less than a tenth (of more than 100,000 faces a fifth), or there are about 200,000
-    /// parts.
+    /// Parts of faces that are large for their thickness, so that the thickness at the centre is not enough. Sorted by
+    /// face; together the parts of a face cover it. A face is divided where it is thinner than the largest ball, until
+    /// the thickness within a part differs by less than a tenth (a fifth for more than 100,000 faces) or there are
+    /// about 200,000 parts.
     std::vector<WallPart> parts;
-    /// Ridges that are thinner than the faces at them, none thicker than the largest ball; by face.
+    /// Ridges that are thinner than the faces at them and not thicker than the largest ball, sorted by face.
     std::vector<WallRidge> ridges;
 };
 
-/// The model bounds a solid. Balls are sought among those not larger than `largestBall` (those of parts among all);
-/// where none is found, what the rays found stands for it. Runs on all cores; the result does not depend on their
-/// number. Time and space: see fettle_bench; 150 bytes a face. If it is cancelled, the result is not usable.
+/// Measures wall thickness. Precondition: the model bounds a solid. Balls at centres are at most `largestBall` in
+/// diameter; where none is found, the result of the rays is used. Uses all cores; the result does not depend on their
+/// number. The result of a cancelled call must not be used. Cost: see fettle_bench; memory: 150 bytes per face.
 WallThickness wallThickness(const TriangleMesh& mesh, double largestBall, const JobControl& control = {});
 } // namespace core

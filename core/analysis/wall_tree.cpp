@@ -7,9 +7,10 @@ namespace core
 {
 namespace
 {
-/// Steps of float32 that a coordinate may be off by, after the sums of a test.
+/// Float32 steps by which a coordinate may be wrong after the sums of a test.
 constexpr double floatSteps = 4;
-/// Rays that run almost within a plane are as good as in it: the product with any coordinate is a float32 still.
+/// Limit for inverse directions. A ray nearly parallel to a plane is treated as parallel; the product with any
+/// coordinate still fits in a float32.
 constexpr double maxInverse = 1e30;
 } // namespace
 

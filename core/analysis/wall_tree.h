@@ -4,8 +4,8 @@
 
 namespace core
 {
-/// A BoxTree whose nodes hold the eight boxes below them side by side, in float32, so that they are tested together.
-/// Its tests err towards a box: they never miss one that the numbers in double would find.
+/// A BoxTree whose nodes store the eight boxes below them as float32 arrays, so that they are tested together. Tests
+/// are conservative: they accept every box that a test in doubles would accept.
 class WallTree
 {
 public:
@@ -16,10 +16,10 @@ public:
         std::array<Floats, 3> min, max;
     };
 
-    /// Boxes keep their positions.
+    /// Keeps the positions of the boxes.
     explicit WallTree(const BoxTree& tree);
 
-    /// Tells where a ray enters boxes, in the direction's length (slab test by Kay and Kajiya 1986).
+    /// Computes where a ray enters boxes, in multiples of its direction (slab test, Kay and Kajiya 1986).
     class Ray
     {
     public:
@@ -29,7 +29,7 @@ public:
     private:
         std::array<float, 3> m_afterOrigin, m_beforeOrigin, m_inverse;
     };
-    /// Tells how far boxes are from a point, squared.
+    /// Computes the squared distances of boxes from a point.
     class Point
     {
     public:
@@ -40,19 +40,19 @@ public:
         std::array<float, 3> m_after, m_before;
     };
 
-    /// Visits faces, about the nearest first. reach(node) says how far away each of its boxes begins, infinity if it is
-    /// not wanted; visit(position) returns the distance from which on nothing is wanted any more, never more than
-    /// `bound` or what it returned before.
+    /// Visits faces, roughly nearest first. reach(node) returns the distance at which each of the node's boxes begins,
+    /// or infinity to skip it. visit(position) returns the new bound: boxes from that distance on are skipped. The
+    /// bound must never grow.
     template <typename Reach, typename Visit> void forEachNear(const Reach& reach, double bound, Visit visit) const;
 
-    /// Returns what float32 may be off by, of a point's coordinates.
+    /// Returns the largest float32 error of a box test with a point of these coordinates.
     double errorOf(const Vec3& p) const;
 
 private:
-    static constexpr std::size_t maxLevels = 12; // 8^11 exceeds any number of faces
+    static constexpr std::size_t maxLevels = 12; // 8^11 exceeds any 32-bit number of faces
 
-    std::vector<std::vector<Node>> m_levels; ///< above the boxes, up to one node
-    double m_farthest = 0;                   ///< coordinate
+    std::vector<std::vector<Node>> m_levels; ///< nodes above the boxes, level by level, up to one root
+    double m_farthest = 0;                   ///< largest absolute coordinate
 };
 
 template <typename Reach, typename Visit>
@@ -81,7 +81,7 @@ void WallTree::forEachNear(const Reach& reach, double bound, Visit visit) const
                 bound = visit(static_cast<Slot>(first + i));
                 continue;
             }
-            std::size_t place = depth++; // the nearest on top
+            std::size_t place = depth++; // children are kept sorted, with the nearest on top of the stack
             for (; place > bottom && stack[place - 1].reach < distance; --place)
                 stack[place] = stack[place - 1];
             stack[place] = {distance, entry.level - 1, first + i};
