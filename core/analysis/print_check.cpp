@@ -164,7 +164,7 @@ PrintReport checkForPrint(const PrintMeasures& measures, const PrintLimits& limi
                 report.minByBalls = least;
     }
     report.thin = thinPlaces(measures, sides, limits.minWall);
-    // strips along thin ridges overlap faces that are counted too
+    // Strips along thin ridges overlap faces that are counted too
     report.thin.area = std::min(report.thin.area, report.area);
     report.overhangs = overhangPlaces(measures.mesh, sides, limits.overhang);
     for (Slot f = 0; f < measures.mesh.triangles.size(); ++f) {

@@ -23,11 +23,11 @@ struct PrintLimits
     static constexpr double bedTolerance = 0.01;
     /// Volumes below which slicers take a model for one in inches or in metres, mm^3 (PrusaSlicer's thresholds).
     static constexpr double inchVolume = 8, metreVolume = 0.001;
-    /// longest side below which a model was probably made in inches or in metres, mm
+    /// Longest side below which a model was probably made in inches or in metres, mm.
     static constexpr double inchSide = 20, metreSide = 1;
 
     double minWall = linesPerWall * defaultNozzle; ///< mm, at most maxWall
-    /// largest angle from the vertical at which a face may lean out, degrees, 0 to 90
+    /// Largest angle from the vertical at which a face may lean out, degrees, 0 to 90.
     double overhang = 45;
     PrintBed bed;
 };

@@ -18,7 +18,7 @@ struct FacePair
 
 struct IntersectionReport
 {
-    /// number of unordered pairs of faces that meet outside their shared vertices and edges
+    /// Number of unordered pairs of faces that meet outside their shared vertices and edges.
     std::uint64_t count = 0;
     std::vector<FacePair> pairs; ///< the first pairs, ascending, at most as many as requested
 };

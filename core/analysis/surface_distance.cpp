@@ -251,7 +251,7 @@ double farthestCorner(const TriangleMesh& mesh, const Parts& parts, const Neares
                 if (measuring(p, soFar) <= soFar)
                     continue;
                 const double distance =
-                    // searched from scratch: the result must not depend on earlier points
+                    // Searched from scratch: the result must not depend on earlier points
                     std::sqrt(nearest.nearest(p, {}, 0).squared);
                 while (distance > soFar && !largest.compare_exchange_weak(soFar, distance, std::memory_order_relaxed)) {
                 }

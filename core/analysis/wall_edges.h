@@ -24,7 +24,7 @@ public:
     {
         std::array<Slot, 2> vertices, faces;
         Vec3 along; ///< unit length
-        /// unit vectors in each face, across the edge; they point out of the face if the edge juts outwards
+        /// Unit vectors in each face, across the edge; they point out of the face if the edge juts outwards.
         std::array<Vec3, 2> across;
         std::array<Vec3, 2> inward; ///< the faces' normals, turned into the matter
         bool isInward = false;      ///< the edge juts into the matter, as at the bottom of a groove

@@ -14,7 +14,7 @@ class WallParts
 public:
     struct Limits
     {
-        /// a face is not divided where the matter is thicker than this, in the model's unit
+        /// A face is not divided where the matter is thicker than this, in the model's unit.
         double largestBall = 0;
         std::size_t parts = 1; ///< largest number of parts per face
         double area = 0;       ///< doubtful areas below this are ignored

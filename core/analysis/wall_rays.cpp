@@ -21,7 +21,7 @@ WallRays::Hit WallRays::firstHit(Slot from, const Vec3& origin, const Vec3& dire
     m_surface.tree().forEachNear(WallTree::Ray(m_surface.tree(), origin, direction), farthest, [&](Slot position) {
         if (position == from || !m_surface.mayLeave(position, ray, length, hit.distance))
             return hit.distance;
-        // reversed, seen from within: entering through a face is no hit
+        // Reversed, seen from within: entering through a face is no hit
         const auto [a, c, b] = m_surface.cornersOf(position);
         const double distance = hitTriangle(ray, {a, b, c});
         if (distance >= 0 && distance < hit.distance)

@@ -98,7 +98,7 @@ private:
     WallBalls m_balls;
     double m_largestBall;
     WallParts m_parts;
-    /// by position in the tree; bytes, because threads write neighbouring elements
+    /// Flags by position in the tree; bytes, because threads write neighbouring elements.
     std::vector<std::uint8_t> m_isLarge;
 };
 } // namespace

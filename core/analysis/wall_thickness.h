@@ -53,7 +53,7 @@ struct WallRidge
 /// Infinity where nothing is opposite, and for a face without area.
 struct WallThickness
 {
-    /// thickness of each face at its centre: the least ball that a cone of five rays finds
+    /// Thickness of each face at its centre: the least ball that a cone of five rays finds.
     std::vector<float> byRays;
     /// Thickness of each face at its centre: the ball that no visible opposite face reaches into, at most 4 % too large
     /// (7 % for meshes of more than 100,000 faces). Never above byRays.

@@ -5,7 +5,7 @@ namespace core
 namespace
 {
 constexpr int boxesPerStrip = 3; ///< height of a strip, in median box heights
-/// largest mean number of strips per box; strips are enlarged until it is met
+/// Largest mean number of strips per box; strips are enlarged until it is met.
 constexpr std::int64_t entriesPerBox = 4;
 constexpr std::size_t heightSamples = 1 << 8; ///< number of boxes sampled for the median height
 } // namespace

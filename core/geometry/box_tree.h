@@ -70,7 +70,7 @@ private:
     template <typename Visit> void visitPairs(std::size_t level, std::size_t a, std::size_t b, Visit& visit) const;
 
     std::vector<Slot> m_order;
-    /// level 0: the boxes by position; each further level: the nodes over the level below, up to one root
+    /// Level 0: the boxes by position; each further level: the nodes over the level below, up to one root.
     std::vector<std::vector<FaceBox>> m_levels;
 };
 
@@ -92,7 +92,7 @@ void BoxTree::forEachMeetingAt(std::size_t target, const FaceBox& query, Slot fr
         }
         const std::vector<FaceBox>& below = m_levels[level - 1];
         const std::size_t first = index * nodeSize, last = std::min(first + nodeSize, below.size());
-        // an entry of `below` covers 2^shift entries of the target level
+        // An entry of `below` covers 2^shift entries of the target level
         const std::size_t shift = 3 * (level - 1 - target);
         for (std::size_t i = first; i < last; ++i)
             if (((i + 1) << shift) > from && below[i].meets(query))

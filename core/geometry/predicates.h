@@ -65,7 +65,7 @@ struct FloatPredicates
     private:
         Point m_a, m_b, m_c;
         double m_normal[3];
-        /// the normal's components with every term taken as positive: the scale of the rounding error
+        /// The normal's components with every term taken as positive: the scale of the rounding error.
         double m_size[3];
     };
 

@@ -13,9 +13,9 @@ struct Footprint
     /// Largest number of vertices; the search stops at this number.
     static constexpr Slot maxSlots = 1 << 15;
 
-    /// selected vertices; a vertex selected by several symmetric images of the dab is repeated
+    /// Selected vertices; a vertex selected by several symmetric images of the dab is repeated.
     std::vector<Slot> slots;
-    /// falloff weight b(x) x 255 of each vertex in `slots`, at least 1
+    /// Falloff weight b(x) x 255 of each vertex in `slots`, at least 1.
     std::vector<std::uint8_t> weights;
 };
 } // namespace core

@@ -70,7 +70,7 @@ LatticeFit fitToLattice(const Lattice& lattice, std::span<const Vec3> points, st
     std::vector<Slot> unsound = unsoundFaces(fit.points, triangles, control.stop);
     for (std::size_t round = 0; round < resnapRounds && !unsound.empty() && !control.isCancelled(); ++round) {
         for (std::size_t i = 0; i < unsound.size(); ++i) {
-            // different corners for neighbouring faces, so that the corners separate
+            // Different corners for neighbouring faces, so that the corners separate
             const Slot v = triangles[unsound[i]][(i + round) % 3];
             fit.points[v] = latticeNeighbour(lattice, points[v], ++choices[v]);
         }

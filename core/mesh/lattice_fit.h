@@ -13,8 +13,8 @@ struct LatticeFit
 {
     std::vector<LatticePoint> points;
     std::size_t resnapped = 0; ///< vertices moved to a neighbouring lattice point to avoid intersections
-    /// faces still degenerate or intersecting after all retries (of at most 1000 intersecting pairs); all faces if the
-    /// snapped surface bounds no solid
+    /// Faces still degenerate or intersecting after all retries (of at most 1000 intersecting pairs); all faces if the
+    /// snapped surface bounds no solid.
     std::size_t unsnappable = 0;
 };
 

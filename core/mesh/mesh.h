@@ -26,7 +26,7 @@ struct TouchedSlots
         Vec3f point;
     };
     std::vector<Slot> vertices; ///< vertices moved, relinked, created or removed
-    /// faces relinked, created or removed; a face of which only a corner moved is not included
+    /// Faces relinked, created or removed; a face of which only a corner moved is not included.
     std::vector<Slot> faces;
     std::vector<Place> before;         ///< positions at the mark of the touched vertices that existed then, each once
     std::vector<Triangle> facesBefore; ///< corners at the mark of the touched faces that existed then

@@ -11,7 +11,7 @@ namespace core
 struct BuildResult
 {
     std::unique_ptr<Mesh> mesh; ///< null if the model was refused
-    /// check of the model as read; a model that is not print-ready is refused for what the report contains
+    /// Check of the model as read; a model that is not print-ready is refused for what the report contains.
     MeshReport report;
     std::size_t resnapped = 0; ///< vertices moved to a neighbouring lattice point to avoid intersections
     /// Number of faces that no retry made valid on the lattice. If it is not 0, the model is refused.

@@ -84,7 +84,7 @@ std::uint64_t hashChange(const Mesh& mesh, const MeshDelta& before)
         mesh.forEachOutgoing(v, [&](Slot h) {
             const Slot f = mesh.face(h);
             if (counted.insert(f).second)
-                // the face kept its corners; only their points or colours changed
+                // The face kept its corners; only their points or colours changed
                 change += currentHash(mesh, f) - oldHash(mesh.corners(f));
         });
     }

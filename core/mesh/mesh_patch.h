@@ -44,7 +44,7 @@ struct MeshPatch
     Slot liveVertices = 0; ///< number in the whole mesh, for display to users
     Slot liveFaces = 0;
     std::uint64_t epoch = 0; ///< grows with each patch of a mesh
-    /// steady-clock time in nanoseconds of the input that caused this patch, 0 if none; used to measure latency
+    /// Steady-clock time in nanoseconds of the input that caused this patch, 0 if none; used to measure latency.
     std::int64_t sampledNs = 0;
     bool whole = false; ///< covers every slot: can be applied whatever the viewer has now
     /// The draw arrays become shorter. Can be the only change, if just the last slots were removed.

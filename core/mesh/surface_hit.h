@@ -9,7 +9,7 @@ struct SurfaceHit
 {
     Vec3 position;
     Vec3 normal; ///< outward unit normal of the face
-    /// distance from the ray's origin or from the queried point, mm
+    /// Distance from the ray's origin or from the queried point, mm.
     double distance;
     Slot face;
     Rgb color = {}; ///< colour at `position`, interpolated between the face's corners

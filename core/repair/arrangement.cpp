@@ -1,5 +1,5 @@
-// 1. cut    each face that others meet, on all cores
-// 2. join   the faces' points: they are exact, so equal ones are the same numbers, whichever face found them
+// 1. cut    each face that meets others, on all cores
+// 2. join   the points of all faces: they are exact, so equal points have equal numbers in every face
 
 #include "core/repair/arrangement.h"
 
@@ -13,7 +13,7 @@ namespace core::repair
 {
 namespace
 {
-/// The faces that each face meets, ascending; empty for most.
+/// Returns for each face the faces that it meets, ascending; empty for most.
 std::vector<std::vector<Slot>> partners(std::size_t faces, std::span<const FacePair> pairs)
 {
     std::vector<std::vector<Slot>> result(faces);
@@ -26,7 +26,7 @@ std::vector<std::vector<Slot>> partners(std::size_t faces, std::span<const FaceP
     return result;
 }
 
-/// The pieces' points as points of the arrangement.
+/// Collects the pieces of all faces, and gives each exact point one index in the arrangement.
 class Joiner
 {
 public:
@@ -93,7 +93,7 @@ private:
 
     const TriangleSoup& m_surface;
     ExactPoints m_points;
-    std::vector<Slot> m_slots; ///< by index in m_points
+    std::vector<Slot> m_slots; ///< index in the arrangement of each point of m_points
     Arrangement m_result;
 };
 } // namespace

@@ -9,27 +9,30 @@
 
 namespace core::repair
 {
-/// A piece of a face between the lines along which others meet it.
+/// A piece of a face, cut along the lines at which other faces meet it.
 struct ArrangedFace
 {
-    Triangle corners; ///< of Arrangement
-    Slot original;    ///< the face of the surface
-    int jump = 1; ///< the winding number behind it less the one before it: 1, but for faces that lay upon each other
+    Triangle corners; ///< indices into Arrangement::points
+    Slot original;    ///< the face of the surface that it is a piece of
+    /// The winding number behind the piece minus the one in front of it: 1, or another number where faces of one plane
+    /// overlapped.
+    int jump = 1;
 };
 
-/// The surface cut along its own intersections: pieces meet at common corners and edges only. Where faces of one plane
-/// lay upon each other there is one piece, or none if they cancel.
+/// The surface cut along its own intersections: pieces meet only at common corners and edges. Where faces of one plane
+/// overlapped, one piece remains, or none if they cancel.
 struct Arrangement
 {
-    std::vector<Vec3> points; ///< lattice units; the surface's own first, then the new ones, to the nearest doubles
-    std::vector<Rgb> colors;  ///< as in Surface
+    std::vector<Vec3> points; ///< in lattice units: the surface's own points, then the new ones as the nearest doubles
+    std::vector<Rgb> colors;  ///< one per point, or empty if the surface has none
     std::vector<ArrangedFace> faces;
-    /// Of faces that others of the same plane covered: those others, ascending. By original face; most are empty.
+    /// Faces, for each original face, of the same plane that overlapped it, ascending; empty for most.
     std::vector<std::vector<Slot>> upon;
 };
 
-/// Exact (after Zhou, Grinspun, Zorin and Jacobson 2016, "Mesh arrangements for solid geometry"). `pairs` are all the
-/// pairs of faces that meet. No two points are equal, no face is degenerate. All cores; cost grows with the square of
-/// what meets one face. If it is cancelled, the result is not usable.
+/// Cuts a surface along its intersections, exactly (after Zhou, Grinspun, Zorin and Jacobson 2016, "Mesh arrangements
+/// for solid geometry"). Precondition: `pairs` contains all pairs of faces that meet, no two points are equal, and no
+/// face is degenerate. Uses all cores. Cost: quadratic in the number of faces that meet one face. The result of a
+/// cancelled call must not be used.
 Arrangement arrange(const TriangleSoup& surface, std::span<const FacePair> pairs, const JobControl& control = {});
 } // namespace core::repair

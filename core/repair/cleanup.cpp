@@ -28,8 +28,8 @@ std::size_t dropRepeatedCorners(TriangleSoup& surface)
     return std::erase_if(surface.triangles, repeatsCorner);
 }
 
-/// Joins corners of a face that are at the same place: a face with two of them stays flat, whichever it gives away.
-/// Other points at that place stay apart.
+/// Merges corners of one face that are at the same position. A face with two equal corners has no area, whichever
+/// corner it loses. Equal points of different faces stay separate.
 void joinEqualCorners(TriangleSoup& surface)
 {
     std::vector<Slot> to;
@@ -57,7 +57,7 @@ void joinEqualCorners(TriangleSoup& surface)
             v = rootOf(v);
 }
 
-/// Returns 1 if the corners of the face, sorted, run the same way round, else -1.
+/// Returns 1 if the face's corners are in the cyclic order of the sorted corners, otherwise -1.
 int runOf(const Triangle& t)
 {
     const Triangle s = sortedCorners(t);
@@ -96,10 +96,10 @@ std::size_t dropDuplicates(TriangleSoup& surface, Duplicates duplicates)
     return dropped;
 }
 
-/// Of corners on a line, the one between the others.
+/// Returns the middle one of three collinear corners.
 std::size_t middleCorner(const TriangleSoup& surface, const Triangle& t)
 {
-    std::array<std::int64_t, 3> acrossFrom; // squared length of the side across from the corner
+    std::array<std::int64_t, 3> acrossFrom; // squared length of the side across from each corner
     for (std::size_t i = 0; i < 3; ++i)
         acrossFrom[i] =
             (surface.points[t[(i + 1) % 3]] - surface.points[t[(i + 2) % 3]]).cast<std::int64_t>().squaredNorm();
@@ -112,7 +112,7 @@ bool isCollinear(const TriangleSoup& surface, Slot face)
     return LatticePredicates::collinear(surface.points[a], surface.points[b], surface.points[c]);
 }
 
-/// Lower than the tolerance above its longest side.
+/// Returns whether the height of the face above its longest side is less than `tolerance`, lattice units.
 bool isSliver(const TriangleSoup& surface, Slot face, double tolerance)
 {
     const Triangle& t = surface.triangles[face];
@@ -124,7 +124,8 @@ bool isSliver(const TriangleSoup& surface, Slot face, double tolerance)
     return u.cross(v).norm() < tolerance * longest;
 }
 
-/// Points of these faces that lie within the tolerance of another become that one, the first of them. True: some did.
+/// Merges points of these faces that are within the tolerance of each other into the first of them. Returns whether any
+/// was merged.
 bool mergeNearPoints(TriangleSoup& surface, std::span<const Slot> faces, double tolerance)
 {
     std::vector<Slot> points;
@@ -134,7 +135,7 @@ bool mergeNearPoints(TriangleSoup& surface, std::span<const Slot> faces, double 
     points.erase(std::unique(points.begin(), points.end()), points.end());
     std::vector<Slot> to(surface.points.size());
     std::iota(to.begin(), to.end(), Slot(0));
-    std::map<std::array<int, 3>, std::vector<Slot>> kept; ///< by cell
+    std::map<std::array<int, 3>, std::vector<Slot>> kept; ///< remaining points, by grid cell
     const int cell = static_cast<int>(std::ceil(tolerance));
     for (const Slot v : points) {
         const LatticePoint& p = surface.points[v];
@@ -163,7 +164,7 @@ bool mergeNearPoints(TriangleSoup& surface, std::span<const Slot> faces, double 
     return true;
 }
 
-/// Returns the faces at edges between points that are meant, as edgeFacesOf() does of all edges.
+/// Returns the faces at each edge whose ends are both in `isMeant`, in the form of edgeFacesOf().
 std::vector<EdgeFace> edgeFacesBetween(const std::vector<bool>& isMeant, std::span<const Triangle> triangles)
 {
     std::vector<EdgeFace> edges;
@@ -177,7 +178,8 @@ std::vector<EdgeFace> edgeFacesBetween(const std::vector<bool>& isMeant, std::sp
     return edges;
 }
 
-/// Exchanges edges of flat faces, each face at most once. Returns how many of the flat faces were dealt with.
+/// Flips the longest edge of each flat face, each face at most once. Without a face across that edge the flat face is
+/// removed. Returns the number of flat faces, including those that must wait for the next round.
 std::size_t giveMiddlesAway(TriangleSoup& surface, const std::function<bool(Slot face)>& isFlat)
 {
     std::vector<Triangle>& triangles = surface.triangles;
@@ -196,7 +198,7 @@ std::size_t giveMiddlesAway(TriangleSoup& surface, const std::function<bool(Slot
     for (const Slot f : flat) {
         const Triangle t = triangles[f];
         const std::size_t middle = middleCorner(surface, t);
-        const Slot from = t[(middle + 1) % 3], b = t[middle], to = t[(middle + 2) % 3]; // the long side runs from -> to
+        const Slot from = t[(middle + 1) % 3], b = t[middle], to = t[(middle + 2) % 3]; // the longest side, from -> to
         const auto [first, last] =
             std::ranges::equal_range(edges, std::pair(std::min(from, to), std::max(from, to)), {},
                                      [](const EdgeFace& e) { return std::pair(e.low, e.high); });
@@ -216,30 +218,30 @@ std::size_t giveMiddlesAway(TriangleSoup& surface, const std::function<bool(Slot
             continue;
         }
         isTouched[across->face] = true;
-        const Slot apex = across->apex(triangles[across->face]); // that face runs to -> from
+        const Slot apex = across->apex(triangles[across->face]); // the face across runs along this side as to -> from
         triangles[f] = {to, b, apex};
         triangles[across->face] = {b, from, apex};
     }
     return flat.size();
 }
 
-constexpr float nearby = 16; // lattice units: more than what rounding moves, also that of files of six digits
+constexpr float nearby = 16; // lattice units; exceeds the rounding of the lattice and of files with six digits
 
-/// Edges of three faces or more, ascending.
+/// A sorted list of edges of three or more faces.
 using Border = std::vector<std::pair<Slot, Slot>>;
 
-/// A part that hangs together by edges of two.
+/// A part of the surface that is connected by edges of two faces.
 struct Part
 {
     std::vector<Slot> faces;
     Border border;
-    bool isClosed = true; ///< it has an even number of faces at each edge
+    bool isClosed = true; ///< each edge has an even number of the part's faces
 };
 
 std::vector<Part> partsOf(const TriangleSoup& surface)
 {
     DisjointSets sets(surface.triangles.size());
-    std::vector<std::vector<EdgeFace>> ends; // faces at other edges
+    std::vector<std::vector<EdgeFace>> ends; // faces around each edge that does not have two
     forEachEdge(surface.triangles, [&](std::span<const EdgeFace> around) {
         if (around.size() == 2)
             sets.unite(around[0].face, around[1].face);
@@ -255,7 +257,7 @@ std::vector<Part> partsOf(const TriangleSoup& surface)
             parts.emplace_back();
         parts[ofFace[f]].faces.push_back(f);
     }
-    std::map<Slot, std::size_t> count; // of an edge's faces, by part
+    std::map<Slot, std::size_t> count; // for each part, its number of faces at one edge
     for (const std::vector<EdgeFace>& around : ends) {
         count.clear();
         for (const EdgeFace& e : around)
@@ -269,13 +271,13 @@ std::vector<Part> partsOf(const TriangleSoup& surface)
     return parts;
 }
 
-/// Returns whether two boxes are the same, but for what is nearby.
+/// Returns whether two boxes are equal within `nearby`.
 bool areAlike(const FaceBox& a, const FaceBox& b)
 {
     return (a.min - b.min).abs().maxCoeff() <= nearby && (a.max - b.max).abs().maxCoeff() <= nearby;
 }
 
-/// Holds a part by itself, in lattice units, and points spread over it: its own, and the middles of its edges.
+/// A part as a mesh of its own, in lattice units, with samples: its vertices and the midpoints of its edges.
 class PartSurface
 {
 public:
@@ -300,7 +302,7 @@ public:
             m_box.extend(p.array());
     }
 
-    /// Returns six times the volume of a closed part, below 0 where it faces inwards.
+    /// Returns six times the volume of a closed part; negative if it faces inwards.
     double sixVolumes() const
     {
         const auto at = [&](Slot v) { return Vec3((m_mesh.points[v] - m_mesh.points[0]).cast<double>()); };
@@ -386,7 +388,7 @@ std::size_t weld(TriangleSoup& surface)
 
 CleanupResult cleanUp(TriangleSoup& surface, Duplicates duplicates)
 {
-    constexpr int maxRounds = 1000; // each ends nearer: middles travel to faces with area
+    constexpr int maxRounds = 1000; // enough, because every round moves middle corners closer to faces with area
     CleanupResult cleaned;
     bool isFirst = true;
     for (int round = 0; round < maxRounds; ++round) {
@@ -418,7 +420,7 @@ bool hasDoubles(const TriangleSoup& surface)
 std::vector<Triangle> dropDoubledPatches(TriangleSoup& surface)
 {
     std::vector<Triangle> dropped;
-    for (bool again = true; again;) { // where two were, others may hang together now
+    for (bool again = true; again;) { // removing a double may connect other parts
         const std::vector<Part> parts = partsOf(surface);
         std::map<Border, std::vector<std::size_t>> byBorder;
         for (std::size_t part = 0; part < parts.size(); ++part)
@@ -445,7 +447,7 @@ std::vector<Triangle> dropDoubledShells(TriangleSoup& surface)
 {
     const std::vector<Part> parts = partsOf(surface);
     std::vector<std::size_t> closed;
-    std::vector<FaceBox> boxes, corners; // of the closed ones
+    std::vector<FaceBox> boxes, corners; // one entry for each closed part
     for (std::size_t part = 0; part < parts.size(); ++part) {
         if (!parts[part].isClosed)
             continue;
@@ -484,7 +486,7 @@ bool removeSlivers(TriangleSoup& surface, std::span<const Slot> faces, double to
     for (const Slot f : faces)
         isMeant[f] = true;
     const auto isMeantSliver = [&](Slot f) { return isMeant[f] && isSliver(surface, f, tolerance); };
-    constexpr int maxRounds = 30; // each makes edges shorter
+    constexpr int maxRounds = 30; // enough, because every round shortens edges
     for (int round = 0; round < maxRounds && giveMiddlesAway(surface, isMeantSliver) > 0; ++round)
         isChanged = true;
     if (isChanged)

@@ -1,9 +1,8 @@
-// 1. halve   each edge of four faces or more gets a vertex in its middle, so that every part of it will have an end of
-// its own
+// 1. halve   each edge of four or more faces gets a vertex in its middle, so that every half has an end of its own
 // 2. pair    faces at such an edge that have solid between them, by their exact order around it
-// 3. split   each vertex into one for each fan of faces that are joined around it
-// 4. part    the copies of each vertex: into their own cones, until nothing meets there, by an exact check of the
-// neighbourhood
+// 3. split   each vertex into one copy for each fan of faces that are joined around it
+// 4. part    the copies of each vertex: they move into their own cones, until an exact check of the neighbourhood
+//            finds no intersection
 
 #include "core/repair/contact_separation.h"
 
@@ -23,7 +22,8 @@ namespace core::repair
 {
 namespace
 {
-/// Returns how many it halves. Between the ends of others, which are added to `shortest`, there is no lattice point.
+/// Halves each edge of more than two faces. Edges too short to have a lattice point between their ends stay whole;
+/// their ends are appended to `shortest`. Returns the number of halved edges.
 std::size_t halveEdges(TriangleSoup& surface, std::vector<Slot>& shortest)
 {
     std::vector<std::pair<std::pair<Slot, Slot>, Slot>> halved;
@@ -70,7 +70,7 @@ std::size_t halveEdges(TriangleSoup& surface, std::vector<Slot>& shortest)
     return halved.size();
 }
 
-/// The order of faces around an edge, seen from its high end: counter-clockwise, the first face first. Exact.
+/// Orders faces around an edge: counter-clockwise as seen from its high end, beginning with the first face. Exact.
 class Around
 {
 public:
@@ -86,12 +86,13 @@ public:
 
 private:
     const LatticePoint& apex(const EdgeFace& e) const { return m_surface.points[e.apex(m_surface.triangles[e.face])]; }
-    /// Sign of the turn from a to b about the edge.
+    /// Returns the sign of the turn from a to b around the edge.
     int turn(const LatticePoint& a, const LatticePoint& b) const
     {
         return LatticePredicates::orient3d(m_surface.points[m_first.low], m_surface.points[m_first.high], a, b);
     }
-    /// 0: the first itself; 1: less than half a turn away; 2: half a turn; 3: more.
+    /// Returns 0 for the first face, and for others by the angle from it: 1 for less than half a turn, 2 for half a
+    /// turn, 3 for more.
     int half(const EdgeFace& e) const
     {
         if (e.face == m_first.face)
@@ -104,7 +105,7 @@ private:
     EdgeFace m_first;
 };
 
-/// Corners of faces (3 x face + corner) that belong to one vertex in the end.
+/// Sets of face corners (3 x face + corner) that will share one vertex.
 class Fans
 {
 public:
@@ -121,8 +122,9 @@ public:
     Slot root(Slot corner) { return m_sets.root(corner); }
 
 private:
-    /// A face that runs the edge forward has the solid on one side of it, seen along the edge; one that runs it back,
-    /// on the other.
+    /// Joins neighbouring faces around an edge that have solid between them. A face that runs along the edge from low
+    /// to high has the solid on one side of it, as seen along the edge; a face of the other direction has it on the
+    /// other side.
     void pair(std::vector<EdgeFace> around)
     {
         std::sort(around.begin(), around.end(), Around(m_surface, around[0]));
@@ -149,13 +151,13 @@ private:
     DisjointSets m_sets;
 };
 
-/// The copies of one vertex.
+/// Indices of the copies of one vertex.
 using Copies = std::vector<Slot>;
 
 std::vector<Copies> splitVertices(TriangleSoup& surface)
 {
     Fans fans(surface);
-    std::map<Slot, std::vector<Slot>> fansOf; // by vertex; roots, but for the first
+    std::map<Slot, std::vector<Slot>> fansOf; // for each vertex, the roots of its fans, except the first fan
     std::vector<Slot> firstFan(surface.points.size(), noSlot);
     for (Slot f = 0; f < surface.triangles.size(); ++f) {
         for (Slot i = 0; i < 3; ++i) {
@@ -185,11 +187,12 @@ std::vector<Copies> splitVertices(TriangleSoup& surface)
     return split;
 }
 
-/// A direction with a positive part along all of the unit vectors, by the perceptron's rule.
+/// Returns a unit vector with a positive component along all of these unit vectors, found with the perceptron rule;
+/// nothing if none is found.
 std::optional<Vec3> directionAlong(const std::vector<Vec3>& vectors, Vec3 start)
 {
     constexpr int steps = 1000;
-    constexpr double clearly = 1e-3; // sine of the angle to each face
+    constexpr double clearly = 1e-3; // least sine of the angle between the result and each face
     for (int i = 0; i < steps; ++i) {
         const double length = start.norm();
         const auto worst = std::ranges::min_element(vectors, {}, [&](const Vec3& v) { return v.dot(start); });
@@ -200,16 +203,17 @@ std::optional<Vec3> directionAlong(const std::vector<Vec3>& vectors, Vec3 start)
     return std::nullopt;
 }
 
-/// The faces around a vertex.
+/// The faces around one copy of a vertex.
 struct Fan
 {
-    std::vector<Vec3> inwards;  ///< their normals, turned over
-    Vec3 middle = Vec3::Zero(); ///< the sum of the ways along its edges
+    std::vector<Vec3> inwards;  ///< reversed normals of the faces
+    Vec3 middle = Vec3::Zero(); ///< sum of the unit vectors along the faces' edges
     double shortestEdge = std::numeric_limits<double>::infinity();
 };
 
-/// Into the cone that the fan is, be it one of the solid or one of what is outside: never into the space around it,
-/// where other fans may be. Zero if it is no cone with a view of all of its faces.
+/// Returns a unit vector into the cone that the fan forms, whether it encloses solid or empty space. It never points
+/// out of the cone, where other fans may be. Returns zero if the fan is no cone all of whose faces are visible from
+/// inside.
 Vec3 wayInto(const Fan& fan)
 {
     for (const double side : {1.0, -1.0}) {
@@ -223,7 +227,7 @@ Vec3 wayInto(const Fan& fan)
     return Vec3::Zero();
 }
 
-/// Moves the copies of each vertex out of each other's way.
+/// Moves the copies of each vertex apart.
 class Parting
 {
 public:
@@ -244,7 +248,7 @@ public:
                 group.ways.push_back(wayInto(fan));
     }
 
-    /// Moves all groups, and back those that no distance parts.
+    /// Moves all groups of copies; groups that no distance separates return to their start.
     void run(const JobControl& control)
     {
         std::vector<Slot> moved;
@@ -254,7 +258,7 @@ public:
             moved = moveOtherwise(unsoundCorners(moved, control.stop));
     }
 
-    /// The copies that could not be parted.
+    /// Returns the copies that could not be separated.
     std::vector<Slot> stuck() const
     {
         std::vector<Slot> points;
@@ -268,12 +272,13 @@ private:
     struct Group
     {
         Copies copies;
-        std::vector<Fan> fans;  ///< of the copies
-        std::vector<Vec3> ways; ///< for the copies
-        std::size_t choice = 0; ///< of distances
+        std::vector<Fan> fans;  ///< fan of each copy
+        std::vector<Vec3> ways; ///< direction in which each copy moves
+        std::size_t choice = 0; ///< index into `distances`
     };
 
-    static constexpr std::array<double, 7> distances{16, 64, 4, 256, 1, 1024, 4096}; ///< lattice units
+    /// Lattice units, in the order in which they are tried.
+    static constexpr std::array<double, 7> distances{16, 64, 4, 256, 1, 1024, 4096};
 
     void addFace(Group& group, const Triangle& t, std::size_t corner)
     {
@@ -286,7 +291,7 @@ private:
         fan.shortestEdge = std::min({fan.shortestEdge, u.norm(), w.norm()});
     }
 
-    /// Appends the copies to `moved`.
+    /// Moves the copies of a group by its chosen distance, and appends the copies to `moved`.
     void move(const Group& group, std::vector<Slot>& moved)
     {
         for (std::size_t i = 0; i < group.copies.size(); ++i) {
@@ -298,8 +303,8 @@ private:
         moved.insert(moved.end(), group.copies.begin(), group.copies.end());
     }
 
-    /// Corners of faces without area or that meet others, of those that have copies that moved and those that they can
-    /// meet.
+    /// Returns the corners of faces that are degenerate or meet others. Examines the faces that have moved copies, and
+    /// the faces that these can meet.
     std::vector<Slot> unsoundCorners(std::span<const Slot> moved, const std::stop_token& stop) const
     {
         constexpr std::size_t maxPairs = 100'000;
@@ -320,7 +325,7 @@ private:
         return corners;
     }
 
-    /// The groups at these corners take their next choice, if they have one. Returns the copies that moved.
+    /// Moves the groups at these corners by their next distance, if they have one left. Returns the copies that moved.
     std::vector<Slot> moveOtherwise(const std::vector<Slot>& corners)
     {
         std::set<Slot> groups;
@@ -337,7 +342,7 @@ private:
 
     TriangleSoup& m_surface;
     std::vector<LatticePoint> m_start;
-    std::vector<Slot> m_groupOf; ///< by vertex; noSlot for most
+    std::vector<Slot> m_groupOf; ///< group of each vertex; noSlot for most
     std::vector<Group> m_groups;
 };
 
@@ -349,7 +354,8 @@ SeparationResult separateContacts(TriangleSoup& surface, const JobControl& contr
     std::vector<Slot> shortest;
     separated.edges = halveEdges(surface, shortest);
     const std::vector<Copies> split = splitVertices(surface);
-    separated.vertices = split.size() - std::min(split.size(), separated.edges); // without the edges' middles
+    // The midpoints of halved edges do not count
+    separated.vertices = split.size() - std::min(split.size(), separated.edges);
     Parting parting(surface, split);
     parting.run(control);
     separated.stuck = parting.stuck();

@@ -11,13 +11,13 @@ namespace core::repair
 {
 struct SeparationResult
 {
-    std::size_t edges = 0, vertices = 0; ///< where the solid touched itself
-    /// Points, several at each place, where that did not help, and the ends of edges of four faces that are too short
-    /// for it.
+    std::size_t edges = 0, vertices = 0; ///< number of edges and vertices at which the solid touched itself
+    /// Points that could not be separated, several at each position, and the ends of edges of four faces that are too
+    /// short to be halved.
     std::vector<Slot> stuck;
 };
 
-/// Parts of the solid that touch at edges or vertices only draw back from each other there, by a few lattice units.
-/// Where they cannot, the points are returned. The surface bounds a solid but for those touches.
+/// Separates parts of a solid that touch only at edges or vertices, by a few lattice units. Precondition: the surface
+/// bounds a solid except for these contacts.
 SeparationResult separateContacts(TriangleSoup& surface, const JobControl& control = {});
 } // namespace core::repair

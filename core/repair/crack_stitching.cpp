@@ -1,4 +1,4 @@
-// 1. join    open vertices near each other: the one that comes first stays where it is
+// 1. join    open vertices near each other: the first of them keeps its position
 // 2. split   open edges at the open vertices near them
 
 #include "core/repair/crack_stitching.h"
@@ -16,10 +16,11 @@ namespace core::repair
 {
 namespace
 {
-constexpr double nearInSizes = 1.0 / 5000; // 0.02 mm of 100: files written with few digits, or welded by halves
+// 0.02 mm for a model of 100 mm: enough for files with few digits or with incomplete welding
+constexpr double nearInSizes = 1.0 / 5000;
 constexpr double nearInEdges = 1.0 / 4;
 
-/// The edges that one face has, and their ends.
+/// The open edges, which have one face, and their ends.
 class Rim
 {
 public:
@@ -39,7 +40,7 @@ public:
     }
 
     Vec3 at(Slot v) const { return m_surface.points[v].cast<double>(); }
-    /// How far from the vertex another one is as good as it. Lattice units.
+    /// Returns the distance from the vertex, in lattice units, within which another vertex is near.
     double reach(Slot v) const { return m_reach[v]; }
     double farthestReach() const { return m_farthestReach; }
 
@@ -70,11 +71,11 @@ private:
     }
 
     const TriangleSoup& m_surface;
-    std::vector<double> m_reach; ///< by vertex; zero where it is not open
+    std::vector<double> m_reach; ///< for each vertex; 0 if it is not open
     double m_farthestReach = 0;
 };
 
-/// Open vertices that become one: nearest pairs first, and nobody goes farther than he reaches.
+/// Merges open vertices, nearest pairs first. No vertex moves farther than its reach.
 class Clusters
 {
 public:
@@ -89,7 +90,7 @@ public:
             unite(i, j);
     }
 
-    /// Calls visit(vertex, the one whose place it takes) for each that moves.
+    /// Calls visit(vertex, target) for each vertex that moves to the position of another one.
     template <typename Visit> void forEachMove(Visit visit)
     {
         for (Slot i = 0; i < m_rim.vertices.size(); ++i)
@@ -98,7 +99,7 @@ public:
     }
 
 private:
-    using Pair = std::tuple<double, Slot, Slot>; ///< distance, places in Rim::vertices
+    using Pair = std::tuple<double, Slot, Slot>; ///< distance, and two indices into Rim::vertices
 
     std::vector<Pair> nearPairs(const std::vector<Vec3>& places) const
     {
@@ -134,8 +135,8 @@ private:
     }
 
     const Rim& m_rim;
-    DisjointSets m_sets;                      ///< of places in Rim::vertices
-    std::vector<std::vector<Slot>> m_members; ///< by root
+    DisjointSets m_sets;                      ///< sets of indices into Rim::vertices
+    std::vector<std::vector<Slot>> m_members; ///< members of each set, at its root
 };
 
 void joinVertices(TriangleSoup& surface, StitchResult& joined)
@@ -155,7 +156,8 @@ void joinVertices(TriangleSoup& surface, StitchResult& joined)
             v = becomes[v];
 }
 
-/// Where open edges are to be split: by their ends in the order in which the face runs them.
+/// The points at which open edges are split. Edges are identified by their ends, in the direction in which the face
+/// runs along them.
 class Splits
 {
 public:
@@ -179,7 +181,7 @@ public:
 
     bool isEmpty() const { return m_points.empty(); }
 
-    /// The face cut into a fan for each of its edges.
+    /// Appends to `result` the face, divided into a fan of triangles at each of its split edges.
     void cut(const Triangle& face, std::vector<Triangle>& result) const
     {
         std::vector<Part> open{{face, {true, true, true}}};
@@ -209,14 +211,14 @@ private:
     struct Part
     {
         Triangle corners;
-        std::array<bool, 3> isWhole; ///< side from corner i to the next: a whole edge of the face to be cut
+        std::array<bool, 3> isWhole; ///< the side from corner i to the next corner is a whole edge of the original face
     };
-    /// On an edge.
+    /// A vertex at which an edge is split.
     struct Point
     {
-        double share; ///< of the edge, from where it begins
+        double share; ///< position along the edge, 0 at its start, 1 at its end
         Slot vertex;
-        double distance; ///< from the edge
+        double distance; ///< distance of the vertex from the edge, lattice units
         friend auto operator<=>(const Point&, const Point&) = default;
     };
 
@@ -277,8 +279,8 @@ private:
         visit(from, to);
     }
 
-    /// An edge is split only if each part of it then lies along another one: what happens to come near is no crack. Any
-    /// dropped?
+    /// Drops the splits of edges of which some part does not run along another edge: vertices near such an edge are no
+    /// crack. Returns whether any was dropped.
     bool dropLoose()
     {
         std::unordered_map<std::uint64_t, int> times;

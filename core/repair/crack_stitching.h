@@ -8,13 +8,14 @@ namespace core::repair
 {
 struct StitchResult
 {
-    std::size_t vertices = 0; ///< that moved to where another lies, or became corners of the face across a crack
-    double farthest = 0;      ///< lattice units that a vertex moved, or an edge that it split
+    std::size_t vertices = 0; ///< vertices merged into others, or inserted into the edge across a crack
+    /// Largest distance that a vertex moved, or of an inserted vertex from its edge, lattice units.
+    double farthest = 0;
 };
 
-/// Closes cracks: open vertices that lie as good as on each other become one, and open edges are split where open
-/// vertices lie as good as on them, if each part then lies along another open edge. As good as: within 1/5000 of the
-/// surface's longest side, and within a quarter of the shortest edge at the vertex, so that no edge is lost. No other
-/// vertex moves. The caller tidies afterwards.
+/// Closes cracks. Open vertices near each other are merged. Open edges are split at open vertices near them, if each
+/// part then runs along another open edge. Near means within 1/5000 of the surface's longest side and within a quarter
+/// of the shortest edge at the vertex, so that no edge is lost. No other vertex moves. The caller must call weld()
+/// and cleanUp() afterwards.
 StitchResult stitchCracks(TriangleSoup& surface);
 } // namespace core::repair

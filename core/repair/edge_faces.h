@@ -15,7 +15,7 @@ struct EdgeFace
 {
     Slot low, high; ///< the edge's ends, low < high
     Slot face;
-    bool forward; ///< the face runs it from low to high
+    bool forward; ///< the face runs along the edge from low to high
 
     /// Returns the corner of the face that is opposite the edge.
     Slot apex(const Triangle& t) const
@@ -24,7 +24,8 @@ struct EdgeFace
     }
 };
 
-/// All of them, edge by edge, faces ascending. Cost: linear, but for vertices with many faces.
+/// Returns the faces at all edges, grouped by edge, with faces ascending. Cost: O(faces), except at vertices with many
+/// faces.
 inline std::vector<EdgeFace> edgeFacesOf(std::span<const Triangle> triangles)
 {
     const auto forEach = [&](auto visit) {
@@ -35,7 +36,7 @@ inline std::vector<EdgeFace> edgeFacesOf(std::span<const Triangle> triangles)
             }
         }
     };
-    std::vector<std::size_t> end; // of the edges of each lower vertex; at first where they begin
+    std::vector<std::size_t> end; // end of the edges of each lower vertex; their start until the second pass
     forEach([&](const EdgeFace& e) {
         if (end.size() < e.low + std::size_t(2))
             end.resize(e.low + std::size_t(2), 0);
@@ -51,7 +52,7 @@ inline std::vector<EdgeFace> edgeFacesOf(std::span<const Triangle> triangles)
     return edges;
 }
 
-/// Calls visit(faces around) for each edge.
+/// Calls visit(faces at the edge) for each edge.
 template <typename Visit> void forEachEdge(std::span<const Triangle> triangles, Visit visit)
 {
     const std::vector<EdgeFace> edges = edgeFacesOf(triangles);

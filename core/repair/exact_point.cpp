@@ -8,10 +8,10 @@ namespace core::repair
 {
 namespace
 {
-/// |difference| <= 2^24 of two approximations is off by twice their error and a rounding.
+/// Error of the difference of two approximations, if |difference| <= 2^24: twice their error and a rounding.
 constexpr double differenceError = 3 * ExactPoint::approxError;
 
-/// Twice the area of abc in the projection, times the three denominators.
+/// Returns twice the area of abc in the projection, times the three denominators.
 Integer area(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, Projection onto)
 {
     const auto& [i, j] = onto;
@@ -22,7 +22,7 @@ Integer area(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, Proj
 
 double quotient(const Integer& numerator, const Integer& denominator)
 {
-    // Both may exceed a double's range: what lies beyond its precision is cut off first.
+    // Both may exceed the range of a double, so bits beyond its precision are dropped first.
     constexpr std::size_t enough = 900;
     const std::size_t bits = numerator == 0 ? 0 : msb(abs(numerator)), below = msb(denominator);
     const std::size_t longest = std::max(bits, below);
@@ -61,7 +61,7 @@ Slot ExactPoints::add(ExactPoint point)
 {
     std::size_t hash = 0;
     for (const double x : point.approx)
-        hash = (hash ^ std::hash<double>()(x + 0.0)) * 0x9e3779b97f4a7c15u; // + 0.0: -0 is 0
+        hash = (hash ^ std::hash<double>()(x + 0.0)) * 0x9e3779b97f4a7c15u; // + 0.0 turns -0 into 0
     const auto [first, last] = m_byHash.equal_range(hash);
     for (auto found = first; found != last; ++found) {
         if (m_points[found->second] == point)
@@ -99,7 +99,7 @@ ExactPoint lineThroughPlane(const LatticePoint& a, const LatticePoint& b, const 
     const auto wide = [](const LatticePoint& p) { return Wide(p.cast<std::int64_t>()); };
     const Wide u = wide(plane[1]) - wide(plane[0]), v = wide(plane[2]) - wide(plane[0]);
     const Wide normal = u.cross(v), toA = wide(a) - wide(plane[0]), toB = wide(b) - wide(plane[0]);
-    Integer atA = 0, atB = 0; // distances from the plane, to one scale
+    Integer atA = 0, atB = 0; // signed distances from the plane, with a common factor
     for (int axis = 0; axis < 3; ++axis) {
         atA += Integer(normal[axis]) * toA[axis];
         atB += Integer(normal[axis]) * toB[axis];

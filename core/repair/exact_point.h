@@ -9,9 +9,9 @@
 #include <unordered_map>
 #include <vector>
 
-/// Points where lines and planes through lattice points meet, and exact questions about them. They are rational: kept
-/// as homogeneous integers in lowest terms, so that equal points have equal numbers, with the nearest doubles beside
-/// them, which answer nearly every question (a filter in the manner of Shewchuk 1997).
+/// Points where lines and planes through lattice points meet, and exact tests of them. A point is rational: homogeneous
+/// integers in lowest terms, so that equal points have equal numbers. The nearest doubles are stored too; they decide
+/// nearly every test (a filter in the manner of Shewchuk 1997).
 namespace core::repair
 {
 using Integer = boost::multiprecision::cpp_int;
@@ -19,15 +19,15 @@ using Integer = boost::multiprecision::cpp_int;
 struct ExactPoint
 {
     std::array<Integer, 3> numerator;
-    Integer denominator = 1;    ///< > 0
-    Vec3 approx = Vec3::Zero(); ///< lattice units, off by at most approxError in each coordinate
+    Integer denominator = 1;    ///< always positive
+    Vec3 approx = Vec3::Zero(); ///< in lattice units, with an error of at most approxError in each coordinate
 
-    /// |coordinate| <= 2^23, two conversions that may cut off, and a division.
+    /// Bound for |coordinate| <= 2^23: two conversions that may truncate, and a division.
     static constexpr double approxError = 0x1p-27;
 
     ExactPoint() = default;
     explicit ExactPoint(const LatticePoint& p);
-    /// Of any sign and with common factors; the denominator is not 0.
+    /// The numbers may have any sign and common factors. Precondition: the denominator is not 0.
     ExactPoint(std::array<Integer, 3> ofNumerator, Integer ofDenominator);
 
     LatticePoint rounded() const { return approx.array().round().cast<int>(); }
@@ -37,7 +37,7 @@ struct ExactPoint
     }
 };
 
-/// Each point once.
+/// A list of points without duplicates.
 class ExactPoints
 {
 public:
@@ -50,21 +50,22 @@ private:
     std::unordered_multimap<std::size_t, Slot> m_byHash;
 };
 
-/// The two axes that remain when `axis` is left out, in the order that keeps LatticePredicates::orient2d's sign.
+/// The two axes that remain without `axis`, in the order that keeps the sign of LatticePredicates::orient2d.
 struct Projection
 {
     explicit Projection(int axis) : i(axis == 2 ? 0 : axis + 1), j(axis == 0 ? 2 : axis - 1) {}
     int i, j;
 };
 
-/// Sign of the area of abc in the projection.
+/// Returns the sign of the area of abc in the projection.
 int orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, Projection onto);
-/// Sign of a - b along the axis.
+/// Returns the sign of a - b along the axis.
 int compare(const ExactPoint& a, const ExactPoint& b, int axis);
 
-/// Where the line ab meets the plane through the triangle; they are not parallel.
+/// Returns the point where the line ab meets the plane through the triangle. Precondition: they are not parallel.
 ExactPoint lineThroughPlane(const LatticePoint& a, const LatticePoint& b, const std::array<LatticePoint, 3>& plane);
-/// Where the lines ab and cd meet, which lie in one plane and are not parallel in the projection.
+/// Returns the point where the lines ab and cd meet. Precondition: they are in one plane and not parallel in the
+/// projection.
 ExactPoint linesCrossing(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d,
                          Projection onto);
 ExactPoint centroid(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c);

@@ -1,7 +1,7 @@
-//   1. lines      where each of the others meets it: a segment, or the edges of an overlap in one plane
-//   2. crossings  of those segments
-//   3. cut        a triangulation with all of the points as corners and all of the segments as edges
-//   4. cover      of pieces that lie upon each other, the one of the lowest face remains
+//   1. lines      at which the other faces meet this one: a segment, or the edges of an overlap in one plane
+//   2. crossings  of these segments
+//   3. cut        a triangulation with all points as corners and all segments as edges
+//   4. cover      of pieces that overlap, only the piece of the face with the lowest index remains
 
 #include "core/repair/face_cutter.h"
 
@@ -36,7 +36,7 @@ std::array<int, 3> sidesOf(const Corners& corners, const Plane& plane)
     return {plane.side(corners[0]), plane.side(corners[1]), plane.side(corners[2])};
 }
 
-/// Where the triangle's border meets the plane of the other: up to two points.
+/// Returns the points, at most two, where the triangle's border meets the plane of the other triangle.
 std::vector<ExactPoint> borderOn(const Corners& corners, const std::array<int, 3>& sides, const Corners& plane)
 {
     std::vector<ExactPoint> points;
@@ -50,7 +50,7 @@ std::vector<ExactPoint> borderOn(const Corners& corners, const std::array<int, 3
     return points;
 }
 
-/// An axis along which the line in both planes is not a point.
+/// Returns an axis along which the common line of both planes is not a point.
 int axisAlong(const Corners& s, const Corners& t)
 {
     using Wide = Eigen::Matrix<std::int64_t, 3, 1>;
@@ -66,7 +66,7 @@ int axisAlong(const Corners& s, const Corners& t)
     return 2;
 }
 
-/// From the first to the last along the axis.
+/// A segment, from its first to its last point along an axis.
 using Segment = std::pair<ExactPoint, ExactPoint>;
 
 Segment ordered(const std::vector<ExactPoint>& points, int axis)
@@ -91,7 +91,7 @@ std::optional<Segment> crossing(const Corners& s, const std::array<int, 3>& side
     return Segment(from, to);
 }
 
-/// A face in its plane, seen along an axis.
+/// A face in its plane, projected along an axis.
 class Sheet
 {
 public:
@@ -101,7 +101,7 @@ public:
         , turn(LatticePredicates::orient2d(at[0], at[1], at[2], axis))
     {}
 
-    /// Inside, or on the border.
+    /// Returns whether the point is inside the face or on its border.
     bool contains(const ExactPoint& p) const
     {
         for (std::size_t i = 0; i < 3; ++i)
@@ -109,7 +109,7 @@ public:
                 return false;
         return true;
     }
-    /// The part of the segment that lies in the face.
+    /// Returns the part of the segment that is inside the face.
     std::optional<Segment> clip(const ExactPoint& a, const ExactPoint& b) const
     {
         std::vector<ExactPoint> points;
@@ -129,7 +129,7 @@ public:
             return std::nullopt;
         return ordered(points, compare(a, b, onto.i) != 0 ? onto.i : onto.j);
     }
-    /// p lies on the line ab: between its ends?
+    /// Returns whether p is between a and b. Precondition: p is on the line ab.
     static bool isBetween(const ExactPoint& p, const ExactPoint& a, const ExactPoint& b, Projection onto)
     {
         const int axis = compare(a, b, onto.i) != 0 ? onto.i : onto.j;
@@ -138,7 +138,7 @@ public:
 
     Projection onto;
     std::array<ExactPoint, 3> corners;
-    int turn; ///< 1: counter-clockwise as seen
+    int turn; ///< 1: counter-clockwise in the projection; -1: clockwise
 };
 
 class FaceCutter
@@ -209,7 +209,7 @@ private:
         }
     }
 
-    /// The segment's parts between the points that lie on it.
+    /// Returns the segment's parts between all points that are on it.
     std::vector<Ends> partsOf(const Ends& segment) const
     {
         const ExactPoints& p = m_result.points;

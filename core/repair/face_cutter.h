@@ -9,8 +9,8 @@ namespace core::repair
 {
 struct FacePiece
 {
-    Triangle corners; ///< of FacePieces::points
-    int jump;         ///< as in ArrangedFace
+    Triangle corners; ///< indices into FacePieces::points
+    int jump;         ///< see ArrangedFace::jump
 };
 
 /// A face cut along the lines at which others meet it.
@@ -18,10 +18,11 @@ struct FacePieces
 {
     ExactPoints points; ///< the face's own corners first
     std::vector<FacePiece> pieces;
-    std::vector<Slot> upon; ///< those of the others that lie in its plane and cover some of it, ascending
+    /// The other faces that are in the plane of this face and cover some of it, ascending.
+    std::vector<Slot> upon;
 };
 
-/// Exact. `others`: all the faces that meet this one, ascending; all have area. Cost grows
-/// with the square of the lines. Any thread.
+/// Cuts a face, exactly. Precondition: `others` contains all faces that meet it, ascending, and all faces have area.
+/// Thread: any. Cost: quadratic in the number of lines.
 FacePieces cutFace(const TriangleSoup& surface, Slot face, std::span<const Slot> others);
 } // namespace core::repair

@@ -12,9 +12,11 @@ namespace core::repair
 {
 namespace
 {
-constexpr std::size_t maxCorners = 300; ///< of a loop that is filled with the least area: the cube of it is the cost
+/// Largest loop that is filled with the least area, in corners; the cost is cubic in it.
+constexpr std::size_t maxCorners = 300;
 
-/// The ways that the faces to come must run: one for each time that an edge is run one way more often than the other.
+/// Returns the directed edges of the faces to be added: one for each time that faces run along an edge more often in
+/// the opposite direction.
 std::unordered_multimap<Slot, Slot> openWays(const TriangleSoup& surface)
 {
     std::unordered_multimap<Slot, Slot> ways;
@@ -30,7 +32,7 @@ std::unordered_multimap<Slot, Slot> openWays(const TriangleSoup& surface)
     return ways;
 }
 
-/// Closed walks along the ways that come to no corner twice.
+/// Returns closed walks along the directed edges, each without repeated corners.
 std::vector<std::vector<Slot>> loopsOf(std::unordered_multimap<Slot, Slot> ways, std::size_t points)
 {
     std::vector<std::vector<Slot>> loops;
@@ -64,7 +66,7 @@ std::vector<std::vector<Slot>> loopsOf(std::unordered_multimap<Slot, Slot> ways,
     return loops;
 }
 
-/// The surface's edges between corners of its holes.
+/// The surface's edges whose ends are both on hole loops.
 class EdgeSet
 {
 public:
@@ -108,13 +110,14 @@ public:
 private:
     Vec3 at(Slot v) const { return m_surface.points[v].cast<double>(); }
 
-    /// The area, or far more than any if the face would be degenerate.
+    /// Returns the area of a face, or a huge cost if the face would be degenerate.
     double cost(Slot a, Slot b, Slot c) const
     {
         const auto& p = m_surface.points;
         return LatticePredicates::collinear(p[a], p[b], p[c]) ? farMore : (at(b) - at(a)).cross(at(c) - at(a)).norm();
     }
-    /// Of the edge between two corners of the loop: it is there already, and would have four faces.
+    /// Returns a huge cost if the edge between two corners of the loop exists already, as it would then have four
+    /// faces; otherwise 0.
     double costOfChord(std::size_t i, std::size_t k) const
     {
         const bool isBorder = k == i + 1 || (i == 0 && k + 1 == m_loop.size());

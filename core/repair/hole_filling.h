@@ -11,16 +11,16 @@ namespace core::repair
 struct HoleFillingResult
 {
     std::size_t holes = 0;
-    std::size_t faces = 0;      ///< that were added
-    std::size_t largeHoles = 0; ///< filled, or left open if `largeToo` was false
-    double share = 0;           ///< of what was added, in the area that was there
+    std::size_t faces = 0;      ///< number of faces added
+    std::size_t largeHoles = 0; ///< filled ones, or those left open if `largeToo` was false
+    double share = 0;           ///< added area as a share of the area before
 };
 
-/// A hole is large if its box is longer than this share of the surface's.
+/// Length of a hole's box, as a share of the length of the surface's box, above which the hole is large.
 inline constexpr double largeHole = 0.25;
 
-/// Closes the loops along which the surface ends (edges that faces do not run as often one way as the other) with the
-/// least area (Barequet and Sharir 1995), up to 300 corners; longer loops lose their most pointed corners first. What
-/// fills a hole may meet other faces. The surface is oriented.
+/// Closes the loops at which the surface ends with the least area (Barequet and Sharir 1995). A loop consists of edges
+/// that faces run along more often in one direction than in the other. Loops of more than 300 corners first lose their
+/// most pointed corners. New faces may meet other faces. Precondition: the surface is oriented.
 HoleFillingResult fillHoles(TriangleSoup& surface, bool largeToo, const JobControl& control = {});
 } // namespace core::repair

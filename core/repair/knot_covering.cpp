@@ -13,7 +13,8 @@ namespace core::repair
 {
 namespace
 {
-/// An octahedron, askew: nothing of the model is likely to lie in its planes. It holds the ball of 0.63 radii.
+/// Adds an oblique octahedron, so that no face of the model is likely to be in its planes. It contains the ball of 0.63
+/// x `radius` around `middle`.
 void addSolid(TriangleSoup& surface, const LatticePoint& middle, int radius, Slot colorOf)
 {
     const int r = radius, s = radius / 3;
@@ -26,7 +27,7 @@ void addSolid(TriangleSoup& surface, const LatticePoint& middle, int radius, Slo
         surface.triangles.push_back({first + t[0], first + t[1], first + t[2]});
 }
 
-/// Returns the box that two faces' boxes have in common, which holds all points where they meet, and a little more.
+/// Returns the intersection of two faces' boxes, slightly enlarged. It contains all points where the faces meet.
 FaceBox commonBox(const TriangleSoup& surface, const FacePair& pair)
 {
     constexpr float margin = 4;
@@ -63,7 +64,7 @@ CoveredKnots coverKnots(TriangleSoup& surface, std::span<const FacePair> pairs, 
     const BoxTree tree(boxes);
     for (Slot i = 0; i < boxes.size(); ++i)
         tree.forEachMeeting(boxes[i], [&](Slot position) { knots.unite(i, tree.at(position)); });
-    std::map<Slot, FaceBox> boxOf; ///< by the first pair of each knot
+    std::map<Slot, FaceBox> boxOf; ///< box of each knot, by its first pair
     for (Slot i = 0; i < boxes.size(); ++i)
         boxOf[knots.root(i)].extend(boxes[i]);
     CoveredKnots covered;

@@ -8,8 +8,8 @@
 
 namespace core::repair
 {
-/// Adds a small closed solid around each place of these points: then the whole must be resolved again. `radius`:
-/// lattice units, >= 16.
+/// Adds a small closed solid around each distinct position of these points. The surface must then be resolved again.
+/// `radius`: >= 16, lattice units.
 void coverPoints(TriangleSoup& surface, std::span<const Slot> points, int radius);
 
 struct CoveredKnots
@@ -18,8 +18,8 @@ struct CoveredKnots
     double largest = 0; ///< diameter of the largest solid, lattice units
 };
 
-/// Covers knots: places where faces of these pairs meet, one solid for those whose common boxes overlap. What lies
-/// within it is no boundary any more when the whole is resolved again, and the rest of the surface stays. Knots wider
-/// than `widest` (lattice units) are left. The solids' points and faces are the last of the surface.
+/// Covers knots: places where the faces of these pairs meet. Pairs whose common boxes overlap get one solid together.
+/// When the surface is resolved again, everything inside a solid disappears; the rest of the surface stays. Knots wider
+/// than `widest` (lattice units) are left. The solids' points and faces are appended to the surface.
 CoveredKnots coverKnots(TriangleSoup& surface, std::span<const FacePair> pairs, double widest);
 } // namespace core::repair

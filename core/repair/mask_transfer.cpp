@@ -17,7 +17,7 @@ bool liesBefore(const Vec3f& a, const Vec3f& b)
     return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
 }
 
-/// In order, each once.
+/// Returns the masked positions in ascending order, each once.
 std::vector<MaskedPlace> maskedPlaces(const TriangleMesh& mesh, const LatticePlacement& placement)
 {
     std::vector<MaskedPlace> places;

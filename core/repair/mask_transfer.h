@@ -5,8 +5,8 @@
 
 namespace core::repair
 {
-/// What is masked of a model stays so: each point of the repaired one has the mask of the old one that lies there on
-/// the lattice, of several the greatest; new points have none. Returns how many masked places are gone. The repaired
-/// model lies on that lattice.
+/// Copies masks to a repaired model. Each point gets the greatest mask of the old points at the same lattice point, or
+/// none. Precondition: the repaired model is on the lattice of `placement`. Returns the number of masked positions that
+/// no longer exist.
 std::size_t transferMasks(const TriangleMesh& old, const LatticePlacement& placement, TriangleMesh& repaired);
 } // namespace core::repair

@@ -10,13 +10,14 @@
 
 namespace core::repair
 {
-/// Boxes of the faces that have one of these points, grown by `margin` (lattice units).
+/// Returns the boxes of the faces that have one of these points as a corner, enlarged by `margin` (lattice units).
 std::vector<FaceBox> boxesAround(const TriangleSoup& surface, std::span<const Slot> points, float margin);
 
-/// Faces whose boxes meet one of these, ascending. Cost: a tree of the boxes, and a question of it for each face.
+/// Returns the faces whose boxes meet one of these boxes, ascending. Cost: a tree of the boxes, and one query per face
+/// of the surface.
 std::vector<Slot> facesNear(const TriangleSoup& surface, const std::vector<FaceBox>& boxes);
 
-/// Pairs of these faces that meet; faces ascending.
+/// Returns the pairs of these faces that meet. Precondition: `faces` are ascending.
 IntersectionReport intersectionsAmong(const TriangleSoup& surface, std::span<const Slot> faces, std::size_t maxPairs,
                                       const std::stop_token& stop);
 } // namespace core::repair

@@ -14,7 +14,7 @@ namespace core::repair
 {
 namespace
 {
-/// The parts of a surface that hang together by edges of two.
+/// The parts of a surface, each connected by edges of two faces.
 struct Parts
 {
     std::vector<std::vector<Slot>> faces;
@@ -26,7 +26,8 @@ void turn(Triangle& t)
     std::swap(t[1], t[2]);
 }
 
-/// Runs through each part and turns what runs against where it began, or the others if those are fewer.
+/// Visits each part from a seed face and reverses the faces that disagree with the seed, or the others if those are
+/// fewer.
 class Flood
 {
 public:
@@ -78,7 +79,7 @@ public:
     }
 
 private:
-    /// Kept as 2 x face + whether they agree.
+    /// Stores a link as 2 x face + (1 if the orientations agree).
     void connect(Slot from, Slot to, bool agree)
     {
         Slot* link = &m_across[3 * from];
@@ -91,7 +92,7 @@ private:
     std::vector<Slot> m_across;
 };
 
-/// Looks along the axes.
+/// Tests from which sides faces are visible along the axes.
 class VisibilityScan
 {
 public:
@@ -100,8 +101,8 @@ public:
         , m_tree(faceBoxes(surface.points, surface.triangles))
     {}
 
-    /// From the middle of the face: how many of the axes' ways lead out before it, less how many behind. Both are added
-    /// to `seen`.
+    /// Counts the axis directions that lead out from the middle of the face: those in front of it minus those behind
+    /// it. Adds the number of both to `seen`.
     int balance(Slot face, std::size_t& seen) const
     {
         const Triangle& t = m_surface.triangles[face];
@@ -157,11 +158,11 @@ private:
     BoxTree m_tree;
 };
 
-/// Returns, by part, whether its faces run each of its edges as often one way as the other.
+/// Returns for each part whether its faces run along each of its edges equally often in both directions.
 std::vector<bool> closedParts(const TriangleSoup& surface, const Parts& parts)
 {
     std::vector<bool> isClosed(parts.faces.size(), true);
-    std::map<Slot, int> net; // of an edge, by part
+    std::map<Slot, int> net; // for each part, the balance of directions along one edge
     forEachEdge(surface.triangles, [&](std::span<const EdgeFace> around) {
         net.clear();
         for (const EdgeFace& e : around)
@@ -172,9 +173,8 @@ std::vector<bool> closedParts(const TriangleSoup& surface, const Parts& parts)
     return isClosed;
 }
 
-/// Returns whether a part that is open parts space of different winding numbers, as a wall of a void does, rather than
-/// lie in the midst of space of one, as a sheet within a void or within the matter does. The rest of the surface runs
-/// the right way.
+/// Returns whether an open part separates space of different winding numbers, as a wall of a void does. A sheet in a
+/// void or inside the matter has one winding number on both sides. Precondition: the rest of the surface is oriented.
 bool isWall(const TriangleSoup& surface, std::span<const Vec3> points, const WindingNumber& winding,
             const std::vector<Slot>& faces)
 {
@@ -185,14 +185,14 @@ bool isWall(const TriangleSoup& surface, std::span<const Vec3> points, const Win
     for (std::size_t i = 0; i < faces.size(); i += std::max<std::size_t>(1, faces.size() / samples)) {
         const auto& [a, b, c] = surface.triangles[faces[i]];
         const double around = winding.at((points[a] + points[b] + points[c]) / 3,
-                                         std::span(faces).subspan(i, 1)); // the mean of both sides
+                                         std::span(faces).subspan(i, 1)); // mean winding number of both sides
         sum += std::abs(around - std::round(around));
         ++count;
     }
     return sum > halfway * static_cast<double>(count);
 }
 
-/// Drops walls that would have open edges, and then those that these leave open.
+/// Drops walls that would have open edges, repeatedly, as this may open edges of other walls.
 void keepClosedWalls(const TriangleSoup& surface, const Parts& parts, std::span<const std::size_t> walls,
                      std::vector<bool>& isKept)
 {
@@ -215,7 +215,8 @@ void keepClosedWalls(const TriangleSoup& surface, const Parts& parts, std::span<
     }
 }
 
-/// Turns the parts that hang on edges of three or more to where they are seen from. True: some were not seen, and went.
+/// Turns open parts that have edges of three or more faces towards the side from which they are visible. Returns
+/// whether invisible parts were removed.
 bool orientSheets(TriangleSoup& surface, const Parts& parts, OrientationResult& oriented)
 {
     std::vector<bool> hangs(parts.faces.size(), false);
@@ -281,15 +282,15 @@ double volumeOf(const TriangleSoup& surface, const std::vector<Slot>& faces)
     return volume;
 }
 
-/// Makes points a little inside or outside of a closed part: faces of a cavity that ends in the plane of an outer face
-/// lie in others, too. Leaves points out that lie beyond an edge of the part's faces, or where these cross, unless all
-/// do.
+/// Makes sample points slightly inside or outside a closed part. Points on the part would be ambiguous: a cavity that
+/// ends in the plane of an outer face has faces inside that face. Drops samples that are beyond an edge of the part's
+/// faces or where these cross, unless all samples are.
 class PartSamples
 {
 public:
     enum class Side { Inside, Outside };
 
-    /// Lasting references.
+    /// Keeps references to `points` and `faces`. `facesIn`: the part faces inwards.
     PartSamples(std::span<const Vec3> points, std::span<const Triangle> faces, bool facesIn)
         : m_points(points)
         , m_faces(faces)
@@ -303,7 +304,7 @@ public:
     /// Returns points spread evenly over the area.
     std::vector<Vec3> overArea(std::size_t count, Side side = Side::Inside) const
     {
-        constexpr double step = 0.61803399; // golden section: spreads evenly
+        constexpr double step = 0.61803399; // golden section
         constexpr double half = 0.5;
         std::vector<Vec3> samples;
         for (std::size_t i = 0; i < count; ++i) {
@@ -318,8 +319,8 @@ public:
         return cleared(std::move(samples), side);
     }
 
-    /// Returns a point for each of up to `count` of the vertices, which reach where no share of the area would: a thin
-    /// end of the part.
+    /// Returns a point for each of at most `count` vertices. Vertices reach thin ends of the part, which samples by
+    /// area would miss.
     std::vector<Vec3> atVertices(std::size_t count) const
     {
         std::vector<Slot> corners; // 3 x face + corner
@@ -342,12 +343,13 @@ public:
     }
 
 private:
-    static constexpr double depth = 16; ///< lattice units: more than what rounding moves
+    static constexpr double depth = 16; ///< lattice units; more than rounding moves a point
 
-    /// `u`, `v`: sides of a face. Moves a place on it off the face, and off its edges.
+    /// Moves a point on a face off the face and away from its edges. `u`, `v`: two sides of the face.
     Vec3 beside(const Vec3& u, const Vec3& v, const Vec3& onFace, Side side) const
     {
-        constexpr double fromEdges = 0.1; // share of the way to the middle of the face, at most twice the depth
+        // Share of the way to the middle of the face; the move is at most twice the depth
+        constexpr double fromEdges = 0.1;
         const Vec3 inwards = (u + v) / 3 - onFace;
         const bool isAlongNormal = m_facesIn == (side == Side::Inside);
         return onFace + std::min(fromEdges, 2 * depth / inwards.norm()) * inwards +
@@ -368,18 +370,18 @@ private:
     std::span<const Triangle> m_faces;
     bool m_facesIn;
     WindingNumber m_own;
-    std::vector<double> m_ends; ///< ends of the faces' areas, laid one behind the other
-    double m_area = 0;          ///< doubled
+    std::vector<double> m_ends; ///< running sums of the faces' areas, doubled
+    double m_area = 0;          ///< area of the part, doubled
 };
 
-/// Holds how often parts wind around each of some points.
+/// Winding numbers at sample points.
 struct Windings : std::vector<double>
 {
-    /// Returns how often all of them are wound around.
+    /// Returns the least winding number, rounded; at least 0.
     double least() const { return std::max(0.0, std::round(std::ranges::min(*this))); }
-    /// Returns how often any of them is wound around at most.
+    /// Returns the largest winding number, rounded; at least 0.
     double most() const { return std::max(0.0, std::round(std::ranges::max(*this))); }
-    /// Returns the share of those that are wound around more often than `least`.
+    /// Returns the share of the points whose winding number exceeds `least`.
     double share(double least) const
     {
         constexpr double half = 0.5;
@@ -388,11 +390,11 @@ struct Windings : std::vector<double>
     }
 };
 
-/// Parts that face one way.
+/// All parts that face one way.
 class PartsOfWay
 {
 public:
-    /// `are`: by part. `way`: 1 outward, -1 inward.
+    /// `are`: for each part, whether it is one of them. `way`: 1 outward, -1 inward.
     PartsOfWay(const TriangleSoup& surface, std::span<const Vec3> points, const Parts& parts, std::vector<bool> are,
                int way)
         : m_are(std::move(are))
@@ -400,7 +402,7 @@ public:
         , m_winding(points, facesOf(surface, parts, m_are))
     {}
 
-    /// Returns how often they wind around points inside or outside of a part, which is left out.
+    /// Returns how often these parts wind around points inside or outside a part. The part itself does not count.
     Windings around(std::span<const Vec3> samples, std::size_t part,
                     PartSamples::Side side = PartSamples::Side::Inside) const
     {
@@ -426,18 +428,18 @@ private:
     WindingNumber m_winding;
 };
 
-/// Says which way a part faces, and where it lies.
+/// Orientation and position of a part.
 struct Facing
 {
     bool isClosed = false;
-    bool isInwards = false; ///< as it is; closed
-    double volume = 0;      ///< below 0 inwards; closed
+    bool isInwards = false; ///< before turning; for closed parts only
+    double volume = 0;      ///< negative if it faces inwards; for closed parts only
     bool isCavity = false;
-    bool isInside = false; ///< lies in other parts, as cavities do
-    bool isGuess = false;  ///< lies partly in parts of the other way, and is no cavity
+    bool isInside = false; ///< inside other parts, as cavities are
+    bool isGuess = false;  ///< partly inside parts of the other orientation, but no cavity
 };
 
-/// Tells cavities from parts that are inside out.
+/// Distinguishes cavities from parts that are inside out.
 class CavitySearch
 {
 public:
@@ -469,7 +471,7 @@ public:
         const std::vector<bool> outwardOnes = those([](const Facing& f) { return !f.isInwards; });
         const PartsOfWay outward = ofWay(outwardOnes, 1), inward = ofWay(inwardOnes, -1);
         judge(inwardOnes, inward, outward, outward);
-        // Cavities count no more: a part in one of them is no cavity of a model that is inside out.
+        // Cavities are excluded: a part in a cavity is no cavity of an inside-out model.
         const PartsOfWay inverted = ofWay(those([](const Facing& f) { return f.isInwards && !f.isCavity; }), -1);
         judge(outwardOnes, outward, inward, inverted);
         return std::move(m_facings);
@@ -481,7 +483,7 @@ private:
         return {m_surface, m_points, m_parts, std::move(are), way};
     }
 
-    /// Returns, by part, whether its box meets that of another one.
+    /// Returns for each part whether its box meets that of another part.
     std::vector<bool> meetingParts() const
     {
         std::vector<FaceBox> boxes(m_facings.size());
@@ -495,13 +497,13 @@ private:
         return meets;
     }
 
-    /// Judges parts of one way. `alike`: these. `unlike`: parts of the other way. `around`: the ones among them in
-    /// which a part may be a cavity.
+    /// Classifies the parts of one orientation. `alike`: these parts. `unlike`: parts of the other orientation.
+    /// `around`: those of `unlike` in which a part may be a cavity.
     void judge(const std::vector<bool>& are, const PartsOfWay& alike, const PartsOfWay& unlike,
                const PartsOfWay& around)
     {
         constexpr double nearlyAll = 1 - 1e-9, most = 0.6, some = 0.001, muchOfBody = 0.2;
-        constexpr double muchOfCutter = 0.02; // its end, if it is twelve times as long as wide
+        constexpr double muchOfCutter = 0.02; // area of the end of a bar twelve times as long as wide
         forEachChunk(are.size(), 1, [&](std::size_t, std::size_t begin, std::size_t end) {
             for (std::size_t part = begin; part < end; ++part) {
                 Facing& facing = m_facings[part];
@@ -522,15 +524,16 @@ private:
                 const Windings ofUnlike = &around == &unlike ? ofAround : unlike.around(samples, part);
                 facing.isCavity = ofAround.share(hollows) > (facing.isInwards ? most : nearlyAll);
                 facing.isInside = facing.isCavity || ofAlike.share(ofUnlike.least()) > nearlyAll;
-                const bool isBody = 2 * std::abs(facing.volume) > m_volume; // small parts may cross it
+                const bool isBody = 2 * std::abs(facing.volume) > m_volume; // small parts may cross a part of this size
                 const double share = !isBody ? some : facing.isInwards ? muchOfCutter : muchOfBody;
                 facing.isGuess = ofAround.share(0) > share && !facing.isCavity;
             }
         });
     }
 
-    /// Returns how many parts of its way make a hollow of the parts that it lies in: those that are around all of it,
-    /// but not if they cross it, or are the same surface once more. `windings`: theirs around points of it.
+    /// Returns the number of parts of the same orientation whose hollow contains the part: they wind around all of it.
+    /// Parts that cross it or coincide with it do not count. `windings`: winding numbers of those parts at points of
+    /// it.
     static double hollowsAround(const PartsOfWay& alike, const PartSamples& of, const Windings& windings,
                                 std::size_t part)
     {
@@ -540,14 +543,14 @@ private:
         return std::min(windings.least(), alike.around(of.atVertices(mostVertices), part).least());
     }
 
-    static constexpr std::size_t few = 128, many = 2048, mostVertices = 16'384; ///< samples
-    static constexpr double clearly = 0.75; ///< share of a cavity's area: a few samples have told it
+    static constexpr std::size_t few = 128, many = 2048, mostVertices = 16'384; ///< numbers of samples
+    static constexpr double clearly = 0.75; ///< share of a cavity's area from which few samples are enough
 
     const TriangleSoup& m_surface;
     std::vector<Vec3> m_points;
     const Parts& m_parts;
     std::vector<Facing> m_facings;
-    double m_volume = 0; ///< sum over all closed parts, whichever way they face
+    double m_volume = 0; ///< sum of the volumes of all closed parts, as absolute values
 };
 } // namespace
 

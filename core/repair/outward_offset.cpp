@@ -10,7 +10,7 @@ namespace core::repair
 {
 namespace
 {
-/// The planes of a point's faces: n n^T and n summed by weight.
+/// The planes of a point's faces: weighted sums of n n^T and n over the normals n.
 struct PlaneFit
 {
     Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
@@ -18,11 +18,11 @@ struct PlaneFit
     Slot component = 0;
     double shortestEdge = std::numeric_limits<double>::infinity();
 
-    /// The move by which each plane moves by 1, as well as can be; along directions that the planes say little of,
-    /// none.
+    /// Returns the displacement that moves each plane by about 1. Has no component in directions that the planes hardly
+    /// determine.
     Vec3 move() const
     {
-        constexpr double least = 0.05; // of the largest eigenvalue
+        constexpr double least = 0.05; // share of the largest eigenvalue
         const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(matrix);
         Vec3 result = Vec3::Zero();
         for (int i = 0; i < 3; ++i) {
@@ -38,7 +38,8 @@ struct PlaneFit
 void addFace(std::map<Slot, PlaneFit>& fits, const std::vector<bool>& isMoved, const TriangleSoup& surface,
              const Triangle& t, Slot component)
 {
-    constexpr double clearHeight = 64; // lattice units: the normal of a lower face is as good as rounding lets it be
+    // Lattice units; lower faces have less weight, because rounding changes their normals
+    constexpr double clearHeight = 64;
     const auto at = [&](Slot v) { return Vec3(surface.points[v].cast<double>()); };
     const Vec3 normal = (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0]));
     const double area = normal.norm();

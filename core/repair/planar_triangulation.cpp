@@ -17,7 +17,7 @@ PlanarTriangulation::PlanarTriangulation(const ExactPoints& points, const Triang
     noteCorners(0);
 }
 
-/// Keeps a cell for each of its corners.
+/// Stores the cell as the known cell of each of its corners.
 void PlanarTriangulation::noteCorners(Index cell)
 {
     for (const Slot corner : m_cells[cell].corners)
@@ -32,7 +32,7 @@ std::array<int, 3> PlanarTriangulation::sidesOf(const Cell& cell, Slot point) co
     return sides;
 }
 
-/// A walk; should it go round in circles, every cell is asked.
+/// Walks from cell to cell towards the point. If the walk does not end, tests every cell.
 PlanarTriangulation::Place PlanarTriangulation::locate(Slot point) const
 {
     const auto isIn = [](const std::array<int, 3>& sides) { return sides[0] >= 0 && sides[1] >= 0 && sides[2] >= 0; };
@@ -81,7 +81,8 @@ PlanarTriangulation::Edge PlanarTriangulation::twin(Edge edge) const
     return {other, other == none ? 0 : edgeFrom(other, cell.corners[next(edge.edge)])};
 }
 
-/// Tells `other`, if there is one, that across its edge from `otherFrom` lies `cell`, and the other way round.
+/// Makes `cell` and `other`, if it exists, neighbours: across `edge` of the cell, and across the edge of `other` that
+/// begins at `otherFrom`.
 void PlanarTriangulation::link(Index cell, int edge, Index other, Slot otherFrom)
 {
     m_cells[cell].beyond[edge] = other;
@@ -136,7 +137,7 @@ void PlanarTriangulation::splitEdge(Edge edge, Slot point)
     m_cells[otherBefore].beyond[0] = after;
 }
 
-/// The two cells at the edge form a strictly convex quadrilateral.
+/// Returns whether the two cells at the edge form a strictly convex quadrilateral.
 bool PlanarTriangulation::isConvex(Edge edge) const
 {
     const Edge other = twin(edge);
@@ -167,7 +168,7 @@ void PlanarTriangulation::flip(Edge edge)
     noteCorners(other.cell);
 }
 
-/// Calls visit(edge) for each edge that begins at the point, until it returns true.
+/// Calls visit(edge) for each edge that begins at the point, until visit returns true.
 template <typename Visit> void PlanarTriangulation::forEachEdgeFrom(Slot point, Visit visit) const
 {
     const Index start = m_cellAt.at(point);
@@ -180,7 +181,7 @@ template <typename Visit> void PlanarTriangulation::forEachEdgeFrom(Slot point, 
     } while (cell != none && cell != start);
     if (cell == start)
         return;
-    for (cell = m_cells[start].beyond[edgeFrom(start, point)]; cell != none; // the other way from the border
+    for (cell = m_cells[start].beyond[edgeFrom(start, point)]; cell != none; // from the border in the other direction
          cell = m_cells[cell].beyond[edgeFrom(cell, point)])
         if (visit(Edge{cell, edgeFrom(cell, point)}))
             return;
@@ -197,10 +198,10 @@ std::optional<PlanarTriangulation::Edge> PlanarTriangulation::find(Slot from, Sl
     return found;
 }
 
-/// Returns the edges that the segment crosses, from its beginning to its end.
+/// Returns the edges that the segment crosses, in order from its beginning to its end.
 std::vector<std::pair<Slot, Slot>> PlanarTriangulation::crossedBy(Slot from, Slot to) const
 {
-    std::optional<Edge> edge; // its beginning is to the right of the segment, its end to the left
+    std::optional<Edge> edge; // its beginning is right of the segment, its end left
     forEachEdgeFrom(from, [&](Edge e) {
         const Triangle& corners = m_cells[e.cell].corners;
         if (side(from, to, corners[next(e.edge)]) < 0 && side(from, to, corners[previous(e.edge)]) > 0)
@@ -246,8 +247,8 @@ void PlanarTriangulation::force(Slot from, Slot to)
     }
 }
 
-/// The angles across the edge sum up to more than half a turn: the sine of the sum is negative. By the doubles: a
-/// question of beauty only.
+/// Returns whether the angles opposite the edge sum up to more than half a turn, where the sine of the sum is negative.
+/// Uses doubles, because the result only affects the shape of the triangles.
 bool PlanarTriangulation::wantsFlip(Edge edge) const
 {
     const Edge other = twin(edge);
@@ -266,7 +267,7 @@ bool PlanarTriangulation::wantsFlip(Edge edge) const
 
 void PlanarTriangulation::improve()
 {
-    constexpr int rounds = 8; // towards Delaunay, not necessarily there
+    constexpr int rounds = 8; // moves towards Delaunay; need not reach it
     bool flipped = true;
     for (int round = 0; round < rounds && flipped; ++round) {
         flipped = false;

@@ -8,21 +8,22 @@
 
 namespace core::repair
 {
-/// A triangle with points and segments in it, cut into triangles of which those are corners and edges. Exact. Points
-/// are inserted one by one; segments are forced by flips (Sloan 1993); free edges are then flipped towards Delaunay's.
+/// A triangle divided into triangles, with given points as corners and given segments as edges. Exact. Points are
+/// inserted one by one, segments are forced by flips (Sloan 1993), and other edges are then flipped towards Delaunay.
 class PlanarTriangulation
 {
 public:
-    /// `corners` go counter-clockwise in the projection. Lasting references.
+    /// Precondition: `corners` are counter-clockwise in the projection. Keeps a reference to `points`.
     PlanarTriangulation(const ExactPoints& points, const Triangle& corners, Projection onto);
 
-    /// Inside of the triangle or on its border. Once each.
+    /// Inserts a point. Precondition: it is inside the triangle or on its border, and not yet inserted.
     void insert(Slot point);
-    /// Both ends are in, and no point lies between them; it crosses no segment that was forced before.
+    /// Makes the segment an edge. Precondition: both ends are inserted, no point is between them, and the segment
+    /// crosses no forced segment.
     void force(Slot from, Slot to);
     void improve();
 
-    /// Counter-clockwise in the projection.
+    /// Returns the triangles, counter-clockwise in the projection.
     std::vector<Triangle> triangles() const;
 
 private:
@@ -34,17 +35,17 @@ private:
     struct Cell
     {
         Triangle corners;
-        std::array<Index, 3> beyond{none, none, none}; ///< the cell across the edge that begins at the corner
-        std::array<bool, 3> forced{};                  ///< that edge
+        std::array<Index, 3> beyond{none, none, none}; ///< the cell across the edge that begins at each corner
+        std::array<bool, 3> forced{};                  ///< whether the edge that begins at each corner is forced
     };
     struct Edge
     {
         Index cell;
-        int edge; ///< begins at that corner
+        int edge; ///< index of the corner at which the edge begins
     };
 
     int side(Slot a, Slot b, Slot c) const { return orient2d(m_points[a], m_points[b], m_points[c], m_onto); }
-    /// Of a cell that the point is in, and by which edge it lies on that one.
+    /// A cell that contains a point, and on which side of each edge of the cell the point is.
     struct Place
     {
         Index cell;
@@ -68,7 +69,7 @@ private:
     const ExactPoints& m_points;
     Projection m_onto;
     std::vector<Cell> m_cells;
-    std::unordered_map<Slot, Index> m_cellAt; ///< a cell that has the point
+    std::unordered_map<Slot, Index> m_cellAt; ///< a cell that has the point as a corner
     mutable Index m_last = 0;
 };
 } // namespace core::repair

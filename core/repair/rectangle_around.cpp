@@ -13,7 +13,7 @@ namespace
 {
 using Vec2 = Eigen::Vector2d;
 
-/// Returns the points as they lie in the plane through their middle across which they spread least.
+/// Returns the points projected onto the plane through their mean that fits them best.
 std::vector<Vec2> flattened(std::span<const Vec3> points)
 {
     Vec3 middle = Vec3::Zero();
@@ -45,7 +45,7 @@ std::vector<Vec2> convexHull(std::vector<Vec2> points)
                 hull.pop_back();
             hull.push_back(p);
         }
-        hull.pop_back(); // the other half begins with it
+        hull.pop_back(); // the other half begins with the same point
     };
     add(points);
     std::ranges::reverse(points);
@@ -59,7 +59,7 @@ Rectangle rectangleAround(std::span<const Vec3> points)
     const std::vector<Vec2> hull = convexHull(flattened(points));
     constexpr double rounding = 1e-6;
     Rectangle least;
-    for (std::size_t i = 0; i < hull.size(); ++i) { // one of its sides lies along an edge of the hull
+    for (std::size_t i = 0; i < hull.size(); ++i) { // one side of the least rectangle is along an edge of the hull
         const Vec2 along = (hull[(i + 1) % hull.size()] - hull[i]).normalized(), across(-along.y(), along.x());
         Eigen::AlignedBox2d box;
         for (const Vec2& p : hull)

@@ -11,7 +11,7 @@ struct Rectangle
     double length = 0, width = 0; ///< length >= width
 };
 
-/// Returns the rectangle of least area around the points as they lie in the plane nearest to them; of equal ones, the
-/// shortest. Cost: a sort, and the square of the corners of their convex hull.
+/// Returns the rectangle of least area around the points, projected onto the plane nearest to them. Among equal
+/// rectangles, the shortest. Cost: one sort, and the square of the number of convex hull corners.
 Rectangle rectangleAround(std::span<const Vec3> points);
 } // namespace core::repair

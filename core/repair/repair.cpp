@@ -1,17 +1,17 @@
-// Whatever a stranger made becomes the boundary of a solid:
+// Makes the boundary of a solid from any triangles:
 //   1. snap      to the lattice, and weld                                        cleanup
-//   2. clean up  faces without area, faces that are there twice                  cleanup
-//      drop      parts that are there twice, triangulated otherwise              cleanup
-//      join      cracks: open vertices as good as on others, or on open edges    crack_stitching
-//   3. orient    along edges of two; sheets inside go                            orientation
+//   2. clean up  remove faces without area, and duplicate faces                  cleanup
+//      drop      parts that exist twice with different triangles                 cleanup
+//      join      cracks: open vertices near others or near open edges            crack_stitching
+//   3. orient    along edges of two faces; remove hidden sheets                  orientation
 //   4. leave out open parts that enclose nothing                                 sheet_removal
 //      fill      holes                                                           hole_filling
-//   5. outwards  parts that face inwards                                         orientation
-//   6. resolve   cut along all intersections, keep the boundary of what is wound around, round to the lattice; cover
-//                what comes to no end; separate parts that touch at edges and vertices              resolution
-//   7. check     the whole; if it is not in order and may be made anew, from the winding number      shrink_wrap
-//   8. measure   how far it is from what it was                                  surface_distance, space_difference
-//      and mask  what was masked and is still there                              mask_transfer
+//   5. outwards  turn parts that face inwards                                    orientation
+//   6. resolve   cut along all intersections, keep the boundary of the enclosed space, round to the lattice;
+//                cover what does not converge; separate parts that touch at edges and vertices         resolution
+//   7. check     the whole; if it is invalid and may be remeshed, remesh from the winding number     shrink_wrap
+//   8. measure   the distance from the original                                  surface_distance, space_difference
+//      and mask  copy the masks of points that still exist                       mask_transfer
 
 #include "core/repair/repair.h"
 
@@ -39,7 +39,7 @@ namespace
 {
 using repair::TriangleSoup;
 
-/// Shares of the time.
+/// Progress, 0 to 1, at the end of steps 1 to 5 and of step 6.
 constexpr double afterClosing = 0.2, afterResolving = 0.9;
 
 TriangleSoup surfaceOf(const TriangleMesh& mesh, const LatticePlacement& placement)
@@ -65,7 +65,7 @@ TriangleMesh meshOf(TriangleSoup surface, const Lattice& lattice)
     return mesh;
 }
 
-/// Who is told how far it is and what begins.
+/// Reports progress, and which step begins.
 struct Progress
 {
     JobControl control;
@@ -79,8 +79,8 @@ struct Progress
     Progress part(double from, double to) const { return {control.part(from, to), onStep}; }
 };
 
-/// Returns whether the faces stand around some space, be they joined or not: seen from their middle they span a volume
-/// of more than 0.01 area^1.5. A cube has 0.07.
+/// Returns whether the faces surround some space, connected or not: with their middle they form a volume of more than
+/// 0.01 x area^1.5. A cube has 0.07.
 bool standAroundSpace(const TriangleSoup& surface)
 {
     constexpr double least = 0.01;
@@ -97,18 +97,19 @@ bool standAroundSpace(const TriangleSoup& surface)
     return std::abs(volume) > least * std::pow(area, 1.5);
 }
 
-/// What steps 1 to 5 come to.
+/// The result of steps 1 to 5.
 struct ClosedSurface
 {
-    bool isRefused = false; ///< a large hole is not to be filled
-    bool isLoose = false; ///< there was nearly as much to fill as there was to keep: triangles that hang together badly
-    TriangleSoup unfilled; ///< as it was before holes were filled, without sheets
-    /// The surface as the file has it, with all that was left out but large sheets. Missing if that is closed.
+    bool isRefused = false; ///< there is a large hole that must not be filled
+    /// Nearly as much area was filled as was kept: the triangles are badly connected.
+    bool isLoose = false;
+    TriangleSoup unfilled; ///< the surface before holes were filled, without sheets
+    /// The surface as the file has it, including all removed parts except large sheets. Missing if the file is closed.
     std::optional<TriangleSoup> whole;
-    /// The closed surface with parts turned back that could as well be cavities. Missing if there are none.
+    /// The closed surface, with parts reversed that may as well be cavities. Missing if there are none.
     std::optional<TriangleSoup> otherReading;
-    TriangleSoup cavities;      ///< parts of it
-    bool isFileOriented = true; ///< the faces of each edge of two run it both ways
+    TriangleSoup cavities;      ///< parts of the surface that face inwards
+    bool isFileOriented = true; ///< the two faces of each edge run along it in opposite directions
 };
 
 void weldAndCleanUp(TriangleSoup& surface, RepairReport& report)
@@ -128,7 +129,7 @@ void join(TriangleSoup& surface, double unit, RepairReport& report)
         weldAndCleanUp(surface, report);
 }
 
-/// Returns whether the faces run each edge as often one way as the other.
+/// Returns whether the faces run along each edge equally often in both directions.
 bool isClosed(const TriangleSoup& surface)
 {
     bool isClosed = true;
@@ -141,16 +142,16 @@ bool isClosed(const TriangleSoup& surface)
     return isClosed;
 }
 
-/// Drops faces and patches that are there twice, however they run. Returns how many faces went.
+/// Drops faces and patches that exist twice, in either orientation. Returns the number of dropped faces.
 std::size_t dropDoubles(TriangleSoup& surface)
 {
     const std::size_t faces = repair::cleanUp(surface, repair::Duplicates::KeepOne).duplicates;
     return faces + repair::dropDoubledPatches(surface).size();
 }
 
-/// Takes a surface as it is if it is closed, runs one way everywhere, and has no double faces, but for opposite ones,
-/// which cancel: those of parts that touch, which may enclose a void. Others go if it is closed without them. Returns
-/// false, and leaves it as it was, if it is not so or if a component would go.
+/// Accepts a surface that is closed and oriented and has no double faces, after cancelling opposite ones. Opposite
+/// faces belong to parts that touch, which may enclose a void. Other doubles are dropped if the surface is closed
+/// without them. Otherwise, or if a component would disappear, returns false and does not change the surface.
 bool takeClosed(TriangleSoup& surface, RepairReport& report)
 {
     TriangleSoup taken = surface;
@@ -181,7 +182,7 @@ bool takeClosed(TriangleSoup& surface, RepairReport& report)
     return true;
 }
 
-/// Returns whether the two faces of each edge of two run it in opposite directions.
+/// Returns whether the two faces of each edge of two run along it in opposite directions.
 bool runsOneWay(const TriangleSoup& surface)
 {
     bool doRun = true;
@@ -191,7 +192,7 @@ bool runsOneWay(const TriangleSoup& surface)
     return doRun;
 }
 
-/// Drops faces with the corners of any of these.
+/// Drops faces that have the same corners as any of these.
 void dropFaces(TriangleSoup& surface, std::vector<Triangle> faces)
 {
     for (Triangle& t : faces)
@@ -201,7 +202,7 @@ void dropFaces(TriangleSoup& surface, std::vector<Triangle> faces)
                   [&](const Triangle& t) { return std::ranges::binary_search(faces, repair::sortedCorners(t)); });
 }
 
-/// Turns faces to the way that those of `other` with the same corners run.
+/// Orients faces like the faces of `other` with the same corners.
 void takeOrientation(TriangleSoup& surface, const TriangleSoup& other)
 {
     std::map<Triangle, Triangle> byCorners;
@@ -212,7 +213,7 @@ void takeOrientation(TriangleSoup& surface, const TriangleSoup& other)
             t = found->second;
 }
 
-/// Makes a closed surface of any, but for the holes that are not to be filled.
+/// Closes a surface, except for holes that must not be filled.
 ClosedSurface stitchAndFill(TriangleSoup& surface, double unit, const RepairOptions& options, RepairReport& report,
                             const Progress& progress)
 {
@@ -282,13 +283,14 @@ ClosedSurface closeSurface(TriangleSoup& surface, double unit, const RepairOptio
     return result;
 }
 
-/// A surface that is in order, and how far it is from what it was.
+/// A valid surface, and its distance from the original.
 struct Outcome
 {
     TriangleMesh mesh;
     RepairReport report;
 
-    /// 0: the same; the model's own size or volume counts as 1.
+    /// Returns how much the surface differs from the original, 0 if it is equal. Terms are relative to the model's size
+    /// or volume.
     double loss() const
     {
         return std::abs(1 - report.keptVolume()) + report.lost / report.size + report.space.lost + report.space.gained;
@@ -302,25 +304,26 @@ TriangleMesh movedBy(const Vec3& by, TriangleMesh mesh)
     return mesh;
 }
 
-/// Step 8. `measures`: of the mesh.
+/// Performs step 8. `measures`: report of checkMesh() for `mesh`.
 void measure(RepairReport& report, const TriangleMesh& old, const TriangleMesh& mesh, const MeshReport& measures,
              const JobControl& control = {})
 {
     constexpr double half = 0.5;
-    constexpr double near = 1e-4; // of the size: what lies on the surface
+    constexpr double near = 1e-4; // share of the size within which a point counts as on the surface
     report.after = {measures.area, measures.volume.value_or(0), measures.components};
     report.fromOld = distanceFrom(old, mesh, control.part(0, half));
     report.fromNew = distanceFrom(mesh, old, control.part(half, 1));
     report.lost = report.fromOld.mean;
-    if (report.lost > RepairReport::mostLost * report.size) // some of it may have been inside
+    if (report.lost > RepairReport::mostLost * report.size) // some of the old surface may have been inside
         report.lost = meanDistanceOutside(old, mesh, near * report.size, {control.stop, {}});
 }
 
-/// Steps 6 to 8.
+/// Performs steps 6 to 8.
 class Solidification
 {
 public:
-    /// `old`: what the outcome is held against. `report`: of steps 1 to 5. Lasting references.
+    /// `old`: the surface with which the result is compared. `report`: report of steps 1 to 5. Keeps references, except
+    /// to the report.
     Solidification(const TriangleSoup& surface, const ClosedSurface& closed, const Lattice& lattice,
                    const TriangleMesh& old, const RepairReport& report)
         : m_surface(surface)
@@ -337,13 +340,13 @@ public:
         }
     }
 
-    /// Tries to resolve what is wound around outwards, then either way if the other way was lost; and all that again
-    /// with a larger tolerance where it comes to no end.
+    /// Resolves the space with positive winding number, then with either sign if space of negative winding number was
+    /// lost. Repeats both with a larger tolerance if they do not converge.
     void resolve(const Progress& progress)
     {
-        constexpr double tolerances[] = {2, 64, 1024}; // lattice units: the last may be 1/200 of the size
-        constexpr double shareOfAttempt = 0.75;        // of what is left of the time; most models need one
-        std::uint64_t budget = 200'000;                // pairs of faces that are cut again: tens of seconds
+        constexpr double tolerances[] = {2, 64, 1024}; // lattice units; the last may be 1/200 of the size
+        constexpr double shareOfAttempt = 0.75;        // share of the remaining progress; most models need one attempt
+        std::uint64_t budget = 200'000;                // pairs of faces that may be cut again; takes tens of seconds
         double reached = 0;
         for (const double tolerance : tolerances) {
             for (const repair::Inside inside : {repair::Inside::Positive, repair::Inside::NonZero}) {
@@ -376,7 +379,7 @@ public:
     }
 
     bool isFaithful() const { return m_best && m_best->report.isFaithful(); }
-    /// The reason why there is no outcome, or none that is worth it.
+    /// Returns why there is no result, or none that is good enough.
     RepairRefusal refusal() const
     {
         constexpr double half = 0.5, mostDistance = 0.05;
@@ -408,7 +411,7 @@ private:
         m_resolution = repair::resolveIntersections(surface, inside, m_closed.cavities, tolerance, budget,
                                                     progress.control.part(0, afterCutting));
         const double volume = m_resolution.volume + m_resolution.insideOutVolume;
-        m_volume = std::max(m_volume, volume * std::pow(m_lattice.unit(), 3)); // it is 0 where nothing was cut
+        m_volume = std::max(m_volume, volume * std::pow(m_lattice.unit(), 3)); // the volume is 0 if nothing was cut
         RepairReport report = m_report;
         report.before.volume += m_volume;
         report.intersections = m_resolution.intersections;
@@ -422,14 +425,14 @@ private:
             offer(std::move(surface), report, progress.part(afterCutting, 1));
     }
 
-    /// Returns whether it was resolved, and space that is wound around the other way was lost.
+    /// Returns whether the surface was resolved but space with negative winding number was lost.
     bool isInsideOut() const
     {
         return m_resolution.isDone && m_resolution.insideOutVolume > 0 &&
                (!m_best || m_best->report.keptVolume() < RepairReport::leastVolume);
     }
 
-    /// Takes it if it is in order and loses less than what there was.
+    /// Keeps the surface as the best outcome if it is valid and loses less than the best one so far.
     void offer(TriangleSoup surface, const RepairReport& report, const Progress& progress)
     {
         constexpr double afterCheck = 0.35, afterMeasuring = 0.9;
@@ -460,7 +463,7 @@ private:
     const TriangleMesh& m_old;
     RepairReport m_report;
     repair::Resolution m_resolution;
-    double m_volume = 0; ///< that the surface winds around, in the model's unit
+    double m_volume = 0; ///< volume that the surface winds around, in the model's unit
     std::optional<Outcome> m_best;
 };
 } // namespace

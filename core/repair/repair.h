@@ -10,68 +10,75 @@
 
 namespace core
 {
-/// What to do where more than one outcome is right.
+/// The user's choices where more than one result would be right.
 struct RepairOptions
 {
-    bool fillLargeHoles = true;    ///< else a surface with a hole longer than a quarter of it is refused
-    bool innerAreCavities = false; ///< a part inside of another that faces outwards: a cavity, else it is filled
-    bool canWrap = false;          ///< the whole may be made anew if nothing else keeps it
+    bool fillLargeHoles = true; ///< otherwise a surface with a hole longer than a quarter of the surface is refused
+    /// A part inside another that faces outwards becomes a cavity; otherwise it is filled.
+    bool innerAreCavities = false;
+    bool canWrap = false; ///< the whole surface may be remeshed if nothing else preserves it
 };
 
-/// Measures of a surface: area and the volume that it winds around, in the model's unit, and parts that edges connect.
+/// Measures of a surface in the model's unit: area, enclosed volume by winding number, and number of parts connected by
+/// edges.
 struct SurfaceMeasures
 {
     double area = 0, volume = 0;
     std::size_t parts = 0;
 };
 
-/// What was done, in the order of the steps. Counts of what was found and repaired.
+/// A record of what the repair found and changed, in the order of its steps.
 struct RepairReport
 {
-    std::size_t welded = 0;          ///< vertices that lay where others did, on the lattice
-    std::size_t degenerateFaces = 0; ///< without area
+    std::size_t welded = 0;          ///< vertices merged with others at the same lattice point
+    std::size_t degenerateFaces = 0; ///< faces without area
     std::size_t duplicateFaces = 0;
-    std::size_t joined = 0;        ///< open vertices at cracks, joined with others or with the edge that they lay on
-    double joinedWithin = 0;       ///< the farthest of these, in the model's unit
-    std::size_t turnedFaces = 0;   ///< that ran against most of their neighbours, or whose part faced inwards
-    std::size_t membraneFaces = 0; ///< of sheets between other faces that are seen from nowhere outside: they went
-    std::size_t sheets = 0;        ///< open parts that enclose nothing: they were left out
-    double sheetLength = 0, sheetWidth = 0;              ///< of the largest, in the model's unit
-    std::size_t holes = 0;                               ///< that were filled
-    std::size_t largeHoles = 0;                          ///< of these, or that were the reason to refuse
-    std::size_t innerParts = 0;                          ///< inside of others and facing outwards
-    std::uint64_t intersections = 0;                     ///< pairs of faces that met before the first cut
-    std::size_t rounds = 0;                              ///< of cutting the surface along its intersections
-    std::size_t touchingEdges = 0, touchingVertices = 0; ///< at which parts were drawn apart
-    std::size_t knots = 0;    ///< places where faces met again and again: a small solid covers each
-    double widestKnot = 0;    ///< the diameter of the largest of these, in the model's unit
-    std::size_t crumbs = 0;   ///< parts that cutting left, too small and thin to count: they went
-    std::size_t unmasked = 0; ///< masked points that are gone; where a point is kept, so is its mask
-    /// The surface was made anew from the space that it winds around, with edges of about this length. Missing: it was
-    /// kept.
+    std::size_t joined = 0;      ///< open vertices at cracks, joined with others or with an edge near them
+    double joinedWithin = 0;     ///< largest distance of a joined vertex, in the model's unit
+    std::size_t turnedFaces = 0; ///< faces that disagreed with most of their neighbours, or whose part faced inwards
+    /// Removed faces of open parts between other faces that are not visible from outside.
+    std::size_t membraneFaces = 0;
+    std::size_t sheets = 0;                 ///< removed open parts that enclose nothing
+    double sheetLength = 0, sheetWidth = 0; ///< size of the largest sheet, in the model's unit
+    std::size_t holes = 0;                  ///< number of filled holes
+    /// Large holes among them, or those that were the reason to refuse.
+    std::size_t largeHoles = 0;
+    std::size_t innerParts = 0;      ///< parts that are inside others and face outwards
+    std::uint64_t intersections = 0; ///< pairs of faces that met before the first cut
+    /// Number of times that the surface was cut along its intersections.
+    std::size_t rounds = 0;
+    std::size_t touchingEdges = 0, touchingVertices = 0; ///< contacts at which parts were separated
+    std::size_t knots = 0;    ///< places where faces kept meeting; each is covered by a small solid
+    double widestKnot = 0;    ///< diameter of the largest of these solids, in the model's unit
+    std::size_t crumbs = 0;   ///< removed parts left by cutting, too small and thin to count
+    std::size_t unmasked = 0; ///< masked points that no longer exist; a point that is kept keeps its mask
+    /// Edge length of the remeshed surface, in the model's unit, if the surface was remeshed from its winding number.
+    /// Missing if it was kept.
     std::optional<double> remeshedAt;
 
-    Vec3 moved =
-        Vec3::Zero(); ///< was added to each point, as the model lay far from the origin; distances are without that
-    double size = 0;  ///< the longest side of the model
-    /// Before: area and parts are those of the model without the sheets, the volume that of its surface once closed and
-    /// turned outwards and, as if they were closed, of the sheets.
+    /// Translation added to each point, because the model was far from the origin. Distances in this report do not
+    /// include it.
+    Vec3 moved = Vec3::Zero();
+    double size = 0; ///< longest side of the model
+    /// `before`: area and parts are those of the model without the sheets. Its volume is that of the surface once
+    /// closed and turned outwards, plus that of the sheets as if they were closed.
     SurfaceMeasures before, after;
-    SurfaceDistance fromOld; ///< of the old surface, from the new one: what went
-    SurfaceDistance fromNew; ///< of the new surface, from the old one: what was added, and what moved
+    SurfaceDistance fromOld; ///< distances of the old surface from the new one: what was removed
+    SurfaceDistance fromNew; ///< distances of the new surface from the old one: what was added or moved
     double hausdorff() const { return std::max(fromOld.largest, fromNew.largest); }
     static constexpr double leastVolume = 0.98, mostVolume = 1.02, mostLost = 0.005, mostSpaceLost = 0.02,
                             mostSpaceGained = 0.1, mostOtherSpace = 0.02;
-    double lost = 0; ///< mean distance of the old surface from the new one, where it does not lie inside of that
-    /// From the old surface if that was open: from the file's faces, or as they were turned where they run both ways
-    /// along an edge; without sheets of 1/100 of the area or more.
+    /// Mean distance of the old surface from the new one, where the old one is not inside the new one.
+    double lost = 0;
+    /// Compares the enclosed space with that of the old surface, if the old surface was open. Uses the faces of the
+    /// file, or the oriented faces if the file is not oriented. Sheets of 1/100 of the area or more are left out.
     SpaceDifference space;
-    SpaceDifference
-        otherSpace; ///< measured from what it would be if parts that were turned are cavities, where they may be
+    /// Compares the enclosed space with the one that results if doubtful parts are taken for cavities instead.
+    SpaceDifference otherSpace;
     double keptVolume() const { return before.volume > 0 ? after.volume / before.volume : 1; }
-    /// The model was not made anew, its volume is the same within 2 %, `lost` is at most 0.5 % of its size, and of the
-    /// space that the old and the new surface enclose together at most 2 % were lost and 10 % gained, and 2 %
-    /// differ from the other reading.
+    /// Returns whether the result is still the same model: it was not remeshed, its volume is the same within 2 %, and
+    /// `lost` is at most 0.5 % of its size. Of the space that the old and the new surface enclose together, at most 2 %
+    /// were lost and 10 % gained; at most 2 % differ in the alternative reading.
     bool isFaithful() const;
 };
 
@@ -79,32 +86,34 @@ enum class RepairRefusal {
     None,
     LargeHoles,
     EnclosesNothing,
-    Unresolved, ///< faces still meet or touch at RepairResult::place: it could only be made anew
-    TooMuchLost ///< more than half of the volume: it could only be made anew
+    /// Faces still meet or touch at RepairResult::place: only remeshing would help.
+    Unresolved,
+    TooMuchLost ///< more than half of the volume would be lost: only remeshing would help
 };
 
 struct RepairResult
 {
-    std::optional<TriangleMesh> mesh; ///< print-ready, and on its lattice; missing if refused or stopped
-    TriangleMesh old;                 ///< with `mesh`: the surface that it was held against, moved as `mesh` is
+    std::optional<TriangleMesh> mesh; ///< print-ready and on its lattice; missing if refused or stopped
+    /// The surface with which `mesh` was compared, moved as `mesh` is; set only with `mesh`.
+    TriangleMesh old;
     RepairRefusal refusal = RepairRefusal::None;
-    std::optional<Vec3> place; ///< if unresolved, in the model's coordinates
+    std::optional<Vec3> place; ///< position of the failure if unresolved, in the model's coordinates
     RepairReport report;
 };
 
 enum class RepairStep { CleanUp, Stitch, Orient, Fill, Resolve, Remesh, Check, Measure };
-/// Is told what begins, on the job's thread; some steps come again.
+/// Called on the job's thread when a step begins; some steps are repeated.
 using RepairStepCallback = std::function<void(RepairStep step)>;
 
-/// Makes one closed, manifold, consistently oriented surface without intersections out of whatever triangles there are:
-/// the boundary of the space that they wind around. Away from what was wrong no coordinate changes but by the snap to
-/// the lattice (half a unit), and where cracks close (crack_stitching.h). The caller asks isFaithful() whether the
-/// outcome is still the model. Indices in range, points finite, at least one face. Whole-mesh cost, on all cores.
+/// Makes one closed, manifold, consistently oriented surface without intersections from any triangles: the boundary of
+/// the space that they wind around. Away from defects, coordinates change only by the snap to the lattice (half a unit)
+/// and where cracks are closed (crack_stitching.h). Callers must check isFaithful(). Precondition: indices are in
+/// range, points are finite, and there is at least one face. Cost: O(mesh), on all cores.
 RepairResult repairMesh(const TriangleMesh& mesh, const RepairOptions& options = {}, const JobControl& control = {},
                         const RepairStepCallback& onStep = {});
 
-/// Measures what became of a repaired model, such as fewer triangles, against `old` of its repair: `after`, `fromOld`,
-/// `fromNew` and `lost` of the report, not `space`. The mesh is closed and oriented, and lies where `old` does. Cost:
-/// that of checkMesh() and of two distanceFrom().
+/// Measures a repaired model after a further change, such as decimation, against `old` of its repair. Updates `after`,
+/// `fromOld`, `fromNew` and `lost` of the report, not `space`. Precondition: the mesh is closed and oriented, and in
+/// the same position as `old`. Cost: that of checkMesh() and of two distanceFrom().
 void measureAgain(RepairReport& report, const TriangleMesh& old, const TriangleMesh& mesh);
 } // namespace core

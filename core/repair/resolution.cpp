@@ -19,7 +19,7 @@ namespace
 {
 constexpr std::size_t maxPairs = 1'000'000;
 
-/// The faces of the pairs, each once.
+/// Returns the faces of the pairs, each once, ascending.
 std::vector<Slot> facesOf(std::span<const FacePair> pairs)
 {
     std::vector<Slot> faces;
@@ -32,13 +32,13 @@ std::vector<Slot> facesOf(std::span<const FacePair> pairs)
     return faces;
 }
 
-/// Returns how many triples of faces there are that meet each other, up to about a limit: where they do, two cuts cross
-/// in a face.
+/// Returns the number of triples of faces that meet each other, up to roughly `limit`. In each triple two cuts cross in
+/// a face.
 std::uint64_t triplesOf(std::size_t faces, std::span<const FacePair> pairs, std::uint64_t limit)
 {
     if (pairs.empty())
         return 0;
-    std::vector<std::vector<Slot>> after(faces); // faces behind each face that it meets
+    std::vector<std::vector<Slot>> after(faces); // for each face, the faces after it that it meets
     for (const auto& [first, second] : pairs)
         after[first].push_back(second);
     for (std::vector<Slot>& others : after)
@@ -70,7 +70,7 @@ double sizeOf(const TriangleSoup& surface)
     return (box.max - box.min).cast<double>().maxCoeff();
 }
 
-/// The faces that have one of these points.
+/// Returns the faces that have one of these points.
 std::vector<Slot> facesWith(const TriangleSoup& surface, std::span<const Slot> points)
 {
     std::vector<bool> isMeant(surface.points.size(), false);
@@ -85,11 +85,12 @@ std::vector<Slot> facesWith(const TriangleSoup& surface, std::span<const Slot> p
     return faces;
 }
 
-/// Cuts a surface until none of its faces meet.
+/// Cuts a surface until no two faces meet.
 class Cutting
 {
 public:
-    /// `tolerance`: of the file's own floats. `budget`: of pairs of faces that are cut after the first time.
+    /// `tolerance`: accuracy of the file's points, lattice units. `budget`: pairs of faces that may be cut after the
+    /// first time.
     Cutting(TriangleSoup& surface, Inside inside, const TriangleSoup& cavities, double tolerance,
             Resolution& resolution, std::uint64_t& budget, const JobControl& control)
         : m_surface(surface)
@@ -101,11 +102,11 @@ public:
         , m_control(control)
     {}
 
-    /// `mostPairs`: of faces that meet at first; with more nothing is cut.
+    /// `mostPairs`: if more pairs of faces meet at first, nothing is cut.
     void run(std::uint64_t mostPairs)
     {
-        constexpr std::size_t maxRounds = 24, firstOfCovering = 4, lastOfGrowth = 10; // few need as many
-        constexpr double ofRounding = 8;                                              // tolerance, lattice units
+        constexpr std::size_t maxRounds = 24, firstOfCovering = 4, lastOfGrowth = 10; // few surfaces need as many
+        constexpr double ofRounding = 8;                                              // tolerance in lattice units
         constexpr std::uint64_t mostTriples = 1'000'000;                              // about a minute
         m_resolution.isDone = false;
         m_met = selfIntersections<LatticePredicates>(m_surface.points, m_surface.triangles, maxPairs, m_control.stop);
@@ -131,7 +132,7 @@ public:
             if (m_met.count > 0)
                 m_resolution.unresolved = placeOf(m_met.pairs[0]);
             if (m_resolution.isDone)
-                return cut(m_control.part(reached, 1)); // what was turned inside out since goes
+                return cut(m_control.part(reached, 1)); // removes what rounding has turned inside out
             if (m_met.count > std::min(m_budget, manyMoreThan(fewest)))
                 return;
             m_budget -= m_met.count;
@@ -143,9 +144,9 @@ public:
     }
 
 private:
-    static constexpr float reach = 2; ///< of rounding: how far a change may make faces meet, lattice units
+    static constexpr float reach = 2; ///< distance within which a rounded point may make faces meet, lattice units
 
-    /// Returns the number of pairs from which on a tangle is given up.
+    /// Returns the number of pairs above which the surface is given up as a tangle.
     static std::uint64_t manyMoreThan(std::uint64_t pairs)
     {
         constexpr std::uint64_t growth = 3, fewEnough = 1000;
@@ -172,7 +173,7 @@ private:
 
     void cover()
     {
-        constexpr double widest = 1.0 / 500; // of the size
+        constexpr double widest = 1.0 / 500; // share of the size
         std::vector<Slot> corners = cornersOf(m_surface, facesOf(m_met.pairs));
         const std::size_t points = m_surface.points.size();
         const CoveredKnots covered = coverKnots(m_surface, m_met.pairs, widest * sizeOf(m_surface));
@@ -199,7 +200,8 @@ private:
         WindingSolid solid = windingSolidOf(m_surface, arrange(m_surface, m_met.pairs, control.part(0, afterCutting)),
                                             m_inside, m_cavities, control.part(afterCutting, 1));
         m_surface = std::move(solid.surface);
-        m_inside = Inside::Positive; // now it bounds what was asked for; what rounding turns inside out goes
+        // The surface now bounds the requested space; what rounding turns inside out is removed
+        m_inside = Inside::Positive;
         if (m_resolution.volume + m_resolution.insideOutVolume == 0) {
             m_resolution.volume = solid.volume;
             m_resolution.insideOutVolume = solid.insideOutVolume;
@@ -216,14 +218,14 @@ private:
     std::uint64_t& m_budget;
     const JobControl& m_control;
     IntersectionReport m_met;
-    std::vector<FaceBox> m_changed; ///< where faces changed in the last cut: elsewhere none meet
+    std::vector<FaceBox> m_changed; ///< boxes where faces changed in the last cut: no faces meet elsewhere
 };
 
-/// Drops components that are thin and small. Returns how many there were.
+/// Drops components that are thin and small. Returns their number.
 std::size_t dropCrumbs(TriangleSoup& surface)
 {
-    constexpr double thin = 64;    // lattice units: the volume by half the area
-    constexpr double small = 1e-4; // of the area
+    constexpr double thin = 64;    // lattice units; thickness is volume by half the area
+    constexpr double small = 1e-4; // share of the whole area
     const Components components = componentsOf(surface.points.size(), surface.triangles);
     std::vector<double> volume(components.count, 0), area(components.count, 0);
     std::vector<Slot> origin(components.count, noSlot);
@@ -273,7 +275,7 @@ Resolution resolveIntersections(TriangleSoup& surface, Inside inside, const Tria
         resolution.touchingVertices += separated.vertices;
         if (separated.stuck.empty())
             break;
-        const bool areMore = separated.stuck.size() > mostStuck; // it comes to no end
+        const bool areMore = separated.stuck.size() > mostStuck; // it does not converge
         mostStuck = manyTimes * separated.stuck.size() + fewStuck;
         if (time + 1 == maxTimes || areMore) {
             resolution.isDone = false;

@@ -10,29 +10,30 @@ namespace core::repair
 {
 struct Resolution
 {
-    bool isDone = false;                    ///< no faces meet, and no points are stuck
-    std::optional<LatticePoint> unresolved; ///< where faces still meet or touch
-    double volume = 0;                      ///< lattice units^3, of all that the surface winds around
-    double insideOutVolume = 0;             ///< lattice units^3, of all that it winds around inside out
-    std::uint64_t intersections = 0;        ///< pairs of faces that met at first
-    std::size_t rounds = 0;                 ///< of cutting
+    bool isDone = false;                    ///< no faces meet, and all contacts are separated
+    std::optional<LatticePoint> unresolved; ///< a place where faces still meet or touch
+    double volume = 0;                      ///< volume that the surface winds around, lattice units^3
+    double insideOutVolume = 0;             ///< volume that the surface winds around inside out, lattice units^3
+    std::uint64_t intersections = 0;        ///< pairs of faces that met before the first cut
+    std::size_t rounds = 0;                 ///< number of times that the surface was cut
     std::size_t touchingEdges = 0, touchingVertices = 0;
-    std::size_t knots = 0;  ///< places where faces met again and again: a small solid covers each
-    double widestKnot = 0;  ///< the diameter of the largest of these, lattice units
+    std::size_t knots = 0;  ///< places where faces kept meeting; each is covered by a small solid
+    double widestKnot = 0;  ///< diameter of the largest of these solids, lattice units
     std::size_t crumbs = 0; ///< small thin components that were dropped
 };
 
-/// Cuts the surface along all of its intersections, keeps the boundary of what counts as solid, rounds that to the
-/// lattice, and again while rounding makes faces meet; where it does so, points and slivers within a tolerance that
-/// grows go, and what is left of these faces is offset outwards by it, so that sheets that lie upon each other but for
-/// rounding overlap clearly. Knots that are left after a few rounds are covered by small solids, where they are less
-/// than 1/500 of the size wide. Parts that touch at edges and vertices are then separated or joined, and crumbs that
-/// all this left, less than 64 units thick and with less than 1/10,000 of the area, are dropped. The surface is closed.
-/// Away from these places no point moves. `cavities`: parts that face inwards (winding_solid.h). All cores.
-/// A tangle in which over 1,000,000 triples of faces meet each other remains unresolved: it would take a minute and
-/// more. `tolerance`: in lattice units, what the surface's own places are good for: points of faces that meet and lie
-/// closer become one. `budget`: of pairs of faces that may be cut after the first time, some 5,000 a second; what was
-/// cut is taken from it, and where it is spent the surface remains unresolved.
+/// Makes a closed surface free of intersections. Cuts it along all of them, keeps the boundary of the solid space,
+/// rounds it to the lattice, and repeats while rounding makes faces meet. Where it does: points and slivers within a
+/// growing tolerance are merged, and the remaining faces are offset outwards by it, so that sheets that coincide within
+/// rounding clearly overlap.
+/// After a few rounds, remaining knots narrower than 1/500 of the size are covered by small solids. Parts that touch at
+/// edges and vertices are then separated or joined. Last, crumbs are dropped: components less than 64 units thick and
+/// with less than 1/10,000 of the area. Away from these places no point moves. Uses all cores.
+/// A tangle in which more than 1,000,000 triples of faces meet each other stays unresolved: it would take more than a
+/// minute.
+/// `cavities`: parts that face inwards (winding_solid.h). `tolerance`: accuracy of the surface's points, lattice units;
+/// nearer points of faces that meet are merged. `budget`: number of pairs of faces that may be cut after the first
+/// time, about 5,000 a second. It is reduced by what was cut; when it is spent, the surface stays unresolved.
 Resolution resolveIntersections(TriangleSoup& surface, Inside inside, const TriangleSoup& cavities, double tolerance,
                                 std::uint64_t& budget, const JobControl& control = {});
 } // namespace core::repair

@@ -18,7 +18,7 @@ namespace
 {
 using Faces = std::vector<Slot>;
 
-/// The parts that edges of two connect and that have an open edge, by their first faces.
+/// Returns the parts connected by edges of two faces that have an open edge, in the order of their first faces.
 std::vector<Faces> openParts(const TriangleSoup& surface)
 {
     DisjointSets sets(surface.triangles.size());
@@ -76,7 +76,7 @@ Extent extentOf(const TriangleSoup& part)
     return {twiceArea / 2, std::abs(sixVolumes / 6)};
 }
 
-/// Asks whether the volume is small for the area.
+/// Returns whether the volume is small for the area.
 bool isFlat(const Extent& extent)
 {
     constexpr double ofBall = 0.1;
@@ -84,9 +84,9 @@ bool isFlat(const Extent& extent)
     return extent.volume < ofBall * ballVolume;
 }
 
-/// Averages, over their area, how far the winding numbers of all other faces at the middles of some of these are from
-/// whole numbers: a half where the others need these to be closed, 0 where these lie in the midst of the outside, of a
-/// void, or of the matter.
+/// Returns, averaged over the area of some of these faces, the distance of the other faces' winding number from a whole
+/// number. It is a half if the others need these faces to be closed. It is 0 if these faces are entirely outside, in a
+/// void or in the matter.
 double closingShare(const TriangleSoup& surface, std::span<const Vec3> points, const WindingNumber& winding,
                     const Faces& faces)
 {
@@ -106,13 +106,13 @@ double closingShare(const TriangleSoup& surface, std::span<const Vec3> points, c
 struct Candidate
 {
     Faces faces;
-    double volume; ///< that it would have if it were closed
+    double volume; ///< volume that it would have if it were closed
 };
 
-/// Adds a sheet of a surface of this area to what was removed.
+/// Adds to `removed` a sheet of a surface with the area `wholeArea`.
 void add(const TriangleSoup& surface, const Candidate& sheet, double wholeArea, SheetRemoval& removed)
 {
-    constexpr double large = 0.01; // of the area
+    constexpr double large = 0.01; // share of the whole area
     const TriangleSoup part = partOf(surface, sheet.faces);
     ++removed.sheets;
     removed.volume += sheet.volume;
@@ -126,7 +126,7 @@ void add(const TriangleSoup& surface, const Candidate& sheet, double wholeArea, 
     }
 }
 
-/// Drops these parts of the surface; the faces of the others are renumbered.
+/// Removes `parts` from the surface, and renumbers the faces of `others`.
 void drop(TriangleSoup& surface, std::span<const Candidate> parts, std::span<Candidate> others)
 {
     std::vector<bool> goes(surface.triangles.size(), false);
@@ -162,7 +162,8 @@ SheetRemoval removeSheets(TriangleSoup& surface, const JobControl& control)
     }
     const double wholeArea = surface.triangles.empty() ? 0 : extentOf(surface).area;
     bool doAnyGo = true;
-    while (doAnyGo && !candidates.empty() && !control.isCancelled()) { // sheets wind around others, too
+    // Repeated, because sheets change the winding numbers at other sheets
+    while (doAnyGo && !candidates.empty() && !control.isCancelled()) {
         const std::vector<Vec3> points = surface.places();
         const WindingNumber winding(points, surface.triangles);
         const auto isNeeded = [&](const Candidate& candidate) {

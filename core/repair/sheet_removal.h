@@ -12,15 +12,19 @@ namespace core::repair
 struct SheetRemoval
 {
     std::size_t sheets = 0;
-    double length = 0, width = 0;    ///< of the largest one, lattice units
-    double volume = 0;               ///< lattice units^3, that they would have if they were closed
-    std::vector<Triangle> largeOnes; ///< faces of sheets with 1/100 of the area of all or more
+    double length = 0, width = 0; ///< size of the largest sheet, lattice units
+    double volume = 0;            ///< volume of the sheets as if they were closed, lattice units^3
+    /// Faces of the sheets with 1/100 of the whole area or more.
+    std::vector<Triangle> largeOnes;
 };
 
-/// Removes open parts that enclose nothing: what would close such a part has more than three quarters of its area, it
-/// would be flat then (a tenth of the volume of the ball with its area, at most), and the other faces do not need it to
-/// be closed either: once other sheets are gone, their winding numbers at its faces are on average within a quarter of
-/// a whole number. Parts are connected by edges of two: a fin on an edge of a solid is one. The surface is oriented.
-/// Cost: as fillHoles(), and winding numbers at 64 faces a part.
+/// Removes sheets: open parts that enclose nothing. Parts are connected by edges of two faces; a fin on an edge of a
+/// solid is one. A part is a sheet if three conditions hold:
+///   - Closing it would add more than three quarters of its area.
+///   - The closed part would be flat: at most a tenth of the volume of the ball with its area.
+///   - The other faces do not need it to be closed: once other sheets are removed, their winding numbers at its faces
+///     are
+///     on average within a quarter of a whole number.
+/// Precondition: the surface is oriented. Cost: that of fillHoles(), and winding numbers at 64 faces per part.
 SheetRemoval removeSheets(TriangleSoup& surface, const JobControl& control = {});
 } // namespace core::repair

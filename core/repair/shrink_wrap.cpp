@@ -1,8 +1,9 @@
-// A grid of cubes, each cut into six tetrahedra around its diagonal, the same way in all (Kuhn's): neighbours agree.
-//   1. begin    with the cubes that the surface runs through
-//   2. ask      which of their corners are inside, and go on to the cubes that the boundary leads to
-//   3. cut      each tetrahedron that has both kinds of corners, in one triangle or two; a vertex on each edge that
-//   changes side
+// Uses a grid of cubes, each divided into six tetrahedra around its diagonal, in the same way (Kuhn's), so that
+// neighbours match.
+//   1. begin    with the cubes that the surface passes through
+//   2. ask      which of their corners are inside, and continue with the cubes to which the boundary leads
+//   3. cut      each tetrahedron with corners inside and outside into one or two triangles, with a vertex on each edge
+//               from inside to outside
 
 #include "core/repair/shrink_wrap.h"
 
@@ -18,7 +19,7 @@ namespace core::repair
 {
 namespace
 {
-using Node = Eigen::Vector3i; ///< a cube's lowest corner, or any corner, in cells
+using Node = Eigen::Vector3i; ///< a cube's lowest corner, or any grid point, in cells
 
 constexpr int nodeBits = 21;
 
@@ -28,13 +29,14 @@ std::uint64_t keyOf(const Node& n)
            static_cast<std::uint64_t>(n.z());
 }
 
-/// Corner i of a cube: bit 0 is x, bit 1 y, bit 2 z.
+/// Returns corner i of a cube: bit 0 of i is x, bit 1 is y, bit 2 is z.
 Node corner(const Node& cube, unsigned i)
 {
     return cube + Node(static_cast<int>(i & 1), static_cast<int>(i >> 1 & 1), static_cast<int>(i >> 2 & 1));
 }
 
-/// From corner 0 to 7 along the cube's edges, in the six orders of the axes; all wind one way.
+/// Corners of the six tetrahedra: paths along edges from corner 0 to 7, in the six orders of the axes, all with the
+/// same orientation.
 constexpr std::array<std::array<unsigned, 4>, 6> tetrahedra{
     {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7}, {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}}};
 
@@ -67,7 +69,7 @@ public:
 private:
     LatticePoint place(const Node& n) const { return m_origin + m_cell * n; }
 
-    /// The cubes near a face's plane in the face's box.
+    /// Returns the cubes in each face's box that are near the face's plane.
     std::vector<Node> seeds()
     {
         std::vector<Node> cubes;
@@ -122,7 +124,7 @@ private:
                 continue;
             m_crossed.push_back(cube);
             for (int axis = 0; axis < 3; ++axis) {
-                constexpr std::array<unsigned, 3> highSide{0xaa, 0xcc, 0xf0}; // corners with the axis' bit
+                constexpr std::array<unsigned, 3> highSide{0xaa, 0xcc, 0xf0}; // corners on the high side of each axis
                 for (const int way : {-1, 1}) {
                     const unsigned side = way > 0 ? highSide[static_cast<std::size_t>(axis)]
                                                   : 0xffu & ~highSide[static_cast<std::size_t>(axis)];
@@ -143,7 +145,7 @@ private:
     {
         std::array<Node, 4> in, out;
         std::size_t ins = 0, outs = 0;
-        bool isOdd = false; // the permutation that brings the inner ones first
+        bool isOdd = false; // the permutation that sorts inner corners first
         for (const unsigned i : tetrahedron) {
             const Node n = corner(cube, i);
             if (isInside(n)) {
@@ -189,8 +191,8 @@ private:
         return slot;
     }
 
-    /// Where the edge passes through a face, as a share of it, nearest to its middle and not too near to its ends:
-    /// there triangles would have no area. Else the middle.
+    /// Returns where the edge passes through a face, as a share of the edge, or 0.5 if it passes through none. Prefers
+    /// the crossing nearest to the middle. Avoids the ends, where triangles would have no area.
     double crossing(const Vec3& from, const Vec3& to, Slot& face) const
     {
         constexpr double nearEnd = 0.06;
@@ -225,12 +227,12 @@ private:
     BoxTree m_tree;
     const JobControl& m_control;
     LatticePoint m_origin;
-    std::unordered_set<std::uint64_t> m_seen; ///< cubes
+    std::unordered_set<std::uint64_t> m_seen; ///< keys of visited cubes
     std::unordered_map<std::uint64_t, bool> m_isInside;
     std::vector<Node> m_crossed;
-    using OnEdges = std::array<Slot, 8>; ///< by the corner that the edge leads to from corner 0
+    using OnEdges = std::array<Slot, 8>; ///< indexed by the corner to which the edge leads from corner 0
     static constexpr OnEdges noVertices{noSlot, noSlot, noSlot, noSlot, noSlot, noSlot, noSlot, noSlot};
-    std::unordered_map<std::uint64_t, OnEdges> m_vertices; ///< by lower node
+    std::unordered_map<std::uint64_t, OnEdges> m_vertices; ///< vertices on edges, by the edge's lower node
     TriangleSoup m_result;
 };
 

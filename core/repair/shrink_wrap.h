@@ -6,13 +6,15 @@
 
 namespace core::repair
 {
-/// The boundary of the space that the surface winds around by more than a half, made anew: closed, manifold, without
-/// intersections whatever the surface is, empty if there is no such space. Its vertices lie on the surface where there
-/// is one, and midway where it is open; edges and corners are cut by up to a cell. `cell`: lattice units, >= 64.
-/// Marching tetrahedra (Doi and Koide 1991) on the winding number (Jacobson, Kavan and Sorkine-Hornung 2013), only
-/// where the boundary runs. All cores; about 20 us a cell there.
+/// Returns a new mesh of the boundary of the space whose winding number exceeds a half. The mesh is closed, manifold
+/// and free of intersections for any input, and empty if there is no such space. Vertices are on the surface, or midway
+/// between grid points where the surface is open. Edges and corners are cut off by up to a cell. `cell`: >= 64, lattice
+/// units.
+/// Uses marching tetrahedra (Doi and Koide 1991) on the winding number (Jacobson, Kavan and Sorkine-Hornung 2013), only
+/// near the boundary, on all cores. Cost: about 20 us per cell at the boundary.
 TriangleSoup shrinkWrap(const TriangleSoup& surface, int cell, const JobControl& control = {});
 
-/// A cell for wrap(): half the mean edge, but of the longest side no more than a 64th and no less than a 256th.
+/// Returns a cell size for shrinkWrap(), lattice units: half the mean edge, limited to 1/256 to 1/64 of the longest
+/// side.
 int cellFor(const TriangleSoup& surface);
 } // namespace core::repair

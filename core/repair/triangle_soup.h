@@ -7,14 +7,14 @@
 
 namespace core::repair
 {
-/// Triangles of any file on the lattice, while they are being repaired. No promise but indices in range.
+/// Triangles of a file during repair, on the lattice. Only guarantee: indices are in range.
 struct TriangleSoup
 {
     std::vector<LatticePoint> points;
     std::vector<Rgb> colors; ///< empty, or one per point
     std::vector<Triangle> triangles;
 
-    /// The points, in lattice units.
+    /// Returns the points as doubles, in lattice units.
     std::vector<Vec3> places() const
     {
         std::vector<Vec3> places;
@@ -23,7 +23,7 @@ struct TriangleSoup
             places.push_back(p.cast<double>());
         return places;
     }
-    LatticeBox box() const ///< of the triangles
+    LatticeBox box() const ///< bounds of the triangles
     {
         LatticeBox box;
         for (const Triangle& t : triangles) {
@@ -33,7 +33,8 @@ struct TriangleSoup
         return box;
     }
 
-    /// Adds a point, coloured halfway between two others, or as one if both are the same. Returns its slot.
+    /// Adds a point with the mean colour of two other points, which may be the same. Returns the index of the new
+    /// point.
     Slot addPoint(const LatticePoint& p, Slot colorOf, Slot otherColorOf)
     {
         points.push_back(p);
@@ -48,7 +49,7 @@ struct TriangleSoup
     }
 };
 
-/// The corners in ascending order: the same for all faces between them, however they run.
+/// Returns the corners in ascending order: equal for all faces with the same corners, in either orientation.
 inline Triangle sortedCorners(Triangle t)
 {
     std::ranges::sort(t);

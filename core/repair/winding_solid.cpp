@@ -1,6 +1,6 @@
-// 1. patches   pieces joined by edges of two, in one orientation: each has one winding number before and one behind
+// 1. patches   pieces joined by edges of two, in one orientation: each has one winding number in front and one behind
 // 2. classify  each patch by the winding numbers at the middle of its largest piece
-// 3. keep      those with the inside behind, and turned over those with the inside before them
+// 3. keep      patches with solid only behind them, and, reversed, patches with solid only in front of them
 
 #include "core/repair/winding_solid.h"
 
@@ -18,7 +18,7 @@ namespace core::repair
 {
 namespace
 {
-/// Pieces joined by edges of two.
+/// Returns the patches: sets of pieces joined by edges of two pieces.
 DisjointSets patchesOf(const Arrangement& arrangement)
 {
     DisjointSets patches(arrangement.faces.size());
@@ -41,11 +41,12 @@ double areaOf(const Arrangement& arrangement, Slot face)
     return (arrangement.points[t[1]] - a).cross(arrangement.points[t[2]] - a).norm();
 }
 
-/// Says how the space on a side of a piece is wound around.
+/// Winding of the surface around the space on one side of a piece.
 struct Side
 {
-    int sign = 0;             ///< 1: by more than a half, inside; -1: by less than minus a half, inside out; 0: neither
-    bool isInsideOut = false; ///< not by cavities alone
+    /// 1: winding number above 0.5, inside; -1: below -0.5, inside out; 0: neither
+    int sign = 0;
+    bool isInsideOut = false; ///< inside out, and not only because of cavities
 };
 
 struct Sides
@@ -77,7 +78,7 @@ std::vector<Sides> classifyAll(const TriangleSoup& original, const Arrangement& 
 {
     DisjointSets patches = patchesOf(arrangement);
     const std::size_t count = arrangement.faces.size();
-    std::vector<Slot> largest(count, noSlot); ///< of each patch, at its root
+    std::vector<Slot> largest(count, noSlot); ///< largest piece of each patch, at its root
     for (Slot f = 0; f < count; ++f) {
         Slot& best = largest[patches.root(f)];
         if (best == noSlot || areaOf(arrangement, f) > areaOf(arrangement, best))
@@ -101,7 +102,7 @@ std::vector<Sides> classifyAll(const TriangleSoup& original, const Arrangement& 
     return sides;
 }
 
-/// Sums the volumes that count by how they are wound around.
+/// Returns the volume of the space for which `counts` is true.
 template <typename Counts>
 double volumeOf(const Arrangement& arrangement, const std::vector<Sides>& sides, Counts counts)
 {

@@ -4,23 +4,23 @@
 
 namespace core::repair
 {
-/// What counts as solid, by how often the surface winds around it. Where surfaces cross, the space that is inside and
-/// the space that is inside out touch along a line.
+/// The rule for what space counts as solid, by its winding number. With NonZero, space that is inside and space that is
+/// inside out touch along a line where surfaces cross.
 enum class Inside {
-    Positive, ///< more than a half: no such touches
-    NonZero   ///< more than a half either way
+    Positive, ///< winding number above 0.5
+    NonZero   ///< winding number above 0.5 or below -0.5
 };
 
 struct WindingSolid
 {
-    TriangleSoup surface;       ///< new points rounded to the lattice; equal ones are one
-    double volume = 0;          ///< lattice units^3, of what is inside, before rounding
-    double insideOutVolume = 0; ///< lattice units^3, of what is inside out, before rounding
+    TriangleSoup surface;       ///< new points rounded to the lattice, equal ones merged
+    double volume = 0;          ///< volume that is inside, lattice units^3, before rounding
+    double insideOutVolume = 0; ///< volume that is inside out, lattice units^3, before rounding
 };
 
-/// The boundary of all that counts as solid: what is inside of two parts is inside. `original` is the surface that was
-/// arranged. It should be closed; where it is not, the outcome has borders. `cavities`: parts of it that face inwards;
-/// space that they alone wind around outside of the solid does not count as inside out. All cores.
+/// Returns the boundary of all space that counts as solid; overlapping parts become one. `original`: the surface that
+/// was arranged; if it is not closed, the result has borders. `cavities`: parts of it that face inwards; space outside
+/// the solid that only these wind around does not count as inside out. Uses all cores.
 WindingSolid windingSolidOf(const TriangleSoup& original, const Arrangement& arrangement, Inside inside,
                             const TriangleSoup& cavities, const JobControl& control = {});
 } // namespace core::repair
