@@ -21,7 +21,7 @@ struct MeshReport
 
     bool closed = false;   ///< no edge has only one face
     bool manifold = false; ///< no edge has more than two faces, each vertex has one umbrella
-    bool oriented = false; ///< the two faces of each edge run it in opposite directions
+    bool oriented = false; ///< the two faces of each edge run along it in opposite directions
     /// Each shell faces outwards at even nesting depth and inwards at odd depth. Missing unless the mesh is closed,
     /// manifold and oriented, without degenerate faces or intersections.
     std::optional<bool> boundsSolid;
@@ -41,8 +41,8 @@ struct MeshReport
     Finding degenerateFaces;     ///< faces without area, or with one vertex twice
     IntersectionReport intersections;
 
-    /// An import would keep the model valid: moved to the origin if it is too far away and snapped to its lattice, it
-    /// has no degenerate faces and no intersections, and still bounds a solid if it did before. Missing if the model as
+    /// An import would keep the model valid. Moved to the origin if it is too far away, and snapped to its lattice, it
+    /// has no degenerate faces and no intersections. It still bounds a solid if it did before. Missing if the model as
     /// read has degenerate faces or intersections.
     std::optional<bool> latticeOk;
 

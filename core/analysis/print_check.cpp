@@ -61,8 +61,8 @@ double leaningOf(const Side& side)
     return side.isOnBed || area == 0 ? -90 : std::asin(std::clamp(-side.normal.y() / area, -1.0, 1.0)) / degree;
 }
 
-/// Returns the tolerance of the wall limit, mm, below what floats can represent and printers can resolve. A wall is not
-/// thin if it misses the limit by less.
+/// Returns the tolerance of the wall limit, mm: a wall that is thinner by less than it is not reported. Covers the
+/// rounding of float32 coordinates and what printers cannot resolve.
 double wallTolerance(const TriangleMesh& mesh, double minWall)
 {
     constexpr double share = 1e-3, floatSteps = 4;

@@ -26,7 +26,7 @@ struct PrintLimits
     /// Longest side below which a model was probably made in inches or in metres, mm.
     static constexpr double inchSide = 20, metreSide = 1;
 
-    double minWall = linesPerWall * defaultNozzle; ///< mm, at most maxWall
+    double minWall = linesPerWall * defaultNozzle; ///< least thickness of a wall, mm, at most maxWall
     /// Largest angle from the vertical at which a face may lean out, degrees, 0 to 90.
     double overhang = 45;
     PrintBed bed;

@@ -70,7 +70,7 @@ private:
         {
             std::size_t hash = 0;
             for (int i = 0; i < 3; ++i)
-                hash = mixed(hash, std::bit_cast<std::uint32_t>(p[i] + 0.0f)); // no -0
+                hash = mixed(hash, std::bit_cast<std::uint32_t>(p[i] + 0.0f)); // + 0.0f turns -0 into 0
             return hash;
         }
     };

@@ -196,8 +196,9 @@ public:
         const Floats bound = closer * inFrame.max(inSpace);
         return (top <= -m_float.error).select(Floats::Constant(std::numeric_limits<float>::infinity()), bound);
     }
-    /// Returns the nearest pair of the lifted cell and a segment, in the frame, if a ball that touches the face reaches
-    /// the segment steeply. Otherwise returns approximately the nearest pair that is steep, or none.
+    /// Returns the nearest pair of the lifted cell and a segment, in the frame, if it is steep: the ball that touches
+    /// the face reaches the segment within 30 degrees of the face's normal. Otherwise returns approximately the nearest
+    /// steep pair, or none.
     NearestPair nearestSteepPair(const Vec3& from, const Vec3& to) const
     {
         const NearestPair pair = nearestOfTriangleAndSegment(m_cell, from, to);
@@ -284,7 +285,7 @@ bool WallBalls::doTouch(Slot position, const WallCell& cell, Slot other) const
 }
 
 /// Returns the start diameter for a second search with a small ball, 0 if it would be too small to matter. A large ball
-/// nearly touches the surface near its own contact point: what is there does not reach deep enough to be found.
+/// misses walls near its own contact point, because they reach less deep into it than the threshold m_shallow.
 double WallBalls::secondStart(double diameter) const
 {
     const double second = m_shallow / (2 - m_shallow) * diameter;

@@ -1,6 +1,6 @@
-// Measures chords between ridges. A ball that touches p on one ridge, along a normal there, and reaches q on another
-// ridge has the diameter |q - p| / c, where c is the cosine between chord and normal. Pairs of segments are halved
-// until the shortest chord of a pair leaves both within the allowed angle (branch and bound).
+// Measures chords between ridges. A ball touches p on one ridge, along a normal there, and reaches q on another ridge.
+// Its diameter is |q - p| / c, where c is the cosine between chord and normal. Pairs of segments are halved until the
+// shortest chord of a pair leaves both within the allowed angle (branch and bound).
 
 #include "core/analysis/wall_ridges.h"
 
@@ -24,11 +24,12 @@ constexpr double straight = 0.99, pointLike = 0.05;
 /// Largest number of pairs of pieces that are tested for two ridges.
 constexpr int maxPairs = 256;
 constexpr std::size_t ridgesAtOnce = 16;
-/// A piece is divided if it is less even than evenRidge, the ratio of two thicknesses, and longer than shortPiece, in
-/// thicknesses.
+/// evenRidge: ratio of the thicknesses along a piece below which the piece is divided. shortPiece: length, in
+/// thicknesses, up to which a piece is not divided.
 constexpr double evenRidge = 0.8, shortPiece = 0.5;
 constexpr int maxHalvings = 7;
-/// A ridge is reported if it is thinner than this share of its faces' thickness, which is more than their error.
+/// A ridge is reported only if it is thinner than this share of the thickness at its faces. The margin exceeds the
+/// error of that thickness.
 constexpr double thinnerThanFaces = 0.97;
 
 /// Returns the cosine of an angle that is 30 degrees larger; -1 if that angle is more than 90 degrees.
@@ -196,8 +197,8 @@ bool WallRidges::mayLook(const Ridge& ridge, const Segment& from, const Segment&
     return ahead >= ridge.minCosine * distance;
 }
 
-/// Returns the cosine between a chord that leaves the ridge and the nearest of the ridge's normals. A corner counts
-/// only normals parallel to the chord; the edges at the corner cover normals near it.
+/// Returns the cosine between a chord that leaves the ridge and the nearest of the ridge's normals. For a
+/// corner it is 1 if the chord is a normal of the corner, otherwise 0; normals near the chord belong to its edges.
 double WallRidges::cosineOf(const Ridge& ridge, const Vec3& chord) const
 {
     if (ridge.edge == noSlot) {

@@ -53,7 +53,7 @@ private:
         Vec3f across;      ///< unit vector in the face, across its longest side
         float least, most; ///< extent of the face along `across`, measured from the first corner
         Slot face;
-        bool isAtEdge = false; ///< see WallEdges
+        bool isAtEdge = false; ///< result of WallEdges::isAt() for the face
     };
 
     WallSurface(const TriangleMesh& mesh, const BoxTree& tree);

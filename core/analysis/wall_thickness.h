@@ -38,14 +38,14 @@ struct WallRidge
 };
 
 /// Thickness of the matter, in the model's unit. It is the diameter of a ball that touches a point of the surface from
-/// within, along a normal, and reaches a visible point on the other side whose normal is more than 120 degrees away.
-/// The chord between the two points is within 30 degrees of the normal at the first point.
+/// within, along a normal. On the other side the ball reaches a visible point whose normal is more than 120 degrees
+/// away. The chord between the two points is within 30 degrees of the normal at the first point.
 ///   - A face has one normal. An edge has all normals between those of its faces, and so has a corner all of whose
 ///     edges are on one side.
-///   - An edge counts if it juts into the matter, as the bottom of a groove does (bent by more than 20 degrees), or if
-///     it juts out sharply, as the edges of a thin three-sided spike do (matter of less than 80 degrees).
-///   - A corner counts if it juts in, as the tip of a pit does (its edges rise by more than 6 degrees), or if it juts
-///     out at such a sharp edge.
+///   - An edge counts if it juts into the matter and is bent by more than 20 degrees, as the bottom of a groove is. It
+///     also counts if the matter at it has less than 80 degrees, as at the edges of a thin three-sided spike.
+///   - A corner counts if it juts in and its edges rise by more than 6 degrees, as the tip of a pit. It also counts if
+///     it juts out at an edge of less than 80 degrees.
 ///   - Faces are measured against faces, edges and corners. Edges and corners that jut into the matter are also
 ///     measured against each other; then the chord must be within 30 degrees of a normal at both ends.
 ///   - An edge sharper than 60 degrees is a thin place, and so is the tip of a sharp spike. The thickness falls towards
@@ -59,9 +59,9 @@ struct WallThickness
     /// (7 % for meshes of more than 100,000 faces). Never above byRays.
     std::vector<float> byBalls;
     /// Parts of faces that are large for their thickness, so that the thickness at the centre is not enough. Sorted by
-    /// face; together the parts of a face cover it. A face is divided where it is thinner than the largest ball, until
-    /// the thickness within a part differs by less than a tenth (a fifth for more than 100,000 faces) or there are
-    /// about 200,000 parts.
+    /// face; together the parts of a face cover it. A face is divided where it is thinner than the largest ball.
+    /// Division ends when the thickness within a part differs by less than a tenth (a fifth for more than 100,000
+    /// faces) or there are about 200,000 parts.
     std::vector<WallPart> parts;
     /// Ridges that are thinner than the faces at them and not thicker than the largest ball, sorted by face.
     std::vector<WallRidge> ridges;

@@ -18,7 +18,7 @@ using Vec3f = Eigen::Vector3f;
 /// Corner slots of a face, counter-clockwise from outside.
 using Triangle = std::array<Slot, 3>;
 
-/// 8-bit sRGB.
+/// A colour in 8-bit sRGB.
 struct Rgb
 {
     std::uint8_t r = 200, g = 200, b = 200;

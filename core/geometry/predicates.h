@@ -128,11 +128,11 @@ inline int LatticePredicates::orient2d(const Point& a, const Point& b, const Poi
 
 namespace detail
 {
-/// Bound of the relative rounding error. A term of a 3 x 3 determinant of differences goes through at most 8 roundings
-/// of 2^-53 each (difference, product, subtraction, product, two sums), so its computed value is off by less than 9 x
-/// 2^-53 of the sum of the terms' sizes, and that sum is itself computed with at most 9 x 2^-53 of error. 16 covers
-/// both. Products of three differences of float32 numbers lie between 2^-447 and 2^388 or are 0: a double neither
-/// under- nor overflows.
+/// Bound of the relative rounding error of a 3 x 3 determinant of differences. Each of its terms goes through at most 8
+/// roundings of 2^-53 (difference, product, subtraction, product, two sums). The computed value is therefore off by
+/// less than 9 x 2^-53 of the sum of the terms' sizes. That sum is itself computed with at most 9 x 2^-53 of error.
+/// The factor 16 covers both errors. Products of three differences of float32 numbers are 0 or between 2^-447 and
+/// 2^388, so a double neither under- nor overflows.
 inline constexpr double roundingBound = 16 * 0x1p-53;
 } // namespace detail
 

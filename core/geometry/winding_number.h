@@ -33,7 +33,7 @@ private:
 
     Dipole dipoleOf(std::size_t from, std::size_t to) const;
 
-    std::vector<std::array<Vec3, 3>> m_triangles; ///< in the order of a BoxTree
+    std::vector<std::array<Vec3, 3>> m_triangles; ///< triangles in the order of a BoxTree
     std::vector<Slot> m_faces;                    ///< original face of each triangle
     std::vector<Level> m_levels;                  ///< the first level covers triangles, the last has one node
 };

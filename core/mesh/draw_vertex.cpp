@@ -19,7 +19,7 @@ constexpr double straightCosine = 0.7660444431189780;
 /// Radius of curvature that is drawn as half of a sharp ridge, as a share of the largest coordinate that the lattice
 /// was made for.
 constexpr double ridgeRadius = 0.025;
-constexpr double latticeSteps = 1 << 20; ///< that largest coordinate in lattice units
+constexpr double latticeSteps = 1 << 20; ///< largest coordinate that the lattice was made for, lattice units
 
 /// Returns how sharp the edge between two faces is, 0 to 1. a, b: normals of the faces; `squared`: product of their
 /// squared lengths. Cost: no square root for a smooth edge.

@@ -383,8 +383,8 @@ void Mesh::flip(Slot e)
     const Slot bc = next(ab), ca = prev(ab), ad = next(ba), db = prev(ba);
     const Slot a = to(ba), b = to(ab), c = to(bc), d = to(ad);
     const Slot f0 = face(ab), f1 = face(ba);
-    setTo(ab, c); // d -> c
-    setTo(ba, d); // c -> d
+    setTo(ab, c); // ab becomes d -> c
+    setTo(ba, d); // ba becomes c -> d
     link(f0, ca, ad, ab);
     link(f1, db, bc, ba);
     if (outgoing(a) == ab)

@@ -303,8 +303,8 @@ private:
         moved.insert(moved.end(), group.copies.begin(), group.copies.end());
     }
 
-    /// Returns the corners of faces that are degenerate or meet others. Examines the faces that have moved copies, and
-    /// the faces that these can meet.
+    /// Returns the corners of faces that are degenerate or meet other faces. Examines the faces with moved corners, and
+    /// all faces near them.
     std::vector<Slot> unsoundCorners(std::span<const Slot> moved, const std::stop_token& stop) const
     {
         constexpr std::size_t maxPairs = 100'000;

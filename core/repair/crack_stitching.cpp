@@ -45,7 +45,7 @@ public:
     double farthestReach() const { return m_farthestReach; }
 
     std::vector<EdgeFace> edges;
-    std::vector<Slot> vertices; ///< ascending
+    std::vector<Slot> vertices; ///< open vertices, ascending
 
 private:
     void measureReach()

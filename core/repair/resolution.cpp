@@ -107,7 +107,7 @@ public:
     {
         constexpr std::size_t maxRounds = 24, firstOfCovering = 4, lastOfGrowth = 10; // few surfaces need as many
         constexpr double ofRounding = 8;                                              // tolerance in lattice units
-        constexpr std::uint64_t mostTriples = 1'000'000;                              // about a minute
+        constexpr std::uint64_t mostTriples = 1'000'000; // cutting them takes about a minute
         m_resolution.isDone = false;
         m_met = selfIntersections<LatticePredicates>(m_surface.points, m_surface.triangles, maxPairs, m_control.stop);
         m_resolution.intersections = m_met.count;
@@ -200,7 +200,7 @@ private:
         WindingSolid solid = windingSolidOf(m_surface, arrange(m_surface, m_met.pairs, control.part(0, afterCutting)),
                                             m_inside, m_cavities, control.part(afterCutting, 1));
         m_surface = std::move(solid.surface);
-        // The surface now bounds the requested space; what rounding turns inside out is removed
+        // The surface now bounds the requested space; what rounding turns inside out is removed.
         m_inside = Inside::Positive;
         if (m_resolution.volume + m_resolution.insideOutVolume == 0) {
             m_resolution.volume = solid.volume;

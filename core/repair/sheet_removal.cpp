@@ -76,7 +76,7 @@ Extent extentOf(const TriangleSoup& part)
     return {twiceArea / 2, std::abs(sixVolumes / 6)};
 }
 
-/// Returns whether the volume is small for the area.
+/// Returns whether the volume is less than a tenth of that of the ball with the same area.
 bool isFlat(const Extent& extent)
 {
     constexpr double ofBall = 0.1;

@@ -46,7 +46,7 @@ struct Side
 {
     /// 1: winding number above 0.5, inside; -1: below -0.5, inside out; 0: neither
     int sign = 0;
-    bool isInsideOut = false; ///< inside out, and not only because of cavities
+    bool isInsideOut = false; ///< winding number below -0.5 even without the part of the cavities
 };
 
 struct Sides
@@ -56,7 +56,7 @@ struct Sides
 
 Sides classify(const Arrangement& arrangement, const WindingNumber& winding, const WindingNumber& ofCavities, Slot face)
 {
-    constexpr double half = 0.5, nearby = 1e-3; // lattice units
+    constexpr double half = 0.5, nearby = 1e-3; // distance of a test point from the piece, lattice units
     const auto& [corners, original, jump] = arrangement.faces[face];
     const Vec3 middle =
         (arrangement.points[corners[0]] + arrangement.points[corners[1]] + arrangement.points[corners[2]]) / 3;
