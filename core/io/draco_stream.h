@@ -10,31 +10,31 @@
 
 namespace core
 {
-/// A triangle mesh as a Draco stream holds it.
+/// A triangle mesh decoded from a Draco stream.
 struct DracoMesh
 {
-    /// The numbers of all vertices.
+    /// One attribute, for example the positions, with its values for all vertices.
     struct Attribute
     {
-        std::uint32_t id = 0;  ///< its unique id in the stream
-        int componentType = 0; ///< as glTF numbers it: 5120 to 5123, 5125, 5126
-        int components = 0;    ///< of a vertex
-        std::string bytes;     ///< vertex after vertex without gaps, little-endian
+        std::uint32_t id = 0;  ///< unique id of the attribute in the stream
+        int componentType = 0; ///< glTF component type: 5120 to 5123, 5125 or 5126
+        int components = 0;    ///< number of components of each vertex
+        std::string bytes;     ///< values of all vertices in order without gaps, little-endian
     };
 
     std::size_t vertices = 0;
-    std::vector<std::uint32_t> corners; ///< three for each triangle
+    std::vector<std::uint32_t> corners; ///< vertex indices, three for each triangle
     std::vector<Attribute> attributes;
 };
 
-/// Decodes a Draco stream, and of its attributes those with the given ids. Returns nothing if the stream is not a whole
-/// mesh. The result need not be sound: glTF's reader checks it as it would check a file.
+/// Decodes a Draco stream and those of its attributes that have the given ids. Returns nothing if the stream is not a
+/// complete mesh. The result may be inconsistent: the glTF reader checks it as it checks a file.
 using DracoDecoder =
     std::function<std::optional<DracoMesh>(std::string_view stream, std::span<const std::uint32_t> ids)>;
 
-/// Sets the decoder with which this process reads glTF that Draco packed; without one such files are for the external
-/// reader (external_reader.h). Precondition: no thread reads.
+/// Sets the decoder that this process uses to read Draco-compressed glTF. Without a decoder such files are left to the
+/// external reader (external_reader.h). Precondition: no thread is reading a file.
 void setDracoDecoder(DracoDecoder decoder);
-/// Returns the decoder; empty if there is none.
+/// Returns the decoder; empty if none was set.
 const DracoDecoder& dracoDecoder();
 } // namespace core

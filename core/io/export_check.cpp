@@ -8,7 +8,7 @@ namespace core
 {
 namespace
 {
-/// Whether same(corner of one, corner of the other) holds for every corner of every triangle.
+/// Returns whether the meshes have equally many triangles and same(corner of a, corner of b) is true for all corners.
 template <class Same> bool alike(const TriangleMesh& a, const TriangleMesh& b, Same same)
 {
     return std::ranges::equal(a.triangles, b.triangles, [&](const Triangle& s, const Triangle& t) {

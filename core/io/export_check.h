@@ -6,19 +6,19 @@
 
 namespace core
 {
-/// What a file holds of a model that was written to it.
+/// The result of reading an exported file back and comparing it with the model.
 struct ExportVerdict
 {
-    bool sameCorners = false; ///< of every triangle, in their order, bit for bit (-0 = 0)
-    bool sameColors = false;  ///< of every corner, if the format holds colours and the model has some
-    MeshReport report;        ///< of what was read, in mm
+    bool sameCorners = false; ///< every triangle has the same corner positions in the same order, bit for bit (-0 = 0)
+    bool sameColors = false;  ///< every corner has the same colour; true also if the format or the model has no colours
+    MeshReport report;        ///< topology and print report of the mesh read back, in mm
 
     bool holds() const { return sameCorners && sameColors && report.printReady(); }
 };
 
-/// Reads the file back and checks it. Throws FileError; ReadingCancelled if it was asked to stop while reading. If it
-/// is cancelled, the result is not usable. Costs what opening costs: reading, and about 1 s a million faces on two
-/// cores.
+/// Reads the file back and compares it with the mesh that was written to it. Throws FileError, or ReadingCancelled if
+/// it is cancelled while reading. After a later cancel the result is not usable. Cost: that of opening the file:
+/// reading it, and about 1 s per million faces on two cores.
 ExportVerdict checkExport(const std::filesystem::path& path, const TriangleMesh& written,
                           const JobControl& control = {});
 } // namespace core

@@ -6,20 +6,23 @@
 
 namespace core
 {
-/// Reads formats that core does not know; it is made where there is more than core.
+/// A reader of formats that core cannot read itself. The application registers it; programs made of core alone have
+/// none.
 struct ExternalReader
 {
-    std::vector<std::string_view> endings; ///< lower case, without dot, the best known first; none of ours
-    /// Throws FileError and ReadingCancelled. What it gives has indices in range and finite points, in millimetres as
-    /// far as the file says what it is in, with Y up as far as it says what is up.
+    /// File name extensions in lower case without dot, best known first; none that core reads itself.
+    std::vector<std::string_view> endings;
+    /// Reads a file. Throws FileError and ReadingCancelled. The result has indices in range and finite points. Points
+    /// are in mm with Y up, as far as the file states its unit and its up axis.
     std::function<ReadResult(const std::filesystem::path& path, const std::stop_token& stop)> read;
-    /// Reads glTF that Draco packed, as read(), colours and masks with it; empty: nobody does. `bytes`: the size of the
-    /// file and of what it names.
+    /// Reads Draco-compressed glTF with its colours and masks; errors as read(). Empty: there is no such reader.
+    /// `bytes` is the size of the file together with all files that it references.
     std::function<ReadResult(const std::filesystem::path& path, std::uint64_t bytes, const std::stop_token& stop)>
         readDraco;
 };
 
-/// From now on readModel() reads those, too. Not while any thread reads: the program's start is the place.
+/// Makes readModel() use this reader for its formats. Precondition: no thread is reading a file; call it at program
+/// start.
 void setExternalReader(ExternalReader reader);
 const ExternalReader& externalReader();
 } // namespace core

@@ -1,4 +1,5 @@
-// Reading: look at the start and the size first, refuse what cannot be, then read the whole file and parse it.
+// Reading is done in two steps: check the file's first bytes and its size and refuse what cannot be valid; then read
+// the whole file and parse it.
 
 #include "core/io/mesh_io.h"
 
@@ -29,7 +30,8 @@ constexpr std::array<std::string_view, 8> endings{"stl", "obj", "ply", "off", "g
 constexpr std::size_t written = 6;
 constexpr std::uint64_t maxFileSize = std::uint64_t(1) << 31;
 
-/// "glb" of "vase.glb", and of "vase.glb~1", an earlier version of it (numbered_backup.h).
+/// Returns the extension in lower case: "glb" for "vase.glb", and also for "vase.glb~1", a backup of an earlier version
+/// (numbered_backup.h).
 std::string endingOf(const std::filesystem::path& path)
 {
     std::string ending = path.extension().string();
@@ -110,7 +112,7 @@ void refuseStlSize(const io::FileBytes& start, std::uint64_t size)
         throw io::errorAtByte(FileErrorKind::CutOff, start, start.bytes.data() + size);
     const std::uint64_t announced = io::announcedStlTriangles(start.bytes);
     const std::uint64_t room = (size - io::stlHeaderSize) / io::stlTriangleSize;
-    constexpr std::uint64_t unknown = 0xffffffff; // some write that, or 0, before they know
+    constexpr std::uint64_t unknown = 0xffffffff; // some programs write this, or 0, when they do not know the count yet
     const bool isWhole = size == io::stlHeaderSize + room * io::stlTriangleSize;
     const bool isUnknown = announced == 0 || announced == unknown;
     if (announced == room || (isUnknown ? isWhole && room != 0 : announced < room))
@@ -123,7 +125,7 @@ void refuseStlSize(const io::FileBytes& start, std::uint64_t size)
     throw error;
 }
 
-/// The whole file, on all cores.
+/// Reads the whole file on all cores.
 LargeBuffer<char> allOf(const io::InputFile& input, const std::filesystem::path& path, std::uint64_t size,
                         const std::stop_token& stop)
 {
@@ -134,7 +136,7 @@ LargeBuffer<char> allOf(const io::InputFile& input, const std::filesystem::path&
             throw ReadingCancelled();
         if (const std::size_t got = input.read(begin, bytes.part(begin, end)); got < end - begin)
             throw io::errorAtByte(FileErrorKind::CutOff, {path, {bytes.data(), size}},
-                                  bytes.data() + begin + got); // it became shorter just now
+                                  bytes.data() + begin + got); // the file was shortened while it was read
     });
     return bytes;
 }
@@ -171,11 +173,12 @@ float negated(float x)
     return x == 0 ? 0 : -x;
 }
 
-/// (x, y, z) of a file with Z up is (x, z, -y) in the document, and (x, y, z) of the document is (x, -z, y) there.
+/// Turns a file with Z up to the document's Y up: (x, y, z) becomes (x, z, -y). toZUp() is the inverse: (x, y, z)
+/// becomes (x, -z, y).
 void fromZUp(std::vector<Vec3f>& points)
 {
     for (Vec3f& p : points)
-        p = Vec3f(p.x() + 0.0f, p.z() + 0.0f, negated(p.y())); // adding 0 takes the sign from -0
+        p = Vec3f(p.x() + 0.0f, p.z() + 0.0f, negated(p.y())); // adding 0 removes the sign of -0
 }
 
 void toZUp(std::vector<Vec3f>& points)
@@ -201,7 +204,7 @@ bool hasThreeCorners(const Triangle& t)
     return t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
 }
 
-/// Erases faces with fewer than three different corners, which bound nothing. Returns how many there were.
+/// Erases faces with fewer than three different corners, because they enclose nothing. Returns how many were erased.
 std::size_t eraseFacesOfFewerCorners(std::vector<Triangle>& triangles)
 {
     constexpr std::size_t chunkSize = 1 << 15;
@@ -214,7 +217,8 @@ std::size_t eraseFacesOfFewerCorners(std::vector<Triangle>& triangles)
     return areAny ? std::erase_if(triangles, [](const Triangle& t) { return !hasThreeCorners(t); }) : 0;
 }
 
-/// What was parsed as a document has it.
+/// Converts a parsed model to a document's conventions: welded vertices, faces with three different corners, Y up.
+/// Throws FileError::NoFaces if no face remains.
 void settle(ReadResult& result, const io::FileBytes& file, bool isWelded, UpAxis up)
 {
     if (!isWelded)
@@ -227,7 +231,7 @@ void settle(ReadResult& result, const io::FileBytes& file, bool isWelded, UpAxis
         fromZUp(result.mesh.points);
 }
 
-/// Returns whether the external reader has what our own reader lacks for the file.
+/// Returns whether the external reader could read a file for which core's own reader threw this error.
 bool isForExternalReader(const FileError& error)
 {
     return error.kind == FileErrorKind::Malformed && error.fault == FileFault::NeedsExtension &&
@@ -272,7 +276,7 @@ DocumentMetadata withAbsoluteImages(DocumentMetadata metadata, const std::filesy
     return metadata;
 }
 
-/// Names images in the folder or below from there.
+/// Makes the paths of images in the folder or below relative to the folder.
 DocumentMetadata withRelativeImages(DocumentMetadata metadata, const std::filesystem::path& folder)
 {
     for (SavedReference& reference : metadata.references)
@@ -401,7 +405,7 @@ void writeMesh(const std::filesystem::path& path, const TriangleMesh& mesh, cons
         break;
     case MeshFormat::Gltf:
     case MeshFormat::Amf:
-        break; // refused above
+        break; // refused by isWritten() above
     }
     out.commit();
 }

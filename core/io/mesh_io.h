@@ -11,51 +11,53 @@
 
 namespace core
 {
-/// Formats that are read; all but the last two are written, too.
+/// Formats that can be read; all except the last two can also be written.
 enum class MeshFormat { Stl, Obj, Ply, Off, Glb, ThreeMf, Gltf, Amf };
 
-/// The formats by their endings (lower case, without dot), in the order of MeshFormat.
+/// Returns the file name extension of each format (lower case, without dot), in the order of MeshFormat.
 std::span<const std::string_view> meshEndings();
-/// Of those that are written.
+/// Returns the extensions of the formats that can be written.
 std::span<const std::string_view> writtenEndings();
-/// Of all that are read: ours, then those of the external reader (external_reader.h).
+/// Returns the extensions of all formats that can be read: core's own, then those of the external reader
+/// (external_reader.h).
 std::vector<std::string_view> readEndings();
-/// By the ending, in either case.
+/// Returns the format for the path's extension, in upper or lower case.
 std::optional<MeshFormat> meshFormatOf(const std::filesystem::path& path);
-/// Whether writeMesh() takes that ending.
+/// Returns whether writeMesh() accepts the path's extension.
 bool isWritten(const std::filesystem::path& path);
 
-/// Which axis of a file points up. In a document it is Y.
+/// The axis of a file that points up. Documents always have Y up.
 enum class UpAxis { Y, Z };
-/// STL, 3MF and AMF: Z, the print bed's habit. The others: Y.
+/// Returns the up axis that is usual for the format. Z for STL, 3MF and AMF, as on print beds; Y for the others.
 UpAxis usualUp(MeshFormat format);
 
 bool holdsColors(MeshFormat format);
 
 struct ReadOptions
 {
-    std::optional<UpAxis> up = {}; ///< of the file; missing: usualUp
-    std::stop_token stop = {};     ///< then ReadingCancelled is thrown, within some 20 ms
+    std::optional<UpAxis> up = {}; ///< up axis of the file; missing: usualUp()
+    std::stop_token stop = {};     ///< requests cancelling: readModel() then throws ReadingCancelled within about 20 ms
 };
 
-/// What a file holds and a sculpted model does not.
+/// Content of a file that the resulting mesh does not keep, to be reported to the user.
 struct ReadRemarks
 {
-    std::size_t objects = 1; ///< they are one mesh now
+    std::size_t objects = 1; ///< objects in the file; they were merged into one mesh
     bool materials = false, textures = false;
-    bool poses = false;              ///< skins and morph targets: the model stands as its file shows it at rest
-    std::size_t repeatedCorners = 0; ///< corners left out that a polygon names twice in a row
-    std::size_t facesOfFewer = 0;    ///< faces left out with fewer than three different corners
-    bool unannounced = false;        ///< values were left out that the file's header does not announce
-    std::uint64_t bytesBehind = 0;   ///< the bytes behind a binary model, left out
-    std::size_t negativeParts = 0;   ///< parts left out that a slicer would cut out of the model
-    std::size_t otherParts = 0;      ///< parts left out that are no matter: modifiers and supports of slicers
-    std::size_t otherModels = 0;     ///< models left out that are in the same package
-    bool curves = false;             ///< edges and triangles that the file bends are straight and flat
-    std::size_t beams = 0;           ///< beams of a lattice, left out
-    std::size_t animations = 0;      ///< left out: the model stands as it does without them
-    std::size_t subdivisions = 0;    ///< meshes that their program would subdivide, and that are read as they are
-    std::size_t unreadNodes = 0;     ///< nodes, links and objects left out: surfaces that cannot be read
+    /// The file has skins or morph targets; the mesh has the pose in which the file shows it.
+    bool poses = false;
+    std::size_t repeatedCorners = 0; ///< corners skipped because a polygon names them twice in a row
+    std::size_t facesOfFewer = 0;    ///< faces skipped because they have fewer than three different corners
+    bool unannounced = false;        ///< values were skipped that the file's header does not declare
+    std::uint64_t bytesBehind = 0;   ///< bytes after the end of a binary model, skipped
+    std::size_t negativeParts = 0;   ///< parts skipped that a slicer would subtract from the model
+    std::size_t otherParts = 0;      ///< parts skipped that are not solid: a slicer's modifiers and supports
+    std::size_t otherModels = 0;     ///< other models in the same package, skipped
+    bool curves = false;             ///< the file has curved edges or triangles; they were read as straight and flat
+    std::size_t beams = 0;           ///< beams of a 3MF beam lattice, skipped
+    std::size_t animations = 0;      ///< animations, skipped: the mesh has its unanimated shape
+    std::size_t subdivisions = 0;    ///< subdivision surfaces, read as their control meshes without subdividing
+    std::size_t unreadNodes = 0;     ///< nodes, links and objects skipped because their surfaces cannot be read
 
     friend bool operator==(const ReadRemarks&, const ReadRemarks&) = default;
 };
@@ -66,39 +68,41 @@ struct ReadResult
     ReadRemarks remarks;
 };
 
-/// What was read is not wanted any more.
+/// Thrown by readers when a cancel was requested.
 struct ReadingCancelled
 {};
 
 struct WriteOptions
 {
-    std::optional<UpAxis> up = {}; ///< of the file; missing: usualUp
-    bool ascii = false;            ///< STL and PLY as text. OBJ and OFF are text always, GLB and 3MF never.
-    /// Kept beside the surface, where the format can: all of it by GLB, in an extension that others pass over; the
-    /// palette by PLY, OBJ, OFF and 3MF, in a comment.
+    std::optional<UpAxis> up = {}; ///< up axis of the file; missing: usualUp()
+    bool ascii = false;            ///< writes STL and PLY as text; OBJ and OFF are always text, GLB and 3MF never
+    /// Data stored in addition to the surface, as far as the format can. GLB stores all of it, in an extension that
+    /// other programs ignore. PLY, OBJ, OFF and 3MF store the palette in a comment.
     DocumentMetadata metadata = {};
 };
 
-/// Throws FileError. What it returns has at least one face, indices in range and finite points, and three different
-/// corners in each face, nothing more: faces may be without area, vertices unused. Vertices of equal bits (-0 = 0) are
-/// one, whatever the format: STL knows no others, and other files split them along seams. Vertices and faces keep their
-/// order; polygons are cut into triangles, and corners that they name twice in a row are left out. Text numbers are
-/// rounded to the nearest float32. A file is not read beyond its header when it is too short for it. Units are the
-/// file's; glTF's metres and the unit that a 3MF or AMF names become millimetres. What a .gltf names must lie in its
-/// folder, links followed.
+/// Reads a model of any supported format. Throws FileError. The result has at least one face, indices in range, finite
+/// points, and three different corners in each face. Nothing more is guaranteed: faces may have no area, vertices may
+/// be unused. Vertices with equal bits (-0 = 0) are merged in every format, because STL stores no shared vertices and
+/// other files split vertices along seams. Vertices and faces keep their order. Polygons are triangulated, and a corner
+/// named twice in a row counts once. Numbers in text are rounded to the nearest float32. If the file is too short for
+/// what its header declares, only the header is read. Units are the file's; glTF's metres and the units named in 3MF
+/// and AMF files are converted to mm. Files that a .gltf references must be in its folder after resolving symbolic
+/// links.
 ReadResult readModel(const std::filesystem::path& path, const ReadOptions& options = {});
-/// Its mesh alone.
+/// Returns only the mesh of readModel().
 TriangleMesh readMesh(const std::filesystem::path& path, const ReadOptions& options = {});
 
-/// readMesh() of a file that is in memory already; `name` says its format, and is told in errors. What names other
-/// files is refused, and so is what only the external reader reads.
+/// Parses a file that is already in memory, as readMesh(). `name` determines the format and is reported in errors.
+/// Refuses models that reference other files, and formats that only the external reader can read.
 TriangleMesh parseMesh(const std::filesystem::path& name, std::string_view bytes);
 
-/// What writeMesh() was given as notes, as far as the format keeps them. What is not as we write it is left out; so is
-/// all of a file that cannot be read. Never throws FileError.
+/// Returns the metadata that writeMesh() stored, as far as the format keeps it. Ignores entries that writeMesh() would
+/// not have written, and everything if the file cannot be read. Never throws FileError.
 DocumentMetadata readMetadata(const std::filesystem::path& path);
 
-/// Throws FileError; then the path holds what it held before. Read again, points and colours come back bit for bit
-/// (STL: no colours, no unused vertices, no -0; 3MF: no colours of unused vertices).
+/// Writes the mesh. Throws FileError; the previous file is then unchanged. Points and colours are bit-identical when
+/// read back, with these exceptions. STL keeps no colours, unused vertices or -0; 3MF keeps no colours of unused
+/// vertices.
 void writeMesh(const std::filesystem::path& path, const TriangleMesh& mesh, const WriteOptions& options = {});
 } // namespace core

@@ -13,7 +13,8 @@ namespace core
 {
 namespace
 {
-/// With fewer steps of the coordinates to a mean edge the surface is not looked at: its faces meet everywhere.
+/// Smallest acceptable mean edge length, in steps between neighbouring floats. With fewer steps the surface is refused
+/// without a check: its faces would meet everywhere.
 constexpr double leastStepsPerEdge = 3;
 
 bool areFloatsTooCoarse(const TriangleMesh& mesh, const Vec3& place)
@@ -28,13 +29,13 @@ bool areFloatsTooCoarse(const TriangleMesh& mesh, const Vec3& place)
     return floatStepsPerEdge(box, area, mesh.triangles.size()) < leastStepsPerEdge;
 }
 
-/// Moves points whose rounding made faces meet to other places that floats hold. False if that does not help.
+/// Moves points to other floats where rounding made faces meet. Returns false if some points have no suitable float.
 bool fitToFloats(TriangleMesh& mesh, std::span<const Vec3> places)
 {
     double largest = 0;
     for (const Vec3& p : places)
         largest = std::max(largest, p.cwiseAbs().maxCoeff());
-    int exponent = 0; // 2^exponent is above the largest
+    int exponent = 0; // smallest exponent with 2^exponent above the largest coordinate
     std::frexp(largest, &exponent);
     const Lattice lattice(static_cast<int>(std::log2(Lattice::limit)) - exponent);
     const LatticeFit fit = fitToLattice(lattice, places, mesh.triangles);

@@ -6,9 +6,10 @@
 
 namespace core
 {
-/// Returns a document's surface where the model's file has it, to be written. `place`: see MeshFrame. Exact for a model
-/// that does not lie far from its file's origin (isFarFromOrigin). Farther away coordinates are rounded, to others than
-/// the nearest where faces would meet: throws FileError::TooFar, with the path, if the surface cannot be kept sound so.
-/// Cost: a pass over the points; if they are rounded, that of checkMesh(), and seldom of fitToLattice().
+/// Returns a document's surface moved to the position that it has in the model's file, ready to be written. `place`:
+/// see MeshFrame. The result is exact unless the model is far from its file's origin (isFarFromOrigin); then
+/// coordinates are rounded. If rounding to the nearest float would make faces meet, other floats are chosen. Throws
+/// FileError::TooFar, with the path, if no rounding keeps the surface valid. Cost: one pass over the points; if they
+/// are rounded, also checkMesh(), and rarely fitToLattice().
 TriangleMesh placedMesh(const std::filesystem::path& path, TriangleMesh mesh, const Vec3& place);
 } // namespace core

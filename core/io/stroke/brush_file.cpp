@@ -12,9 +12,9 @@ namespace
 {
 constexpr std::string_view brushFormat = "fettle-brush";
 constexpr double brushVersion = 1;
-constexpr std::size_t maxBrushBytes = std::size_t(32) << 20; ///< an alpha of the largest size among them
+constexpr std::size_t maxBrushBytes = std::size_t(32) << 20; ///< bytes; leaves room for the largest alpha image
 
-/// Reads what the file says of itself, whatever else it holds.
+/// Reads the file's format and version and ignores all other content.
 class HeaderReader : public nlohmann::json::json_sax_t
 {
 public:
@@ -61,7 +61,7 @@ public:
         --m_depth;
         return true;
     }
-    /// Leaves it to the reader after this one to refuse what is no JSON.
+    /// Ends parsing silently: BrushJsonReader parses the file again and reports the syntax error.
     bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception&) override { return false; }
 
 private:

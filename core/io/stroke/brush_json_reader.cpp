@@ -9,7 +9,7 @@ namespace
 constexpr std::array<std::string_view, 6> brushFileKeys{"format", "version",      "name",
                                                         "stroke", "radius_share", "alpha_image"};
 constexpr std::size_t requiredKeys = 4;
-/// The keys of a stroke that a preset may have.
+/// The keys of a stroke that a preset may also have.
 constexpr std::array<std::string_view, 13> presetKeys{"tool",          "brush",    "strength", "falloff", "detail",
                                                       "topology",      "spacing",  "airbrush", "invert",  "alpha",
                                                       "alpha_follows", "anchored", "color"};
@@ -19,7 +19,8 @@ template <class List> bool contains(const List& list, std::string_view what)
     return std::ranges::find(list, what) != std::end(list);
 }
 
-/// A line for people: no control characters. JSON's parser has refused what is not UTF-8.
+/// Returns whether the text fits a name shown to users: not blank, not too long, no control characters. The JSON parser
+/// has already refused invalid UTF-8.
 bool isName(const std::string& name)
 {
     const auto isControl = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
@@ -44,7 +45,8 @@ void BrushJsonReader::refuse(Kind kind, const std::string& value) const
     throw StrokeFileError(kind, value.empty() ? m_key : m_key + ": \"" + value.substr(0, 60) + '"');
 }
 
-/// The strokes' reader names the first stroke of a file; here there is only one.
+/// Forwards one event to the stroke reader. Removes the stroke's index from its errors, since a preset has only one
+/// stroke.
 template <class Pass> bool BrushJsonReader::pass(const Pass& pass)
 {
     try {
@@ -74,7 +76,7 @@ bool BrushJsonReader::number(double value)
     if (m_level == Level::Stroke)
         return pass([&](StrokeJsonReader& strokes) { return strokes.number_float(value, {}); });
     if (m_level == Level::File && m_key == "version")
-        return true; // parseBrush() has read it
+        return true; // parseBrush() has checked the version already
     if (m_level != Level::File || m_key != "radius_share")
         refuse(Kind::WrongType);
     if (!(value >= minPresetRadius && value <= maxPresetRadius)) {
@@ -146,7 +148,7 @@ bool BrushJsonReader::end_object()
     }
     if (!m_preset.alphaImage.empty() && m_preset.alpha.file.empty()) {
         m_key = "alpha_image";
-        refuse(Kind::UnknownKey); // it is the image of nothing
+        refuse(Kind::UnknownKey); // the preset names no alpha file whose image this could be
     }
     return true;
 }
@@ -175,7 +177,7 @@ bool BrushJsonReader::parse_error(std::size_t position, const std::string& token
     }
 }
 
-/// Puts the other reader into a stroke whose radius is there.
+/// Sends events to the stroke reader until it is inside a stroke whose radius has been read.
 void BrushJsonReader::beginStroke()
 {
     m_level = Level::Stroke;

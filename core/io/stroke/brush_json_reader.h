@@ -5,8 +5,8 @@
 
 namespace core
 {
-/// Takes the parser's events of a preset file. What stands in "stroke" is passed on to the reader of stroke files, as a
-/// stroke without samples: both have the same words, ranges and errors.
+/// Receives the JSON parser's events for a preset file. Forwards the content of "stroke" to the stroke file's reader as
+/// a stroke without samples, so that both files share keywords, ranges and errors.
 class BrushJsonReader : public nlohmann::json::json_sax_t
 {
 public:
@@ -42,7 +42,7 @@ private:
     BrushPreset m_preset;
     Level m_level = Level::Start;
     std::string m_key;
-    std::vector<std::string> m_seen; ///< keys of the file
+    std::vector<std::string> m_seen; ///< keys read in the outermost object
     std::vector<std::string> m_seenInStroke;
 };
 } // namespace core

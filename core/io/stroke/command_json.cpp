@@ -1,4 +1,4 @@
-// The stroke file's commands for the whole model: which keys each has, and its words.
+// The stroke file's commands for the whole model: the keys of each command and the keywords of each key.
 #include "core/io/stroke/stroke_json_reader.h"
 
 #include <cassert>
@@ -8,7 +8,8 @@ namespace core
 namespace
 {
 using Draft = const CommandDraft&;
-using Settings = const StrokeSettings&; // of the stroke that the command was taken for
+// Settings read with the command's object: they contain its color and detail_length.
+using Settings = const StrokeSettings&;
 struct CommandRow
 {
     std::string_view name;
@@ -52,7 +53,7 @@ constexpr std::array<std::string_view, 2> keepTable{"positive", "negative"};
 constexpr std::array<std::string_view, 3> whereTable{"beside", "as_it_is", "centre"};
 } // namespace
 
-/// False if the key does not have that word.
+/// Stores the keyword for the current key. Returns false if the key does not allow it.
 bool StrokeJsonReader::commandWord(const std::string& typed)
 {
     const std::string word = m_key == WhereKey && typed == "center" ? "centre" : typed;
@@ -68,7 +69,7 @@ bool StrokeJsonReader::commandWord(const std::string& typed)
         m_command.name = word == "recenter" ? "recentre" : word;
         return std::ranges::find(commandNames, m_command.name) != commandNames.end();
     case PlaneKey:
-        m_words = std::span(valueNames<Symmetry>).subspan(1); // all but none
+        m_words = std::span(valueNames<Symmetry>).subspan(1); // all values except none
         m_command.plane = named<Symmetry>(word).value_or(Symmetry::None);
         return m_command.plane != Symmetry::None;
     case KeepKey:
@@ -85,7 +86,7 @@ bool StrokeJsonReader::commandWord(const std::string& typed)
     }
 }
 
-/// Known to the format, but not where they stand.
+/// Throws UnknownKey if one of the keys was read: the format has them, but not in this object.
 void StrokeJsonReader::requireNoneOf(KeySet keys)
 {
     for (std::size_t i = 0; i < strokeKeys.names.size(); ++i) {
@@ -94,7 +95,8 @@ void StrokeJsonReader::requireNoneOf(KeySet keys)
     }
 }
 
-/// The keys of a command may come in any order, and before "command": only now is it known which belong to it.
+/// Builds the command. Its keys may precede "command" in the file, so only here are they checked against the command's
+/// own keys.
 void StrokeJsonReader::endCommand()
 {
     const auto found = std::ranges::find(commandTable, m_command.name, &CommandRow::name);

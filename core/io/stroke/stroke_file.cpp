@@ -1,5 +1,6 @@
-// The stroke file, read in one pass without a tree: each value goes straight to its place, so a file costs what its
-// samples cost, and a nest of brackets is refused at the first bracket that the format does not have.
+// The stroke file is read in one pass without building a JSON tree: each value is stored at once in its member. Memory
+// is therefore proportional to the samples, and deeply nested brackets are refused at the first bracket that the format
+// does not allow.
 #include "core/io/stroke/stroke_file.h"
 
 #include "core/io/stroke/stroke_json_reader.h"
@@ -19,7 +20,7 @@ constexpr std::size_t maxFileBytes = std::size_t(1) << 30;
 
 using Value = StrokeFileError::Value;
 
-/// Keys that hold no word, of files of strokes and of presets. A key holds the same wherever it stands.
+/// The keys of stroke files and preset files whose value is not a keyword. A key has the same type in every object.
 constexpr std::pair<std::string_view, Value> otherThanWords[] = {
     {"version", Value::WholeNumber},
     {"strokes", Value::Objects},
@@ -88,7 +89,7 @@ std::string readStrokeText(const std::string& path, std::size_t maxBytes)
 {
     StrokeFileError tooLarge(StrokeFileError::Kind::TooLarge);
     tooLarge.max = static_cast<double>(maxBytes);
-    std::error_code noSize; // of a pipe
+    std::error_code noSize; // file_size() fails for a pipe
     if (const auto size = std::filesystem::file_size(path, noSize); !noSize && size > maxBytes)
         throw tooLarge;
     errno = 0;

@@ -19,7 +19,7 @@ namespace
 std::string shortest(double value)
 {
     if (value == 0 && std::signbit(value))
-        return "-0.0"; // "-0" would be read as a whole number, which has no sign at 0
+        return "-0.0"; // the JSON parser would read "-0" as an integer and lose the sign
     std::array<char, 32> text;
     const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
     return std::string(text.data(), end);
@@ -62,8 +62,8 @@ void writeSample(std::ostream& out, const StrokeSample& sample)
     out << '}';
 }
 
-/// Writes the alpha and the model; one that is not in the settings yet is written as it was read. A model that came
-/// from no file is left out: nobody could read it again.
+/// Writes the alpha and the model. A file that is not loaded into the settings yet is written with the path that was
+/// read. A model that has no file is left out, because it could not be read again.
 void writeShapes(std::ostream& out, const Stroke& stroke)
 {
     const StrokeSettings& settings = stroke.settings;
@@ -116,7 +116,7 @@ void write(std::ostream& out, const Stroke& stroke)
     out << "]}";
 }
 
-/// Returns what follows "command": in the file.
+/// Returns the text that follows "command": in the file, up to the closing brace.
 std::string keysOf(const FileCommand& entry)
 {
     using Text = std::string;

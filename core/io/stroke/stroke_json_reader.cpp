@@ -1,4 +1,5 @@
-// The stroke file's structure: which object holds which keys. Its values: stroke_json_values.cpp.
+// The structure of the stroke file: the objects and the keys that each may have. Values are handled in
+// stroke_json_values.cpp.
 #include "core/io/stroke/stroke_json_reader.h"
 
 namespace core
@@ -167,7 +168,7 @@ bool StrokeJsonReader::end_array()
 bool StrokeJsonReader::parse_error(std::size_t position, const std::string&, const nlohmann::json::exception& error)
 {
     constexpr int numberOverflow = 406;
-    // `position` is the count of bytes read: the one that did not fit is the last of them.
+    // `position` is the number of bytes read; the last of them is the one that did not parse.
     const std::size_t at = std::min(std::max<std::size_t>(position, 1) - 1, m_text.size());
     const std::string_view rest = m_text.substr(at);
     const bool isNumber = error.id == numberOverflow || rest.starts_with("NaN") || rest.starts_with("Inf");

@@ -9,7 +9,7 @@
 
 namespace core
 {
-/// What the keys of a command say, in whatever order they come.
+/// The values of a command's keys, which may be read in any order.
 struct CommandDraft
 {
     std::string name, file;
@@ -22,7 +22,8 @@ struct CommandDraft
     MaskOperation::Kind how = MaskOperation::Kind::Invert;
 };
 
-/// Takes the parser's events; knows where in the format it stands. Throws at the first that does not belong there.
+/// Receives the JSON parser's events and tracks the position in the format. Throws at the first event that the format
+/// does not allow there.
 class StrokeJsonReader : public nlohmann::json::json_sax_t
 {
 public:
@@ -69,21 +70,22 @@ private:
     bool commandWord(const std::string& typed);
     void endCommand();
     void requireNoneOf(KeySet keys);
-    /// The entry that is being read: a stroke until it ends, its color and detail_length those of a command, too.
+    /// Returns the entry that is being read. A command is stored as a stroke until its object ends: its color and
+    /// detail_length are read into the stroke's settings.
     Stroke& stroke() { return std::get<Stroke>(m_entries.back()); }
 
     std::string_view m_text;
     std::vector<FileEntry> m_entries;
     CommandDraft m_command;
     Level m_level = Level::Start;
-    int m_key = -1;                            ///< in the level's keys
-    std::span<const std::string_view> m_words; ///< words of the key whose word is being read; empty: any
-    KeySet m_seen = 0;                         ///< of the innermost object
+    int m_key = -1;                            ///< index of the current key in the keys of m_level; -1: none
+    std::span<const std::string_view> m_words; ///< keywords allowed for the current key; empty: any text
+    KeySet m_seen = 0;                         ///< keys read so far in the innermost object
     KeySet m_seenOuter = 0, m_seenStroke = 0;
-    bool m_inVector = false; ///< between the brackets of a list of numbers
-    std::size_t m_count = 0; ///< of them so far
+    bool m_inVector = false; ///< true between the brackets of a list of numbers
+    std::size_t m_count = 0; ///< numbers read so far in the open list
     std::array<double, 4> m_vector{};
     double m_turntable = 0;
-    std::optional<std::size_t> m_undirected; ///< the stroke's first sample without a direction
+    std::optional<std::size_t> m_undirected; ///< index of the stroke's first sample that has no direction
 };
 } // namespace core

@@ -1,4 +1,4 @@
-// The stroke file's values: types, ranges, and where each goes.
+// The values of the stroke file: their types, their ranges and the members that store them.
 #include "core/io/stroke/stroke_json_reader.h"
 
 #include "core/sculpt/deform/alpha.h"
@@ -12,10 +12,11 @@ namespace core
 {
 namespace
 {
-constexpr double minSpacing = 1e-3; ///< but for 0: a typing error shall not ask for 10^12 dabs
-constexpr double minFactor = 1e-6;  ///< of scaling; its inverse is the largest
+/// Radii; smallest spacing except 0, so that a typing error cannot request 10^12 dabs.
+constexpr double minSpacing = 1e-3;
+constexpr double minFactor = 1e-6; ///< smallest scale factor; the largest is 1 / minFactor
 
-/// The xz plane (section 3.5.2): what `"symmetry": true` means.
+/// The xz plane (paper, section 3.5.2), which is the meaning of `"symmetry": true`.
 constexpr Symmetry paperPlane = Symmetry::Y;
 
 Eigen::Quaterniond turnAboutY(double degrees)
@@ -42,7 +43,7 @@ double StrokeJsonReader::inRange(double value, Parameter parameter) const
     return inRange(value, info(parameter).min, info(parameter).max);
 }
 
-/// How many numbers the key's list holds; 0: the key has no list.
+/// Returns the number of values in the current key's list; 0 if the key has no list.
 std::size_t StrokeJsonReader::vectorLength() const
 {
     if (m_level == Level::Stroke)

@@ -1,6 +1,6 @@
 #pragma once
 
-// For the stroke file's reader and writer only.
+// Keys of the stroke file, shared by its reader and its writer only.
 
 #include <algorithm>
 #include <array>
@@ -9,14 +9,14 @@
 
 namespace core
 {
-/// A bit per key of an object.
+/// A set of keys of one object, one bit for each key.
 using KeySet = std::uint64_t;
 constexpr KeySet bit(std::size_t key)
 {
     return KeySet(1) << key;
 }
 
-/// The keys of one kind of object; the first `required` of them must be there.
+/// The keys that one kind of object may have; the first `required` of them are mandatory.
 template <std::size_t N> struct Keys
 {
     std::array<std::string_view, N> names;
@@ -69,7 +69,7 @@ enum StrokeKey {
     WhereKey,
     CentreKey,
     HeightKey,
-    HowKey // of commands
+    HowKey // the keys from CommandKey to here are keys of commands only
 };
 inline constexpr Keys<37> strokeKeys{{"tool",
                                       "radius",
@@ -110,10 +110,10 @@ inline constexpr Keys<37> strokeKeys{{"tool",
                                       "how"},
                                      3};
 
-/// Those that no stroke has.
+/// The keys that only commands have.
 inline constexpr KeySet commandKeys = bit(strokeKeys.names.size()) - bit(CommandKey);
 
-/// The words of HowKey, in the order of MaskOperation::Kind.
+/// The values of the key "how", in the order of MaskOperation::Kind.
 inline constexpr std::array<std::string_view, 9> maskChangeNames{"invert", "clear",  "blur",  "sharpen", "grow",
                                                                  "shrink", "cavity", "color", "part"};
 
