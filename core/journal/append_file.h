@@ -5,12 +5,12 @@
 
 namespace core
 {
-/// A file that only grows. What append() took outlives the process, what sync() saw outlives a power cut. Each member
-/// throws FileError; append() and sync() may run at once on two threads.
+/// A file that is only appended to. Appended bytes survive the end of the process; synced bytes survive a power cut.
+/// Every member throws FileError. Thread: append() and sync() may run concurrently.
 class AppendFile
 {
 public:
-    /// A new one: it must not exist.
+    /// Creates the file. Precondition: it does not exist.
     explicit AppendFile(const std::filesystem::path& path);
     ~AppendFile();
     AppendFile(const AppendFile&) = delete;
@@ -24,15 +24,15 @@ private:
     int m_descriptor;
 };
 
-/// The file's content outlives a power cut. Throws FileError.
+/// Makes the file's content survive a power cut. Throws FileError.
 void syncFile(const std::filesystem::path& file);
 
-/// A folder that belongs to a process while that lives, however it ends.
+/// An exclusive lock on a folder. The system releases it when the process ends, even by a crash.
 class FolderLock
 {
 public:
-    /// Of a folder that exists. Does not wait: isHeld() says whether it is ours now. Throws FileError if it cannot be
-    /// tried.
+    /// Tries to lock an existing folder without waiting; isHeld() returns whether it succeeded. Throws FileError if the
+    /// lock file cannot be opened.
     explicit FolderLock(const std::filesystem::path& folder);
     ~FolderLock();
     FolderLock(const FolderLock&) = delete;

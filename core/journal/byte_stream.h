@@ -8,7 +8,8 @@
 
 namespace core
 {
-/// Plain values one after the other, as this machine holds them: journals do not travel.
+/// Appends plain values to a string in this machine's byte order and layout: journals are never read on another
+/// machine.
 class ByteWriter
 {
 public:
@@ -32,7 +33,8 @@ private:
     std::string& m_out;
 };
 
-/// Reads them again. What is not there any more reads as zero, and isGood() is false from then on.
+/// Reads values in the order in which ByteWriter wrote them. Past the end of the bytes it returns zeros and isGood() is
+/// false.
 class ByteReader
 {
 public:
@@ -62,7 +64,8 @@ public:
         m_rest.remove_prefix(size);
         return text;
     }
-    /// How many of what needs so many bytes each; 0 if there is no room for them.
+    /// Returns the number of elements that follow, given the least size of one element in bytes. Returns 0 if the
+    /// remaining bytes are too few.
     std::size_t takeCount(std::size_t bytesEach)
     {
         const std::size_t count = take<std::uint32_t>();

@@ -8,7 +8,7 @@ namespace
 {
 constexpr std::uint32_t polynomial = 0xedb88320u;
 
-/// tables[i][b]: what byte b adds from i bytes before the end (Kounavis and Berry 2005).
+/// tables[i][b]: contribution of a byte b that is followed by i more bytes of the block (Kounavis and Berry 2005).
 constexpr auto tables = [] {
     std::array<std::array<std::uint32_t, 256>, 8> made{};
     for (std::uint32_t b = 0; b < 256; ++b) {

@@ -5,6 +5,7 @@
 
 namespace core
 {
-/// CRC-32 (ISO 3309, as zlib and PNG have it), eight bytes a step. `seed`: of what comes before.
+/// Returns the CRC-32 (ISO 3309, as in zlib and PNG). Processes eight bytes a step. `seed`: the checksum of the
+/// preceding bytes.
 std::uint32_t checksum(std::string_view bytes, std::uint32_t seed = 0);
 } // namespace core

@@ -28,7 +28,7 @@ bool compactJournal(const std::filesystem::path& folder, unsigned segment, const
         return false;
     }
     const JournalFiles files = filesIn(folder);
-    std::error_code ignored; // what stays does no harm
+    std::error_code ignored; // files that cannot be removed do no harm: recovery begins at the newest base
     for (const auto& base : files.bases)
         if (base.first < segment)
             std::filesystem::remove(baseFile(folder, base.first), ignored);

@@ -5,8 +5,9 @@
 
 namespace core
 {
-/// Makes a base of what is before that segment, which must be complete, and removes the segments and bases before it.
-/// The folder holds the same document at each moment. False if it was stopped, or failed: then nothing has changed.
-/// Reads and writes on disk alone; takes the memory of another mesh.
+/// Replaces everything before this segment by a new base, and removes the older segments and bases. Precondition: the
+/// preceding segments are complete. Returns false if it was stopped or failed; the journal is then unchanged. The
+/// folder contains the same document at every moment. Uses the files only, not the open document; takes the memory of a
+/// second mesh.
 bool compactJournal(const std::filesystem::path& folder, unsigned segment, const std::stop_token& stop = {});
 } // namespace core

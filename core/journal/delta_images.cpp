@@ -8,7 +8,7 @@ namespace core
 {
 namespace
 {
-/// An item of these links, in the order in which it holds them.
+/// Returns an OpenMesh item made of these links, in the order of its members.
 template <class Item, class... Links> Item itemOf(Links... links)
 {
     const std::array<Slot, sizeof...(links)> values{links...};
@@ -26,7 +26,7 @@ template <std::size_t count, class Item> std::array<Slot, count> linksOf(const I
     return links;
 }
 
-// Of slots past the arrays' ends: as if they were free.
+// Images of slots past the ends of the mesh's arrays are those of free slots.
 
 VertexImage vertexImage(const Mesh& mesh, Slot v)
 {
@@ -65,7 +65,7 @@ bool isInside(const VertexImage& image, const SlotCounts& counts)
 
 bool isInside(const EdgeImage& image, const SlotCounts& counts)
 {
-    const auto links = linksOf<8>(image.item); // as in edgeImage()
+    const auto links = linksOf<8>(image.item); // in the order of edgeImage()
     for (std::size_t i = 0; i < links.size(); i += 4)
         if (links[i] >= counts.faces || links[i + 1] >= counts.vertices || links[i + 2] >= 2 * counts.edges ||
             links[i + 3] >= 2 * counts.edges)

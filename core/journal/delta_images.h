@@ -4,11 +4,12 @@
 
 namespace core
 {
-/// What Mesh::swap(delta) would leave in the delta: its elements as they are in the mesh. Cost: the delta's elements.
+/// Returns the mesh's current values of the elements in the delta: what the delta would contain after
+/// Mesh::swap(delta). Cost: linear in the delta's elements.
 MeshDelta imageOf(const Mesh& mesh, const MeshDelta& delta);
-/// Vertices, edges and faces of these slots as they are in the mesh, free ones too; those past the arrays' ends are
-/// left out. The images of all slots, swapped into any mesh, make it this one.
+/// Returns images of the vertices, edges and faces in slots `first` to `end` - 1, including free slots. Slots past the
+/// ends of the arrays are skipped. Swapping the images of all slots into any mesh makes it equal to this mesh.
 MeshDelta imageOf(const Mesh& mesh, Slot first, Slot end);
-/// Whether Mesh::swap(delta) keeps within the arrays, and every link that it brings.
+/// Returns whether Mesh::swap(delta) would stay within the arrays, including every link in the delta.
 bool canSwap(const Mesh& mesh, const MeshDelta& delta);
 } // namespace core

@@ -10,7 +10,7 @@ namespace core
 {
 namespace
 {
-constexpr Slot slotsPerPart = 1 << 16; ///< about 5 MB
+constexpr Slot slotsPerPart = 1 << 16; ///< one part is then about 5 MB
 } // namespace
 
 void writeBase(const std::filesystem::path& file, const Mesh& mesh, const BaseRecord& base, std::uint64_t number)

@@ -9,7 +9,7 @@ namespace
 {
 constexpr std::string_view basePrefix = "base-", segmentPrefix = "segment-";
 
-/// The number of a file of that kind.
+/// Returns the number after the prefix; nothing if the file has another kind of name.
 std::optional<unsigned> numberOf(std::string_view name, std::string_view prefix)
 {
     unsigned number = 0;

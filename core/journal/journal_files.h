@@ -9,13 +9,13 @@
 
 namespace core
 {
-// A journal's folder holds
-//   lock          of the process whose document it is
-//   start         the model as it was opened: a StartRecord
-//   base-<n>      perhaps: parts of the mesh as it was at the beginning of segment n, closed by a BaseRecord
-//   segment-<n>   records, numbered on from segment to segment
-// Recovery takes the newest base that is whole, or the start, and the segments from there on. Bases come whole or not
-// at all; a segment may be torn at its end: what was done since then is in the next.
+// The files in a journal's folder:
+//   lock          locked by the process that has the document open
+//   start         a StartRecord: the model as it was opened
+//   base-<n>      optional: the mesh at the beginning of segment n, in parts, followed by a BaseRecord
+//   segment-<n>   records; their numbers continue from segment to segment
+// Recovery reads the newest complete base, or else the start, and then the following segments. A base is written
+// completely or not at all. A segment may be cut off at its end by a crash; later records are in the next segment.
 
 std::filesystem::path startFile(const std::filesystem::path& folder);
 std::filesystem::path baseFile(const std::filesystem::path& folder, unsigned segment);
@@ -23,11 +23,11 @@ std::filesystem::path segmentFile(const std::filesystem::path& folder, unsigned 
 
 struct JournalFiles
 {
-    std::map<unsigned, std::uintmax_t> bases, segments; ///< sizes in bytes, by number
+    std::map<unsigned, std::uintmax_t> bases, segments; ///< sizes in bytes, by the file's number
 };
-/// What is there. Nothing of a folder that cannot be read.
+/// Returns the bases and segments in the folder; empty if the folder cannot be read.
 JournalFiles filesIn(const std::filesystem::path& folder);
 
-/// The whole file; nothing if it cannot be read.
+/// Returns the content of the file; empty if it cannot be read.
 std::string contentOf(const std::filesystem::path& file);
 } // namespace core

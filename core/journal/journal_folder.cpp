@@ -14,11 +14,12 @@ namespace
 {
 namespace fs = std::filesystem;
 
-/// Folders that come or go have such a name; what is left of them by programs that ended then is of no use.
+/// First character of the name of a folder that is being made or removed. Such a folder is useless if its program has
+/// ended, and is removed when it is older than oldAge.
 constexpr char hiddenMark = '.';
 constexpr auto oldAge = std::chrono::hours(1);
 
-/// Nobody else's: 64 bits by chance.
+/// Returns 64 random bits as text: unique among all folders.
 std::string newName()
 {
     std::random_device random;
@@ -26,7 +27,7 @@ std::string newName()
     return std::to_string(chance);
 }
 
-/// Null if somebody else holds it, or it is gone.
+/// Returns the lock; null if another process has it or the folder does not exist.
 std::unique_ptr<FolderLock> lockOf(const fs::path& folder)
 {
     try {

@@ -7,29 +7,31 @@
 
 namespace core
 {
-/// A folder for one document's journal, among those of other documents and programs that run: nobody else has it while
-/// it is held, and it is without an owner once the process has ended, however it did.
+/// The folder of one document's journal, locked by this process. Other documents and other running programs have
+/// folders beside it. When the process ends, even by a crash, the folder is unlocked and counts as abandoned.
 class JournalFolder
 {
 public:
-    /// A new one under `root`, which is made if need be. Throws FileError.
+    /// Makes a new folder in `root`, which is created if it does not exist. Throws FileError.
     static std::unique_ptr<JournalFolder> make(const std::filesystem::path& root);
-    /// The same, but until show() it is at hiddenPath(), is never found as abandoned(), and is gone with the object.
+    /// Makes a folder that is hidden until show(): it is located at hiddenPath(), abandoned() ignores it, and the
+    /// destructor removes it. Throws FileError.
     static std::unique_ptr<JournalFolder> makeHidden(const std::filesystem::path& root);
     ~JournalFolder();
     JournalFolder(JournalFolder&&) = default;
-    /// Those that nobody holds, which are held from now on; the latest change comes first. Never throws FileError.
+    /// Returns all folders that no process has locked, and locks them. The most recently changed is first. Never throws
+    /// FileError.
     static std::vector<std::unique_ptr<JournalFolder>> abandoned(const std::filesystem::path& root);
 
     const std::filesystem::path& path() const { return m_path; }
     std::filesystem::path hiddenPath() const;
-    /// Any thread. Throws FileError.
+    /// Renames the hidden folder to path(). Throws FileError. Thread: any.
     void show();
-    std::filesystem::file_time_type changed() const; ///< the last time
-    /// With all that is in it.
+    std::filesystem::file_time_type changed() const; ///< time of the last change
+    /// Removes the folder with its content.
     void remove();
-    /// It goes to another root, where so many stay: the oldest go. Its new path; empty if that is impossible, and it
-    /// stays where it is.
+    /// Moves the folder to another root, which keeps at most `max` folders: the oldest are removed. Returns the new
+    /// path. Returns an empty path if the move fails; the folder is then unchanged.
     std::filesystem::path setAside(const std::filesystem::path& root, std::size_t max);
 
 private:

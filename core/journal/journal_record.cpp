@@ -18,11 +18,11 @@ struct Head
     std::uint64_t number = 0, length = 0;
 };
 
-/// A value that goes into a ByteWriter, or comes out of a ByteReader.
+/// A reference parameter for a value that is written or read: const with ByteWriter, mutable with ByteReader.
 template <class T, class Stream> using Passed = std::conditional_t<std::is_same_v<Stream, ByteWriter>, const T, T>;
 template <class Stream> constexpr bool isReading = std::is_same_v<Stream, ByteReader>;
 
-// --- parts
+// --- values inside records
 
 constexpr std::size_t vertexBytes = 25, edgeBytes = 36, faceBytes = 20;
 
@@ -45,7 +45,7 @@ template <class Stream> void pass(Stream& stream, Passed<FaceImage, Stream>& ima
     stream.pass(image.slot, image.corners, image.item);
 }
 
-/// A stroke file of its own.
+/// Writes the entry as the text of a stroke file; no entry as an empty text.
 void putEntry(ByteWriter& out, const FileEntry* entry)
 {
     std::ostringstream text;
@@ -54,7 +54,7 @@ void putEntry(ByteWriter& out, const FileEntry* entry)
     out.put(text.view());
 }
 
-/// Null: there is none, or it is another version's.
+/// Reads an entry. Returns null if there is none, or if another version wrote it in a form that cannot be read.
 std::shared_ptr<const FileEntry> takeEntry(ByteReader& in)
 {
     const std::string_view text = in.takeText();
@@ -83,7 +83,7 @@ template <class Part> void passAll(ByteWriter& out, const std::vector<Part>& par
         pass(out, part);
 }
 
-/// `bytesEach`: that a part takes at least.
+/// `bytesEach`: least size of one part in bytes.
 template <class Part> void passAll(ByteReader& in, std::vector<Part>& parts, std::size_t bytesEach)
 {
     parts.resize(in.takeCount(bytesEach));
@@ -127,7 +127,7 @@ template <class Stream> void pass(Stream& stream, Passed<SavedView, Stream>& vie
     stream.pass(view.distance, view.yaw, view.pitch, view.orthographic);
 }
 
-/// Bits: which of the notes there are.
+/// Flags for the optional parts of DocumentMetadata that are present.
 constexpr std::uint8_t viewBit = 1, workBit = 2, referencesBit = 4;
 
 void pass(ByteWriter& out, const SavedReference& reference)
@@ -187,7 +187,7 @@ template <class Stream> void pass(Stream& stream, Passed<Snapshot, Stream>& snap
     passPlain(stream, snapshot.surface.triangles);
 }
 
-// --- contents, one for each kind
+// --- content of each kind of record
 
 template <class Stream> void pass(Stream& stream, Passed<JournalDocument, Stream>& document)
 {

@@ -13,38 +13,38 @@
 
 namespace core
 {
-/// What a history shows of a step, and what did it. Texts are UTF-8.
+/// The description of a step that a history shows, and the command that made the step. Texts are UTF-8.
 struct JournalStep
 {
     std::string text, icon;
     std::uint64_t dabs = 0, fusions = 0;
-    /// As a stroke file would have it: what is in files of its own is not there; null: not known.
+    /// The step's command in the stroke file's form, without the content of files that it references; null: not known.
     std::shared_ptr<const FileEntry> entry = {};
 
-    /// By what would be written of them.
+    /// Compares the bytes that would be written for the steps.
     friend bool operator==(const JournalStep& a, const JournalStep& b);
 };
 
-/// What belongs to the document beside its mesh.
+/// The data of a document in addition to its mesh.
 struct JournalDocument
 {
-    std::string name, path;            ///< UTF-8; no path: it comes from no file
-    DocumentMetadata metadata;         ///< without the frame, which is the mesh's
-    bool changedBeyondHistory = false; ///< it is unsaved, whatever the history says
+    std::string name, path;            ///< UTF-8; an empty path: the document has no file
+    DocumentMetadata metadata;         ///< without the frame, which is part of the mesh
+    bool changedBeyondHistory = false; ///< true: the document is unsaved regardless of the history's state
 };
 
-/// The steps, done and undone.
+/// All steps of a document, done and undone.
 struct JournalHistory
 {
     std::vector<JournalStep> steps;
-    std::uint32_t present = 0; ///< so many are done
-    /// So many were when the file was written; none: it is not a state of these steps.
+    std::uint32_t present = 0; ///< number of steps that are done
+    /// Number of steps that were done when the file was saved. Empty: the saved state is not among these steps.
     std::optional<std::uint32_t> saved = 0;
-    bool isWhole = true; ///< the first was done to the model as it was opened
+    bool isWhole = true; ///< true: the first step was done to the model as it was opened
     friend bool operator==(const JournalHistory&, const JournalHistory&) = default;
 };
 
-// --- the kinds of records
+// --- the kinds of records, in the order of JournalRecord
 
 /// The model as it was opened.
 struct StartRecord
@@ -52,34 +52,34 @@ struct StartRecord
     std::shared_ptr<const Snapshot> start;
     JournalDocument document;
 };
-/// A step was done, in place of those that were undone: its elements as they are now.
+/// A new step, which replaces any undone steps. `image` has the changed elements after the step.
 struct ChangeRecord
 {
-    std::uint32_t index = 0; ///< of the step
+    std::uint32_t index = 0; ///< index of the step in the history
     JournalStep step;
     MeshDelta image;
 };
-/// A step was undone or done again: its elements as they are now.
+/// A step that was undone or redone. `image` has the changed elements afterwards.
 struct SwapRecord
 {
     std::uint32_t index = 0;
-    bool isDone = false; ///< again; else undone
+    bool isDone = false; ///< true: redone; false: undone
     MeshDelta image;
 };
-/// The file holds what the model was when so many steps were done.
+/// The document was saved to its file when `index` steps were done.
 struct SavedRecord
 {
     std::uint32_t index = 0;
 };
-/// The steps cannot be undone any more.
+/// The history was cleared: no earlier step can be undone any more.
 struct ForgottenRecord
 {};
-/// A part of a mesh, some slots of each kind: all parts together are the mesh.
+/// Part of a mesh: a range of slots of vertices, edges and faces. All parts together are the mesh.
 struct PartRecord
 {
     MeshDelta image;
 };
-/// Closes a mesh in parts: the document at that moment.
+/// The last record of a base: the document and its history when the base was made.
 struct BaseRecord
 {
     JournalDocument document;
@@ -89,7 +89,7 @@ struct BaseRecord
 using JournalRecord = std::variant<StartRecord, ChangeRecord, SwapRecord, SavedRecord, JournalDocument, ForgottenRecord,
                                    PartRecord, BaseRecord>;
 
-/// A record as it stands in a file: mark, kind, number, length, content, checksum of all these.
+/// Returns the bytes of a record in a file: mark, kind, number, length, content, and a checksum of all these.
 std::string pack(const JournalRecord& record, std::uint64_t number);
 
 struct NumberedRecord
@@ -97,8 +97,9 @@ struct NumberedRecord
     std::uint64_t number = 0;
     JournalRecord record;
 };
-/// The first record of these bytes, which are cut by it; nothing if it is not whole.
+/// Reads the first record and removes it from the bytes. Returns nothing, and leaves the bytes unchanged, if the record
+/// is incomplete or damaged.
 std::optional<NumberedRecord> unpack(std::string_view& bytes);
-/// Whether there is a whole record anywhere in them.
+/// Returns whether the bytes contain a complete record at any position.
 bool holdsRecord(std::string_view bytes);
 } // namespace core

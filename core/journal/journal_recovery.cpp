@@ -1,7 +1,7 @@
-// From a journal's folder to a document:
-//   1. begin      with the newest whole base, or the start
-//   2. read on    the segments, record by record, while numbers and checksums are right
-//   3. apply      each image, if it fits the mesh and leads to the mesh_hash that it was written with
+// Recovers a document from a journal's folder:
+//   1. begin      with the newest complete base, or else the start
+//   2. read on    the following segments, record by record, while numbers and checksums are right
+//   3. apply      each image, if it fits the mesh and the resulting mesh hash is the recorded one
 
 #include "core/journal/journal_recovery.h"
 
@@ -25,7 +25,8 @@ public:
 
     bool beginWithStart(std::string_view bytes);
     bool beginWithBase(std::string_view bytes, std::string_view startBytes);
-    /// The segment's records that follow what is there; the rest of its bytes is left.
+    /// Applies the segment's records and removes them from `bytes`, up to the first one that does not follow or cannot
+    /// be applied. Returns false if it was stopped.
     bool readOn(std::string_view& bytes, const std::stop_token& stop);
     void noteDamage() { m_found.isDamaged = true; }
     RecoveredDocument take() { return std::move(m_found); }
@@ -37,7 +38,7 @@ private:
     {
         return m_withMesh ? std::make_shared<MeshDelta>(std::move(image)) : nullptr;
     }
-    bool apply(StartRecord&) { return false; } // these three begin, and never follow
+    bool apply(StartRecord&) { return false; } // these three kinds occur only at the beginning
     bool apply(PartRecord&) { return false; }
     bool apply(BaseRecord&) { return false; }
     bool apply(ChangeRecord& record);
@@ -69,7 +70,8 @@ bool Recovery::beginWithStart(std::string_view bytes)
     return true;
 }
 
-/// The parts replace all that the start has; if that is lost they do without it.
+/// Reads a base. Its parts replace the whole mesh of the start. Without a readable start the base alone is used, and
+/// the document is marked as damaged.
 bool Recovery::beginWithBase(std::string_view bytes, std::string_view startBytes)
 {
     if (!beginWithStart(startBytes)) {
@@ -111,7 +113,8 @@ bool Recovery::readOn(std::string_view& bytes, const std::stop_token& stop)
     return false;
 }
 
-/// The mesh stays what it was if the image leads elsewhere than it says.
+/// Swaps the image into the mesh. Returns false, and leaves the mesh unchanged, if the resulting mesh hash is not the
+/// recorded one.
 bool Recovery::swapIn(MeshDelta& image)
 {
     if (!m_withMesh)
@@ -127,8 +130,8 @@ bool Recovery::swapIn(MeshDelta& image)
     return false;
 }
 
-/// What the records say of the history counts; where it does not follow from what was before, nothing before can be
-/// gone to.
+/// Makes the history long enough for the step at `index`. If the record does not follow from the recovered history, all
+/// deltas are dropped, because earlier states cannot be reached any more.
 void Recovery::comeTo(std::uint32_t index, bool follows)
 {
     if (!follows)
@@ -188,7 +191,8 @@ bool Recovery::apply(ForgottenRecord&)
     return true;
 }
 
-/// With the newest beginning that is whole; the number of the segment that follows it.
+/// Reads the newest complete base, or else the start. Returns the number of the segment that follows it; nothing if no
+/// beginning is complete.
 std::optional<unsigned> begin(Recovery& replay, const std::filesystem::path& folder, const JournalFiles& files,
                               const RecoveryOptions& options)
 {

@@ -9,37 +9,38 @@
 
 namespace core
 {
-/// A document out of its journal.
+/// A document read from its journal.
 struct RecoveredDocument
 {
     JournalDocument document;
     JournalHistory history;
-    /// Of each step: what takes it back, or does it again, by Mesh::swap. Null where the journal does not reach: only
-    /// those from the present to the first null on either side can be gone to.
+    /// For each step the delta that undoes or redoes it by Mesh::swap. Null where the journal has no delta: undo and
+    /// redo can go only as far as the first null on each side of the present.
     std::vector<std::shared_ptr<MeshDelta>> deltas;
-    std::unique_ptr<Mesh> mesh;            ///< null if only the words were asked for
-    std::shared_ptr<const Snapshot> start; ///< null if only the words were asked for
-    std::uint64_t nextRecord = 0;          ///< its number
+    std::unique_ptr<Mesh> mesh; ///< null if RecoveryOptions::mesh is false
+    /// The model as it was opened; null if neither the start nor the mesh was read.
+    std::shared_ptr<const Snapshot> start;
+    std::uint64_t nextRecord = 0; ///< number of the next record to be written
     unsigned nextSegment = 0;
-    /// More was recorded than can be read any more. Where that is the start itself, `start` is what the newest base
-    /// has.
+    /// Some records could not be read. If the start record itself is lost, `start` is the mesh of the newest base.
     bool isDamaged = false;
 
-    /// It has changes that no file holds.
+    /// Returns whether the document has changes that are not saved in its file.
     bool isUnsaved() const { return document.changedBeyondHistory || history.saved != history.present; }
 };
 
 struct RecoveryOptions
 {
-    /// Else only the words are read, from records whose checksums are right.
+    /// false: reads only texts and metadata, and trusts every record whose checksum is right
     bool mesh = true;
-    unsigned endSegment = std::numeric_limits<unsigned>::max(); ///< those from it on are left alone
+    unsigned endSegment = std::numeric_limits<unsigned>::max(); ///< segments from this number on are ignored
     std::stop_token stop = {};
 };
 
-/// Applies what a journal's folder holds, up to the first record that is not as it was written: damage costs what
-/// follows it, and never gives a state that was not. Never runs the engine. Nothing if neither the start nor a base is
-/// whole, or it was stopped. Reads only. Cost: reading, and swapping each record's elements. May throw std::bad_alloc.
+/// Reads a journal's folder and applies its records up to the first damaged one. Records after damage are lost, but the
+/// result is always a state that the document really had. Applies recorded elements and never runs the engine. Never
+/// writes. Returns nothing if neither the start nor a base is complete, or if it was stopped. May throw std::bad_alloc.
+/// Cost: reading, and swapping each record's elements.
 std::optional<RecoveredDocument> recoverJournal(const std::filesystem::path& folder,
                                                 const RecoveryOptions& options = {});
 } // namespace core

@@ -13,8 +13,8 @@ namespace core
 {
 namespace
 {
-constexpr int oftenLate = 3;       ///< one after the other: the disk is slow, and was not busy just once
-constexpr double muchTooLate = 25; ///< times what is promised: once is enough
+constexpr int oftenLate = 3;       ///< number of late syncs in a row that are reported: one alone may be a busy moment
+constexpr double muchTooLate = 25; ///< a single sync is reported if it takes more than this multiple of promisedMs
 
 std::int64_t nowNs()
 {
@@ -63,7 +63,7 @@ JournalWriter::~JournalWriter()
     m_stop.request_stop();
     m_wakeWriter.notify_one();
     m_wakeSyncer.notify_one();
-    m_writer.join(); // it may start the compactor
+    m_writer.join(); // joined first, because this thread may start the compactor
     m_syncer.join();
     if (m_compactor.joinable())
         m_compactor.join();
@@ -103,7 +103,8 @@ void JournalWriter::push(Entry entry)
         const std::lock_guard lock(m_mutex);
         if (m_isBroken)
             return;
-        isTooMuch = entry.bytes > 0 && m_waitingBytes > m_limits.waitingBytes; // one change may be larger than that
+        // Not counting this change, which may be larger than the limit itself.
+        isTooMuch = entry.bytes > 0 && m_waitingBytes > m_limits.waitingBytes;
         m_waitingBytes += entry.bytes;
         m_entries.push_back(std::move(entry));
     }
@@ -150,7 +151,7 @@ bool JournalWriter::mayWrite() const
     return m_make || (!m_waits && !m_entries.empty());
 }
 
-/// Or never will be.
+/// Returns whether nothing is left that can be written. Records that wait for begin() do not count.
 bool JournalWriter::isWritten() const
 {
     return !m_isWriting && !mayWrite();
@@ -191,7 +192,7 @@ void JournalWriter::beginFolder(std::function<void()> make)
     try {
         if (!isBroken())
             make();
-        make = nullptr; // it may hold a mesh
+        make = nullptr; // frees the mesh that it may own
     } catch (const FileError& error) {
         breakOff(error);
     } catch (const std::bad_alloc&) {
@@ -199,7 +200,7 @@ void JournalWriter::beginFolder(std::function<void()> make)
     }
     {
         const std::lock_guard lock(m_mutex);
-        m_waits = false; // from now on nobody is told too early
+        m_waits = false; // from now on after() waits for the records added before
     }
     if (!isBroken() && m_callbacks.begun)
         m_callbacks.begun();
@@ -303,7 +304,7 @@ void JournalWriter::sync()
     }
 }
 
-/// At once: the first change shall not wait for it.
+/// Syncs the start file as soon as the thread runs, so that the first change need not wait for it.
 void JournalWriter::syncStart()
 {
     try {
@@ -314,7 +315,7 @@ void JournalWriter::syncStart()
     }
 }
 
-/// The syncing thread's.
+/// Returns whether a sync of this duration is to be reported as late. Thread: the syncing thread.
 bool JournalWriter::isTooLate(double ms)
 {
     if (m_isLateReported)
@@ -326,7 +327,8 @@ bool JournalWriter::isTooLate(double ms)
 
 // --- the compacting thread
 
-/// The oldest segments go, until half of what the log may have is left; the one that is being written stays.
+/// Starts compaction if the segments are too large together. Selects the oldest segments until the rest is at most half
+/// of logBytes; the segment that is being written is kept.
 void JournalWriter::compactIfLong()
 {
     unsigned segment = 0;
@@ -359,7 +361,7 @@ void JournalWriter::compact(unsigned segment)
     if (isDone) {
         m_segments.erase(m_segments.begin(), m_segments.lower_bound(segment));
         ++m_stats.compactions;
-    } else { // not at once again
+    } else { // try again only when the log has grown by another logBytes
         for (const auto& each : m_segments)
             m_compactAt += each.second;
     }

@@ -16,36 +16,40 @@ namespace core
 {
 struct JournalLimits
 {
-    std::size_t segmentBytes = std::size_t(16) << 20; ///< a segment that has so many is followed by another
-    /// With more than so many in segments a new base is made, and what is before it goes: about half of it stays.
+    std::size_t segmentBytes = std::size_t(16) << 20; ///< size in bytes at which the next segment is begun
+    /// Largest total size of the segments in bytes. Beyond it a new base replaces the oldest segments, so that about
+    /// half of this size is left.
     std::size_t logBytes = std::size_t(256) << 20;
-    /// In memory; if more waits when a change comes, the disk is too slow, and nothing is recorded any more.
+    /// Largest size in bytes of the records waiting in memory. If a change is added beyond it, the disk is too slow and
+    /// recording stops.
     std::size_t waitingBytes = std::size_t(512) << 20;
-    double promisedMs = 200; ///< from a change until it outlives a power cut
+    double promisedMs = 200; ///< time in ms from a change until it survives a power cut
 };
 
 /// Callbacks of a journal, called on one of its threads.
 struct JournalCallbacks
 {
-    std::function<void(const FileError&)> broken; ///< once: nothing is recorded any more
-    std::function<void(double ms)> late; ///< once: the disk does not hold what is promised, so long did it take
-    std::function<void()> begun; ///< of one that begins with a base: all that was before is in it, whatever happens
+    std::function<void(const FileError&)> broken; ///< called once, when recording has stopped
+    /// Called once, when the disk is slower than promisedMs; `ms` is the time that it took.
+    std::function<void(double ms)> late;
+    /// Called by a deferred journal when its base is on disk; from then on the journal contains the whole document.
+    std::function<void()> begun;
 };
 
-/// What a journal costs. Times in milliseconds.
+/// The cost of a journal. Times in milliseconds.
 struct JournalStats
 {
     std::uint64_t records = 0, bytes = 0, compactions = 0;
-    double packMs = 0, writeMs = 0; ///< on the writing thread, sums
-    double worstWrittenMs = 0;      ///< from add() until it outlives the process
-    double worstSyncedMs = 0;       ///< from add() until it outlives a power cut
-    std::uint64_t late = 0;         ///< so often that took longer than promised
-    bool isCompacting = false;      ///< just now
+    double packMs = 0, writeMs = 0; ///< sums over all records, measured on the writing thread
+    double worstWrittenMs = 0;      ///< longest time from add() until the record survives the end of the process
+    double worstSyncedMs = 0;       ///< longest time from add() until the record survives a power cut
+    std::uint64_t late = 0;         ///< number of syncs that took longer than promisedMs
+    bool isCompacting = false;      ///< a base is being made at this moment
 };
 
-/// Appends records to a journal's folder, on threads of its own: one writes what comes at once, one syncs what was
-/// written, one makes bases when the log is long. Every function but the constructor and the destructor may be called
-/// from any thread and returns at once.
+/// Appends records to a journal's folder, with three threads of its own. The first writes added records at once, the
+/// second syncs written records, and the third makes a new base when the log is long. Thread: all functions except the
+/// constructor and the destructor may be called from any thread. All except drain() and flush() return at once.
 class JournalWriter
 {
 public:
@@ -53,28 +57,30 @@ public:
     {
         std::uint64_t nextRecord = 1;
         unsigned nextSegment = 0;
-        bool waits = false; ///< for begin()
+        bool waits = false; ///< true: records wait in memory until begin() has made the folder
     };
 
-    /// Of a folder with a start. Syncs that, too.
+    /// Starts the threads, and syncs the start file in the background. Precondition: the folder has a start file,
+    /// unless `place.waits`.
     JournalWriter(std::filesystem::path folder, Place place, JournalCallbacks callbacks, JournalLimits limits = {});
-    /// All that was added is written and synced before.
+    /// Waits until all added records are written and synced, or recording has stopped.
     ~JournalWriter();
     JournalWriter(const JournalWriter&) = delete;
     JournalWriter& operator=(const JournalWriter&) = delete;
 
     void add(JournalRecord record);
-    /// What makes the folder, with a start, on the writing thread; what was added waits in memory until then. It may
-    /// throw FileError and std::bad_alloc.
+    /// Runs `make` on the writing thread; it creates the folder and its start. Added records wait in memory until then.
+    /// `make` may throw FileError and std::bad_alloc, which stop recording.
     void begin(std::function<void()> make);
-    /// Runs it when all that was added before outlives the process, or nothing is recorded any more: in order, here or
-    /// on the writing thread. Of a journal that has not begun: here, at once.
+    /// Calls `run` when all records added so far survive the end of the process, or recording has stopped. Calls are
+    /// made in order, by the caller or the writing thread. If the journal waits for begin(), `run` is called
+    /// immediately.
     void after(std::function<void()> run);
-    /// Waits until all that was added outlives the process, or nothing is recorded any more.
+    /// Waits until all added records survive the end of the process, or recording has stopped.
     void drain();
-    /// Waits until all that was added is synced, or nothing is recorded any more.
+    /// Waits until all added records are synced, or recording has stopped.
     void flush();
-    bool isBroken() const; ///< nothing is recorded any more
+    bool isBroken() const; ///< recording has stopped
     JournalStats stats() const;
 
 private:
@@ -114,30 +120,30 @@ private:
     const JournalCallbacks m_callbacks;
     const JournalLimits m_limits;
 
-    mutable std::mutex m_mutex; ///< guards all down to the threads, but the writing thread's own
+    mutable std::mutex m_mutex; ///< guards all members from here to m_stats
     std::condition_variable m_wakeWriter, m_wakeSyncer, m_settled;
     std::deque<Entry> m_entries;
     std::size_t m_waitingBytes = 0;
-    bool m_waits; ///< until the folder is made
+    bool m_waits; ///< true until begin() has made the folder
     std::function<void()> m_make;
     bool m_isWriting = false, m_isEnding = false, m_isBroken = false, m_isCompacting = false;
     std::deque<std::shared_ptr<AppendFile>> m_unsynced;
     std::int64_t m_oldestUnsyncedNs = 0;
-    bool m_isSyncing;                              ///< the start, to begin with
-    std::map<unsigned, std::uintmax_t> m_segments; ///< sizes of those that there are
-    std::uintmax_t m_compactAt;                    ///< when the segments have so many bytes
+    bool m_isSyncing;                              ///< initially true: the start file is synced first
+    std::map<unsigned, std::uintmax_t> m_segments; ///< sizes in bytes of the existing segments
+    std::uintmax_t m_compactAt;                    ///< total size of the segments in bytes at which a new base is made
     JournalStats m_stats;
 
-    std::uint64_t m_nextRecord; ///< the writing thread's own, as the next
+    std::uint64_t m_nextRecord; ///< used by the writing thread only, as is m_segment
     Segment m_segment;
 
-    int m_consecutiveLate = 0; ///< the syncing thread's own, as the next
+    int m_consecutiveLate = 0; ///< used by the syncing thread only, as is m_isLateReported
     bool m_isLateReported = false;
 
     std::stop_source m_stop;
     std::thread m_compactor, m_syncer, m_writer;
 };
 
-/// Makes a journal's folder ready for a writer: its start is written, not synced. Throws FileError.
+/// Creates the start file of a journal without syncing it. JournalWriter can then use the folder. Throws FileError.
 void writeStart(const std::filesystem::path& folder, const StartRecord& record);
 } // namespace core
