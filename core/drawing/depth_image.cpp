@@ -7,8 +7,8 @@ namespace core
 {
 namespace
 {
-constexpr int margin = 2;                         ///< pixels
-constexpr Slot facesPerStep = facesPerBlock << 6; ///< between two looks at `stop`
+constexpr int margin = 2;                         ///< pixels around the box on each side
+constexpr Slot facesPerStep = facesPerBlock << 6; ///< faces drawn between two checks of `stop`
 constexpr int tilePixels = 16;
 
 float crossOf(const Vec2f& a, const Vec2f& b)
@@ -16,8 +16,9 @@ float crossOf(const Vec2f& a, const Vec2f& b)
     return a.x() * b.y() - a.y() * b.x();
 }
 
-/// Pixels whose centres lie at or above, at or below a place; it is not negative. Without the library's ceil and floor:
-/// this is asked for each face.
+/// Returns the first pixel whose centre is at or above a coordinate; lastCentre() returns the last one whose centre is
+/// at or below it. Precondition: the coordinate is not negative. Avoids ceil() and floor() because it is called for
+/// every face.
 int firstCentre(float at)
 {
     const int pixel = static_cast<int>(at);
@@ -29,7 +30,7 @@ int lastCentre(float at)
     return at < static_cast<float>(pixel) + 0.5F ? pixel - 1 : pixel;
 }
 
-/// Weights of the corners a, b, c at a point; their sum is 1.
+/// Returns the barycentric weights of the corners a, b, c at a point; their sum is 1.
 Vec3f weightsAt(const Vec2f& at, const Vec2f& a, const Vec2f& b, const Vec2f& c)
 {
     const float area = crossOf(b - a, c - a), toB = crossOf(c - b, at - b) / area, toC = crossOf(a - c, at - c) / area;
@@ -58,7 +59,7 @@ Vec3f DepthImage::toGrid(const Vec3f& point) const
     return {(p.x() - m_corner.x()) * m_pixelsPerMm, (p.y() - m_corner.y()) * m_pixelsPerMm, p.z()};
 }
 
-/// Those within the grid.
+/// Returns the tiles between two corners, limited to the grid.
 DepthImage::Tiles DepthImage::tilesOf(const Vec2f& low, const Vec2f& high) const
 {
     const auto tile = [](float at, int pixels) {
@@ -109,7 +110,8 @@ void DepthImage::settle(Stale what)
         tile = static_cast<std::uint8_t>(tile & ~what);
 }
 
-/// A face that is drawn once more beyond the expired tiles changes nothing there.
+/// Draws whole faces, also into tiles that have not expired. This is harmless: a face that is drawn again does not
+/// change a pixel.
 bool DepthImage::draw(const DrawArrays& model, std::span<const std::uint8_t> facing, std::span<const Box> blocks,
                       const std::stop_token& stop)
 {
@@ -137,7 +139,8 @@ void DepthImage::drawFaces(const DrawArrays& model, std::span<const std::uint8_t
             drawFace(f, at(model.faces[f][0]), at(model.faces[f][1]), at(model.faces[f][2]));
 }
 
-/// At the pixels' centres. Row by row between the edges' crossings, so that a sliver costs its pixels and not its box.
+/// Draws the face at pixel centres, row by row between its edges. A sliver therefore costs its pixels and not those of
+/// its box.
 void DepthImage::drawFace(Slot f, const Vec3f& a, const Vec3f& b, const Vec3f& c)
 {
     const auto inGrid = [](float at, int pixels) { return std::clamp(at, 0.0F, static_cast<float>(pixels)); };
@@ -164,7 +167,8 @@ void DepthImage::drawFace(Slot f, const Vec3f& a, const Vec3f& b, const Vec3f& c
         float from = std::numeric_limits<float>::infinity(), to = -from;
         for (std::size_t i = 0; i < 3; ++i) {
             const Vec3f *lower = corners[i], *upper = corners[(i + 1) % 3];
-            if (lower->y() > upper->y()) // the same sum for both faces at the edge, so that no pixel falls between them
+            // Both faces at the edge compute the same x, so that no pixel is left between them.
+            if (lower->y() > upper->y())
                 std::swap(lower, upper);
             const Vec3f &p = *lower, &q = *upper;
             if ((p.y() <= row) == (q.y() <= row))
@@ -210,7 +214,7 @@ DepthImage::Seen DepthImage::seen(const DrawArrays& model, int x, int y) const
     return {f, weightsAt(centre, corner(0), corner(1), corner(2)).cwiseMax(0).cwiseMin(1)};
 }
 
-/// Under a lamp at the upper left, before the paper.
+/// Returns the colour under a lamp at the upper left in front of the model.
 std::array<std::uint8_t, 4> DepthImage::colorAt(const DrawArrays& model, const Seen& seen) const
 {
     Vec3f normal = Vec3f::Zero(), color = Vec3f::Zero();

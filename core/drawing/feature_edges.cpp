@@ -1,6 +1,6 @@
-// Which edges are lines of a drawing. Nobody keeps the mesh's connectivity for this: an edge of an outline joins two
-// vertices that have faces looking to the eye and others; a crease joins two whose normals lie far from a face's. Only
-// faces at such edges are paired.
+// Finds the edges that are lines of a drawing without storing the mesh's connectivity. Both vertices of an outline edge
+// have faces towards the eye and faces away from it. Both vertices of a crease have a normal far from that of one of
+// their faces. Only the faces at such edges are paired.
 #include "core/drawing/feature_edges.h"
 
 #include "core/drawing/depth_image.h"
@@ -15,16 +15,16 @@ namespace core
 {
 namespace
 {
-constexpr std::size_t blocksPerStep = 64; ///< between two looks at `stop`
+constexpr std::size_t blocksPerStep = 64; ///< blocks processed between two checks of `stop`
 constexpr std::uint8_t sidesMask = 7, awayShift = 3, sharpBit = 1 << 6;
-constexpr double sharpCosine = halfCreaseCosine + 0.012; ///< vertex normals are rounded to 1/127
+constexpr double sharpCosine = halfCreaseCosine + 0.012; ///< allows for vertex normals that are rounded to 1/127
 
 std::uint8_t facingOf(const Vec3& normal)
 {
     return static_cast<std::uint8_t>((normal.z() > 0) | (normal.x() > 0) << 1 | (normal.y() > 0) << 2);
 }
 
-/// Whether the angle to the vertex's normal is beyond half a crease's.
+/// Returns whether the angle between the face's and the vertex's normal is more than half the crease angle.
 bool isSharp(const DrawVertex& vertex, const Vec3f& normal, float length2)
 {
     const Vec3f mean(vertex.normal[0], vertex.normal[1], vertex.normal[2]);
@@ -38,7 +38,7 @@ constexpr std::size_t blocksOf(std::size_t faces)
     return (faces + facesPerBlock - 1) / facesPerBlock;
 }
 
-/// The faces of a block that live.
+/// Calls work(slot) for all faces of a block that exist.
 template <class Work> void eachFace(const DrawArrays& model, std::size_t block, Work work)
 {
     const std::size_t first = block * facesPerBlock, end = std::min(model.faces.size(), first + facesPerBlock);
@@ -47,7 +47,8 @@ template <class Work> void eachFace(const DrawArrays& model, std::size_t block, 
             work(slot);
 }
 
-/// work(half, block) for all blocks, each half of them on a thread of its own. False if it was stopped.
+/// Calls work(half, block) for all blocks. Each half of the blocks runs on a thread of its own. Returns false if it was
+/// stopped.
 template <class Work> bool eachBlock(std::size_t blocks, const std::stop_token& stop, Work work)
 {
     const auto run = [&](std::size_t half, std::size_t first, std::size_t end) {
@@ -155,7 +156,7 @@ std::vector<Slot> FeatureScan::facesAt(std::span<const Slot> vertices, const Dra
     return faces;
 }
 
-/// Of one block: which way its faces look, their corners, box and volume.
+/// Measures one block: the directions of its faces, its range of vertex slots, its box and its volume.
 void FeatureScan::measure(const DrawArrays& model, std::size_t block)
 {
     const std::size_t first = block * facesPerBlock, end = std::min(model.faces.size(), first + facesPerBlock);
@@ -202,7 +203,8 @@ void FeatureScan::addHalfEdges(const Triangle& t, Slot f, std::vector<HalfEdge>&
             to.push_back({std::min(a, b), std::max(a, b), f});
 }
 
-/// No longer than it takes to see that they are too many.
+/// Collects the half-edges that may be lines. Gives up as soon as there are too many for creases. Returns false if it
+/// was stopped.
 bool FeatureScan::collect(const DrawArrays& model, const std::stop_token& stop)
 {
     std::array<std::vector<HalfEdge>, 2> found;

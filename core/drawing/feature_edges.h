@@ -6,12 +6,12 @@
 
 namespace core
 {
-/// An edge that may be a line of a drawing.
+/// An edge that is drawn: an outline in at least one view, or a crease.
 struct FeatureEdge
 {
     Slot a, b; ///< vertices
     std::array<Slot, 2> faces;
-    std::uint8_t outlineIn; ///< bit by DrawnSide: one face looks to the eye, the other does not
+    std::uint8_t outlineIn; ///< one bit for each DrawnSide: one of the faces faces the eye and the other does not
     bool isCrease;
 };
 
@@ -21,42 +21,44 @@ struct HalfEdge
     friend auto operator<=>(const HalfEdge&, const HalfEdge&) = default;
 };
 
-/// What changed in draw arrays; slots in ascending order.
+/// A change to the draw arrays. All slots are in ascending order.
 struct DrawnChange
 {
-    std::vector<Slot> faces;    ///< other corners than before, or a corner that changed; new and free ones, too
-    std::vector<Slot> vertices; ///< their corners, as they were and as they are
-    std::vector<Slot> around;   ///< the faces at those vertices
+    /// Faces with other corners than before, or with a changed corner; includes new and removed faces.
+    std::vector<Slot> faces;
+    std::vector<Slot> vertices; ///< the corners of `faces`, both before and after the change
+    std::vector<Slot> around;   ///< all existing faces at those vertices after the change
 };
 
-/// The model as drawings see it. One thread.
+/// Finds the edges to draw, and the faces that face the eye in each view. Thread: one thread at a time.
 class FeatureScan
 {
 public:
-    /// Beyond `maxEdges` edges in question creases are left out.
+    /// Makes an empty scan. If more than `maxEdges` edges may be outlines or creases, creases are omitted.
     explicit FeatureScan(std::size_t maxEdges) : m_maxEdges(maxEdges) {}
 
-    /// Looks at every face, on two threads. False if it was stopped; then it counts for nothing.
-    /// The signs of facing() are exact for vertices on the lattice.
+    /// Scans every face, on two threads. Returns false if it was stopped; the scan is then not usable. The results of
+    /// facing() are exact for vertices on the lattice.
     bool scan(const DrawArrays& model, const std::stop_token& stop);
 
-    /// The same for a model that has changed here and there since the last scan. False if only scan() can tell: creases
-    /// have become too many. Cost: the change's faces, their blocks, and a pass over the edges in question.
+    /// Updates the scan after a local change. Returns false if a full scan() is needed because there are too many
+    /// creases. Cost: the changed faces, their blocks, and a pass over the candidate edges.
     bool rescan(const DrawArrays& model, const DrawnChange& change);
 
-    /// By face slot; bit by DrawnSide: it looks to the eye. 0 of a free face.
+    /// Returns for each face slot one bit for each DrawnSide that is set if the face faces the eye; 0 for a free slot.
     std::span<const std::uint8_t> facing() const { return m_facing; }
-    std::span<const FeatureEdge> edges() const { return m_edges; } ///< by their vertices
-    std::span<const Box> blocks() const { return m_blocks; }       ///< around each `facesPerBlock` faces
+    std::span<const FeatureEdge> edges() const { return m_edges; } ///< sorted by vertices
+    std::span<const Box> blocks() const { return m_blocks; }       ///< bounding box of every `facesPerBlock` faces
     Box box() const;
     double volume() const;
-    /// The faces that have had one of the vertices since the last scan; both ascend. Cost: the blocks that may have
-    /// some.
+    /// Returns the faces that have one of the vertices; both lists are ascending. Faces that changed since the last
+    /// scan may be missing. Cost: the blocks whose range of vertices contains one of the vertices.
     std::vector<Slot> facesAt(std::span<const Slot> vertices, const DrawArrays& model) const;
-    bool hasCreases() const { return m_hasCreases; } ///< false: there were too many
+    bool hasCreases() const { return m_hasCreases; } ///< false: omitted because there were too many
 
 private:
-    /// By vertex slot: sides that see a face of it, sides that see one's back, sharp.
+    /// Flags for each vertex slot: the sides on which a face at the vertex faces the eye, the sides on which one faces
+    /// away, and whether the vertex is sharp.
     using Marks = std::vector<std::uint8_t>;
 
     void measure(const DrawArrays& model, std::size_t block);
@@ -69,13 +71,13 @@ private:
     std::vector<std::uint8_t> m_facing;
     Marks m_marks;
     std::vector<Box> m_blocks;
-    std::vector<std::pair<Slot, Slot>> m_corners; ///< of the blocks: the first and the last
-    std::vector<double> m_volumes;                ///< of the blocks, times 6
-    std::vector<HalfEdge> m_halfEdges;            ///< that may be of lines, ascending
+    std::vector<std::pair<Slot, Slot>> m_corners; ///< for each block the lowest and the highest vertex slot
+    std::vector<double> m_volumes;                ///< volume contribution of each block in mm^3, times 6
+    std::vector<HalfEdge> m_halfEdges;            ///< candidates for lines, ascending
     std::vector<FeatureEdge> m_edges;
     std::size_t m_maxEdges;
     bool m_hasCreases = true;
 };
 
-Vec3 drawnNormal(const DrawArrays& model, Slot face); ///< twice the face's area long
+Vec3 drawnNormal(const DrawArrays& model, Slot face); ///< normal of the face; its length is twice the face's area
 } // namespace core

@@ -7,9 +7,11 @@ namespace core
 {
 namespace
 {
-constexpr double boxMargin = 0.125;   ///< of the longest side, so that strokes may go beyond the model's box
-constexpr double minRoomShare = 0.5;  ///< that a model fills
-constexpr std::size_t maxChanged = 4; ///< beyond every fourth face it is quicker to look at all
+/// Fraction of the model's longest side that the grid adds on each side, so that strokes may extend the model.
+constexpr double boxMargin = 0.125;
+/// Smallest fraction of the grid that the model must fill; below it a smaller grid is made.
+constexpr double minRoomShare = 0.5;
+constexpr std::size_t maxChanged = 4; ///< if more than 1 / maxChanged of the faces change, a full scan is faster
 
 std::vector<Slot> slotsOf(const std::vector<SlotSpan>& spans)
 {
@@ -27,7 +29,7 @@ std::vector<Slot> united(const std::vector<Slot>& one, const std::vector<Slot>& 
     return both;
 }
 
-/// Of those faces that live; ascending.
+/// Returns the corners of those faces that exist, ascending.
 std::vector<Slot> cornersOf(std::span<const Slot> faces, const DrawArrays& model)
 {
     std::vector<Slot> corners;
@@ -61,7 +63,7 @@ void IncrementalLineDrawing::apply(const MeshPatch& patch)
     expire(change.faces);
 }
 
-/// Where a side sees one of the faces.
+/// Marks the tiles under the faces as expired in the views in which they face the eye.
 void IncrementalLineDrawing::expire(std::span<const Slot> faces)
 {
     for (const Slot f : faces)

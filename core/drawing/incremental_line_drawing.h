@@ -4,23 +4,23 @@
 
 namespace core
 {
-/// Draws a model again and again while it changes here and there: a drawing then costs what changed and the lines that
-/// are drawn, not the model. Its drawings are those of drawLines(), but for their grid, which has room around the
-/// model. One thread; drawing takes others to help.
+/// Redraws a model after local changes. A drawing costs the changed parts and the drawn lines, not the whole model. The
+/// result equals that of drawLines(), except that the pixel grid is larger than the model. Thread: one thread at a
+/// time; draw() uses helper threads.
 class IncrementalLineDrawing
 {
 public:
-    /// `pixels` along the longest side of what the grid has room for; beyond `maxEdges` edges in question creases are
-    /// left out.
+    /// `pixels` is the resolution along the longest side of the grid. If more than `maxEdges` edges may be outlines or
+    /// creases, creases are omitted.
     IncrementalLineDrawing(int pixels, std::size_t maxEdges) : m_pixels(pixels), m_scan(maxEdges) {}
 
-    /// Patches of one mesh in order, a whole one first.
+    /// Applies a patch. Patches must come from one mesh, in order, the first one whole.
     void apply(const MeshPatch& patch);
 
-    /// As the patches have left it.
+    /// Returns the model after all applied patches.
     const DrawArrays& model() const { return m_model; }
 
-    /// Nothing if it was stopped; nothing is lost then.
+    /// Draws the model. Returns nothing if it was stopped; a later call can continue.
     std::optional<LineDrawing> draw(bool shaded, const std::stop_token& stop);
 
 private:
@@ -30,7 +30,7 @@ private:
     DrawArrays m_model;
     FeatureScan m_scan;
     std::optional<DepthImages> m_images;
-    Box m_room;          ///< that the images hold
-    bool m_isNew = true; ///< nothing is known of the model
+    Box m_room;          ///< the box that the grids of the images cover
+    bool m_isNew = true; ///< the model must be scanned as a whole
 };
 } // namespace core

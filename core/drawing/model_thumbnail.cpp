@@ -1,5 +1,6 @@
-// place (turn, fit) -> face the eye -> depth image, finer than the picture -> light -> mean of the samples.
-// Normals: the mean of the faces around a vertex, or the face's own where that turns away from it (a crease).
+// Steps: place the vertices -> turn faces towards the eye -> draw a depth image finer than the picture -> light each
+// sample -> average the samples of a pixel. A vertex normal is the mean of its faces' normals; a face that meets the
+// mean at a crease uses its own normal.
 
 #include "core/drawing/model_thumbnail.h"
 
@@ -13,18 +14,19 @@ namespace core
 {
 namespace
 {
-constexpr int samples = 3;     ///< a pixel's, each way
-constexpr int viewSamples = 2; ///< the same, of pictures that may be large
+constexpr int samples = 3;     ///< samples of a pixel in each direction
+constexpr int viewSamples = 2; ///< samples of a pixel in each direction, for pictures that may be large
 constexpr double marginFactor = 1.05;
-constexpr int border = 2; ///< samples left free at each side, beside those of the depth image itself
+constexpr int border = 2; ///< samples left free on each side, in addition to the margin of the depth image
 constexpr std::size_t elementsPerStep = 1 << 13;
 
-constexpr Rgb clay{194, 150, 126}; ///< as the window shows it
+constexpr Rgb clay{194, 150, 126}; ///< the colour of uncoloured models in the window
 constexpr float ambient = 0.36F, keyLight = 0.60F, fillLight = 0.16F;
-/// To the right, up, to the eye.
+/// Directions to the lamps: to the right, up, and towards the eye.
 const Vec3f keyLamp = Vec3f(-0.45F, 0.62F, 0.64F), fillLamp = Vec3f(0.80F, 0.05F, 0.60F);
 
-/// Rows: to the right, up, to the eye. The model is turned by 35 degrees to the left and tilted by 25 to the eye.
+/// Returns unit rows: right, up, and towards the eye. The eye is 35 degrees to the right of the front and 25 degrees
+/// above it.
 Eigen::Matrix3d turn()
 {
     const Vec3 toEye(0.5198368, 0.4226183, 0.7424039);
@@ -34,15 +36,16 @@ Eigen::Matrix3d turn()
     return rows;
 }
 
-/// From the document to the picture: lengths so that float32 holds them well.
+/// A transform from the document to the picture. It scales lengths to about 1, where float32 is precise.
 struct ThumbnailPoint
 {
-    Eigen::Matrix3d turn; ///< and scale
-    Vec3 target;          ///< in the picture's middle
-    double distance;      ///< of the eye, after the scale; 0: infinite
+    Eigen::Matrix3d turn; ///< rotation and scale
+    Vec3 target;          ///< the point in the middle of the picture
+    double distance;      ///< from the eye to the target, scaled; 0: parallel projection
 };
 
-constexpr double nearest = 0.01; ///< of the eye's distance from the target: what is nearer is not seen
+/// Smallest visible distance from the eye, as a fraction of the distance from the eye to the target.
+constexpr double nearest = 0.01;
 
 class ThumbnailRenderer
 {
@@ -63,11 +66,11 @@ public:
         const float extent = m_box.isEmpty() ? 0 : m_box.sizes().maxCoeff();
         if (!(extent > 0))
             return emptyThumbnail(pixels, pixels);
-        const int room = m_samples * pixels - 2 * border - 5; // what the depth image puts around the box
+        const int room = m_samples * pixels - 2 * border - 5; // the depth image adds 5 pixels to the box
         return draw(m_box, extent / static_cast<float>(room), emptyThumbnail(pixels, pixels));
     }
 
-    /// In lengths of the picture's height.
+    /// Draws the view. Lengths are scaled so that the picture's height is 1.
     std::optional<ModelThumbnail> paint(const ThumbnailView& view)
     {
         if (!place({view.axes / view.extent, view.target, view.distance / view.extent}) || !faceTheEye())
@@ -123,7 +126,8 @@ private:
         return true;
     }
 
-    /// The third says how near; planes stay planes. What is not seen is no number.
+    /// Projects a placed point. The third coordinate grows with nearness, and planes remain planes. Points behind or
+    /// too near the eye become NaN.
     static Vec3 seenFrom(double distance, const Vec3& placed)
     {
         if (distance == 0)
@@ -135,7 +139,8 @@ private:
         return {larger * placed.x(), larger * placed.y(), distance * larger};
     }
 
-    /// Faces that look away are turned round, normals and all: a picture has no inside.
+    /// Reverses faces that face away from the eye, so that each face is drawn from either side. Omits faces that have a
+    /// NaN corner. Returns false if it was stopped.
     bool faceTheEye()
     {
         m_normals.assign(m_model.vertices.size(), Vec3f::Zero());
@@ -193,7 +198,8 @@ private:
         return turned < 0 ? Vec3f(-mean) : mean;
     }
 
-    /// The image stands in the picture's middle, and may be a little larger; its rows go up, the picture's down.
+    /// Averages lit samples to pixels. The depth image is centred on the picture and may be slightly larger. Its rows
+    /// are from the bottom, the picture's from the top. Returns false if it was stopped.
     bool light(const DepthImage& image, ModelThumbnail& picture) const
     {
         std::vector<Sum> sums(picture.rgba.size());
@@ -228,12 +234,12 @@ private:
     }
 
     const TriangleMesh& m_mesh;
-    int m_samples; ///< a pixel's, each way
+    int m_samples; ///< samples of a pixel in each direction
     const std::stop_token& m_stop;
-    DrawArrays m_model;         ///< in the picture: to the right, up, how near
-    std::vector<Vec3f> m_shape; ///< of its vertices, turned to the eye: to the right, up, to the eye
+    DrawArrays m_model;         ///< projected vertices: to the right, up, and nearness
+    std::vector<Vec3f> m_shape; ///< vertices before the perspective projection: to the right, up, and towards the eye
     std::vector<Vec3f> m_normals;
-    Eigen::AlignedBox2f m_box; ///< of the faces
+    Eigen::AlignedBox2f m_box; ///< box of the projected faces
 };
 } // namespace
 

@@ -7,36 +7,37 @@
 
 namespace core
 {
-/// A picture of a model; nothing behind it.
+/// A picture of a model on a transparent background.
 struct ModelThumbnail
 {
     int width = 0, height = 0;                     ///< pixels
-    std::vector<std::array<std::uint8_t, 4>> rgba; ///< sRGB, alpha multiplied in; rows from the top
+    std::vector<std::array<std::uint8_t, 4>> rgba; ///< sRGB with premultiplied alpha; rows from the top
 };
 
-/// From where the model is seen, and how large the picture is.
+/// The camera and the size of a picture.
 struct ThumbnailView
 {
-    Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); ///< rows of unit length: to the right, up, to the eye
-    Vec3 target = Vec3::Zero();                         ///< in the picture's middle
-    /// Of the eye from the target; 0: parallel light, as far away as you like.
+    Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); ///< unit rows: right, up, and towards the eye
+    Vec3 target = Vec3::Zero();                         ///< the point in the middle of the picture
+    /// Distance from the eye to the target, mm; 0: parallel projection.
     double distance = 0;
-    /// That the picture's height shows of a plane through the target.
+    /// Height of the visible part of the plane through the target, mm.
     double extent = 100;
     int width = 0, height = 0; ///< pixels
 };
 
-/// Square. The model from the front, the right and above, fitted into the picture, under two lamps, in its own colours
-/// or in those of clay. Any triangles will do: open, crossing, turned to either side. A model without extent leaves the
-/// picture empty. Nothing if it was stopped. Deterministic; any thread. Cost: three passes over the faces, and nine
-/// samples a pixel (256 pixels: some 30 ms, a million vertices: 150 ms more).
+/// Draws a square picture of the model, seen from the front, right and above, and fitted into the picture. Two lamps
+/// light it; colours are the model's own or clay. The mesh may be open, self-intersecting and inconsistently oriented.
+/// A model without extent gives an empty picture. Returns nothing if it was stopped. Deterministic. Thread: any. Cost:
+/// three passes over the faces, and nine samples a pixel (about 30 ms for 256 x 256 pixels, 150 ms more for a million
+/// vertices).
 std::optional<ModelThumbnail> drawThumbnail(const TriangleMesh& mesh, int pixels, const std::stop_token& stop);
 
-/// The same, seen as `view` says; what does not fit is cut off at the borders, and faces that reach behind the eye are
-/// left out. Four samples a pixel (1920 x 1080: some 300 ms).
+/// Draws the model as drawThumbnail() above, with the given camera. Parts outside the picture are clipped; faces that
+/// extend behind the eye are omitted. Cost: four samples a pixel (about 300 ms for 1920 x 1080 pixels).
 std::optional<ModelThumbnail> drawThumbnail(const TriangleMesh& mesh, const ThumbnailView& view,
                                             const std::stop_token& stop);
 
-/// As drawThumbnail() of a square looks, at something of that box.
+/// Returns a camera that fits the box into the picture, in the viewing direction of the square thumbnails.
 ThumbnailView viewOf(const Box& box, int width, int height);
 } // namespace core

@@ -8,19 +8,20 @@ namespace core
 {
 namespace
 {
-constexpr float slack = 1.5F;      ///< pixels: how much nearer the depth image may be by its rounding
-constexpr float steepest = 6;      ///< mm a mm: faces that are seen at a steeper angle are taken for this
-constexpr int maxPieces = 1 << 14; ///< of an edge
+constexpr float slack = 1.5F; ///< pixels; tolerance for rounding in the depth image
+/// Largest slope of a face, mm per mm; steeper faces are treated as having this slope.
+constexpr float steepest = 6;
+constexpr int maxPieces = 1 << 14; ///< largest number of pieces that an edge is divided into
 constexpr Slot noEnd = noSlot;
 
-/// A piece of an edge that can be seen, and the vertices at its ends; noEnd where it is cut.
+/// A visible piece of an edge. `a` and `b` are the vertices at its ends, or noEnd where the piece was cut.
 struct Piece
 {
     Vec2f from, to;
     Slot a, b;
 };
 
-/// What of an edge can be seen from one side.
+/// Finds the parts of edges that are visible from one side.
 class Sight
 {
 public:
@@ -52,7 +53,8 @@ public:
     }
 
 private:
-    /// How the face at the edge that looks to the eye goes on beyond it: mm towards the eye a pixel.
+    /// Returns the slope of the edge's face that faces the eye: mm towards the eye for each pixel. Of two such faces
+    /// the steeper counts.
     Vec2f slopeOf(const FeatureEdge& edge) const
     {
         const int bit = 1 << static_cast<int>(m_side);
@@ -68,8 +70,8 @@ private:
         return steeper * m_depths.pixel();
     }
 
-    /// Some pixel here is not covered by anything nearer than the edge's own face is there: at an outline that is the
-    /// pixel beyond it.
+    /// Returns whether a point of an edge is visible. One of the 3 x 3 pixels around it must not be covered by anything
+    /// nearer than the edge's own face extended to that pixel. At an outline this is a pixel beyond the outline.
     bool isSeen(const Vec3f& at, const Vec2f& slope) const
     {
         const int x = static_cast<int>(at.x()), y = static_cast<int>(at.y());
@@ -89,7 +91,7 @@ private:
     std::span<const std::uint8_t> m_facing;
 };
 
-/// Joins pieces end to end into as few lines as it easily can.
+/// Joins pieces end to end into few lines, greedily.
 class Chainer
 {
 public:
@@ -138,7 +140,7 @@ private:
 
     std::span<const Piece> m_pieces;
     std::vector<bool> m_isUsed;
-    std::vector<std::pair<Slot, std::size_t>> m_ends; ///< vertex, piece
+    std::vector<std::pair<Slot, std::size_t>> m_ends; ///< vertex, and index of a piece that ends there
 };
 
 Eigen::AlignedBox2f boxOnPaper(DrawnSide side, const Box& box)
