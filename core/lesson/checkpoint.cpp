@@ -44,7 +44,7 @@ std::optional<double> measured(Fact fact, const TriangleMesh& model, const MeshR
     return std::nullopt;
 }
 
-/// Of each point a third of the area of its faces.
+/// Returns for each point a third of the area of its faces.
 std::vector<double> areasAround(const TriangleMesh& mesh)
 {
     std::vector<double> areas(mesh.points.size(), 0);
@@ -57,7 +57,7 @@ std::vector<double> areasAround(const TriangleMesh& mesh)
     return areas;
 }
 
-/// The distance that `share` of the surface keeps within; each corner stands for the area around it.
+/// Returns the distance within which `share` of the surface's area is. Each corner represents the area around it.
 double within(double share, const TriangleMesh& mesh, const std::vector<float>& distances)
 {
     const std::vector<double> areas = areasAround(mesh);

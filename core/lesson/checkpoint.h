@@ -11,15 +11,15 @@
 
 namespace core
 {
-/// Measures that a checkpoint may ask of a model besides its shape. Height is along y, width along x, depth along z;
-/// the four from Widest on are those of model_facts.h.
+/// Properties of a model that a checkpoint may require in addition to a target shape. Height is along y, width along x,
+/// depth along z. Widest, Feet, BaseArea and Grooves are defined in model_facts.h.
 enum class Fact { Genus, Components, Height, Width, Depth, Widest, Feet, BaseArea, Grooves, Volume, Faces, PrintReady };
 
 struct FactInfo
 {
-    std::string_view key; ///< in lesson files
-    double max;           ///< that may be asked for; the least is 0
-    bool isWhole;         ///< a number without fraction
+    std::string_view key; ///< the fact's key in lesson files
+    double max;           ///< largest bound that a checkpoint may require; the smallest is 0
+    bool isWhole;         ///< bounds must be whole numbers
 };
 inline constexpr FactInfo factTable[] = {
     {"genus", 1e4, true},     {"components", 1e4, true},   {"height_mm", 1e6, false}, {"width_mm", 1e6, false},
@@ -31,7 +31,7 @@ constexpr const FactInfo& info(Fact fact)
     return factTable[static_cast<int>(fact)];
 }
 
-/// Of a fact, both bounds included. Of PrintReady: 1 and 1.
+/// The range that a fact must be in, including both bounds. For PrintReady both are 1.
 struct FactBounds
 {
     static constexpr double unbounded = std::numeric_limits<double>::infinity();
@@ -43,17 +43,17 @@ struct FactBounds
     friend bool operator==(const FactBounds&, const FactBounds&) = default;
 };
 
-/// A shape that the model is to come near to.
+/// A shape that the pupil's model must resemble.
 struct CheckpointTarget
 {
-    /// So much of both surfaces must be within the tolerance of the other one.
+    /// Share of each surface's area that must be within the tolerance of the other surface.
     static constexpr double nearShare = 0.95;
 
-    std::string file;     ///< of the lesson; empty: what the teacher's strokes leave
-    double tolerance = 0; ///< mm, above 0
+    std::string file;     ///< model file in the lesson; empty: the result of the step's own strokes
+    double tolerance = 0; ///< largest distance, mm, above 0
 };
 
-/// What the pupil's model is to be like when a step is done. Without facts and target anything will do.
+/// The conditions for the pupil's model at the end of a step. Without facts and target every model passes.
 struct Checkpoint
 {
     std::vector<FactBounds> facts;
@@ -65,16 +65,16 @@ struct Checkpoint
 struct FactVerdict
 {
     FactBounds asked;
-    std::optional<double> measured; ///< missing: of this model the fact has no meaning
+    std::optional<double> measured; ///< empty: the fact is not defined for this model
     bool holds = false;
 };
 
 struct TargetVerdict
 {
-    double tolerance = 0;         ///< mm, as asked
-    double nearDistance = 0;      ///< mm: so near the other surface is nearShare of each of the two
-    double largest = 0;           ///< mm: of all corners of both
-    std::vector<float> distances; ///< mm, of each point of the model to the target: for a map in colours
+    double tolerance = 0;         ///< tolerance from the checkpoint, mm
+    double nearDistance = 0;      ///< mm; nearShare of each surface is within this distance of the other surface
+    double largest = 0;           ///< largest distance of any corner of either surface, mm
+    std::vector<float> distances; ///< distance of each of the model's points to the target, mm; for a colour map
     bool holds = false;
 };
 
@@ -86,10 +86,10 @@ struct CheckpointVerdict
     bool isMet() const;
 };
 
-/// Evaluates a checkpoint on a model (mm, Y up). `target`: the shape, if the checkpoint has a target, with at least one
-/// face, like the model. Both lie where they lie: nothing is moved onto the other. Distances are measured at the
-/// corners. Cost: checkMesh() if there are facts, and with a target 2 to 50 us a corner of both; all cores, the same on
-/// any machine. If it is cancelled, the result is not usable.
+/// Evaluates a checkpoint on a model (mm, Y up). `target`: the shape if the checkpoint has a target, else null.
+/// Precondition: with a target, both meshes have at least one face. Neither is moved to fit the other. Distances are
+/// measured at the corners. The result is the same on any machine; if it is cancelled, the result is not usable. Cost:
+/// checkMesh() if there are facts, and with a target 2 to 50 us for each corner of both meshes; uses all cores.
 CheckpointVerdict evaluate(const Checkpoint& checkpoint, const TriangleMesh& model, const TriangleMesh* target,
                            const JobControl& control = {});
 } // namespace core

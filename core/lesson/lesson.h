@@ -13,17 +13,18 @@
 
 namespace core
 {
-/// The same words in several languages. Codes as "de", "zh" or "pt_BR".
+/// One text in several languages. Language codes are like "de", "zh" or "pt_BR".
 struct LessonText
 {
-    std::map<std::string, std::string, std::less<>> words; ///< by code
+    std::map<std::string, std::string, std::less<>> words; ///< the text in each language, by language code
 
-    /// In that language, else without its country ("de" for "de_AT"), else in English, else in the first that there is.
-    /// Empty if there is none.
+    /// Returns the text in that language. If it is missing, tries the language without its country ("de" for "de_AT"),
+    /// then English, then the first language. Returns an empty text if there is none.
     const std::string& in(std::string_view language) const;
 };
 
-/// Direction that a step is seen from, degrees. 0, 0: the front, level; yaw above 0 from the right, pitch from above.
+/// The direction from which a step is viewed, in degrees. 0, 0 is level from the front; positive yaw views from the
+/// right, positive pitch from above.
 struct LessonView
 {
     double yaw = 0;   ///< -180 to 180
@@ -32,7 +33,7 @@ struct LessonView
     friend bool operator==(const LessonView&, const LessonView&) = default;
 };
 
-/// A tool, and the brush that the teacher takes it up with.
+/// A tool with the brush that the teacher uses first.
 struct LessonBrush
 {
     Tool tool = Tool::Pull;
@@ -40,28 +41,29 @@ struct LessonBrush
     double strength = 1;
 };
 
-/// What is explained, shown, tried and checked at once.
+/// One step of a lesson: explained in text, demonstrated by strokes, tried by the pupil, and checked at its end.
 struct LessonStep
 {
     LessonText title, text;
-    std::string picture;     ///< one of Lesson::files; empty: none
-    std::vector<Tool> tools; ///< that the pupil may use; empty: all
+    std::string picture;     ///< name in Lesson::files; empty: no picture
+    std::vector<Tool> tools; ///< tools that the pupil may use; empty: all
     std::optional<LessonView> view;
-    std::string strokesFile; ///< that holds the strokes; empty: there are none
-    /// The teacher's. They need no files: alphas are built in, stamps balls, nothing is inserted.
+    std::string strokesFile; ///< file of the teacher's strokes; empty: none
+    /// The teacher's strokes. They need no other files: alphas are built in, stamps are balls, and nothing is inserted.
     std::vector<FileEntry> strokes;
     Checkpoint checkpoint;
 };
 
-/// Returns the tools of the step's strokes, each with its first brush, in order.
+/// Returns the tools of the step's strokes in order of first use, each with its first brush.
 std::vector<LessonBrush> brushesOf(const LessonStep& step);
 
-/// A lesson: a model to begin with, and steps from there. What teachers write, and pupils play: see lesson_file.h.
+/// A lesson: a start model and the steps that build on it. Teachers write lessons, pupils play them; lesson_file.h
+/// describes the file.
 struct Lesson
 {
     LessonText title, summary;
-    std::variant<Starter, std::string> start = Starter::Ball; ///< or one of `files`
+    std::variant<Starter, std::string> start = Starter::Ball; ///< a starter model, or a name in `files`
     std::vector<LessonStep> steps;
-    std::map<std::string, std::string> files; ///< pictures and models: what each holds, by the lesson's name for it
+    std::map<std::string, std::string> files; ///< content of pictures and models, by their names in the lesson
 };
 } // namespace core

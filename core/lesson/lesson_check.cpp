@@ -6,7 +6,7 @@ namespace core
 {
 namespace
 {
-/// A step without strokes counts as one, for its checkpoint.
+/// Returns the step's share of the progress: its strokes, plus one for its checkpoint.
 std::size_t costOf(const LessonStep& step)
 {
     return step.strokes.size() + 1;

@@ -9,13 +9,13 @@ namespace
 {
 constexpr std::string_view spaces = " \t\r\n";
 
-/// Of what the lesson has at the step, counted from 1 in names.
+/// Returns the file name for the step's strokes or picture; numbers in names start at 1.
 std::string nameOf(std::size_t step, const char* ending)
 {
     return "step-" + std::to_string(step + 1) + ending;
 }
 
-/// As nameOf() gives it, for any step.
+/// Returns whether nameOf() could have made this picture name, for any step.
 bool isMadeName(std::string_view name)
 {
     if (!name.starts_with("step-") || !name.ends_with(".png") || name.size() < 10)

@@ -7,7 +7,7 @@
 
 namespace core
 {
-/// A lesson in the making. Steps are counted from 0; those that are named are there.
+/// A lesson that is being written. Steps are numbered from 0. Precondition of all functions: the given step exists.
 class LessonDraft
 {
 public:
@@ -16,50 +16,51 @@ public:
     const Lesson& lesson() const { return m_lesson; }
     const LessonStep& step(std::size_t index) const { return m_lesson.steps[index]; }
     std::size_t steps() const { return m_lesson.steps.size(); }
-    std::size_t strokes() const; ///< of all steps; commands count, too
-    /// Grows with each change.
+    std::size_t strokes() const; ///< strokes and commands of all steps together
+    /// Returns a number that grows with each change.
     std::uint64_t revision() const { return m_revision; }
 
-    // Words: spaces alone are none, and take the language away.
+    // Texts: one of only white space removes the language.
     void setTitle(const std::string& language, std::string_view words);
     void setSummary(const std::string& language, std::string_view words);
     void setStepTitle(std::size_t step, const std::string& language, std::string_view words);
     void setStepText(std::size_t step, const std::string& language, std::string_view words);
 
-    /// As the last one.
+    /// Appends an empty step.
     void addStep();
     void removeStep(std::size_t step);
     void moveStep(std::size_t from, std::size_t to);
 
-    /// In the order of Tool, each once; all or none: the pupil may use any.
+    /// Sets the tools that the pupil may use: each once, in the order of Tool. Naming all tools or none allows every
+    /// tool.
     void setTools(std::size_t step, std::vector<Tool> tools);
-    /// Its former bounds go; bounds that all models keep are none.
+    /// Replaces the bounds of this fact. Bounds that every model satisfies are removed.
     void setFact(std::size_t step, const FactBounds& bounds);
     std::optional<FactBounds> fact(std::size_t step, Fact fact) const;
-    /// mm; 0: no shape is asked for. The file of the shape stays, if there is one.
+    /// Sets the target's tolerance in mm; 0 removes the target. An existing target keeps its file.
     void setTolerance(std::size_t step, double tolerance);
 
-    /// The view of its first stroke is the step's.
+    /// Appends a stroke. The first stroke's view becomes the view of the step.
     void addStroke(std::size_t step, FileEntry entry, const std::optional<LessonView>& view = {});
-    /// The step has one.
+    /// Removes the step's last stroke and returns it. Precondition: the step has a stroke.
     FileEntry takeLastStroke(std::size_t step);
     void cutStroke(std::size_t step, std::size_t stroke);
 
-    /// What must be there before it can be written.
+    /// The parts that a lesson must have before it can be written.
     enum class Required { Title, Steps, StepTitle, StepText };
     struct Missing
     {
         Required what;
-        std::size_t step = 0; ///< of StepTitle and StepText
+        std::size_t step = 0; ///< only for StepTitle and StepText
     };
-    /// The first of it; nothing: complete() can be written.
+    /// Returns the first part that is missing; nothing if complete() can be written.
     std::optional<Missing> missing() const;
 
-    /// Whether the step's picture is to be made of what its strokes leave: it has none, or one that was made so.
-    /// Pictures under any other name are somebody's own, and stay.
+    /// Returns whether the step's picture is generated from the result of its strokes: it has no picture, or one that
+    /// complete() named. Pictures with any other name are the author's own and are kept.
     bool makesPicture(std::size_t step) const;
-    /// As it is written: each step's strokes in a file of their own, the pictures (PNG, by steps; empty: none) where
-    /// makesPicture() wants them, and no file that nothing names.
+    /// Returns the lesson as it is written. Each step's strokes get a file of their own; files that nothing references
+    /// are removed. `pictures`: one PNG for each step, used where makesPicture() is true; empty: no picture.
     Lesson complete(const std::vector<std::string>& pictures) const;
 
 private:

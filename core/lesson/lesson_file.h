@@ -10,7 +10,7 @@
 
 namespace core
 {
-/// A lesson's file is a folder, or one zip of it, with a lesson.json in it:
+/// The format of a lesson: a folder, or a zip of it, that contains lesson.json:
 ///
 ///     {"format":"fettle-lesson","version":1,
 ///      "title":{"en":"First clay","de":"Der erste Ton"},"summary":{"en":"..."},
@@ -20,48 +20,50 @@ namespace core
 ///         "view":{"yaw_deg":30,"pitch_deg":20},"strokes":"pull.json",
 ///         "checkpoint":{"genus":1,"height_mm":{"least":60},"print_ready":true,"target":{"tolerance_mm":4}}}]}
 ///
-/// Required: format, version, title, start, steps, and in a step title and text. Texts are words by language; where a
-/// language is missing see LessonText. "start": the name of a starter (starter_models.h), or {"file":"start.stl"}.
-/// "picture": PNG or JPEG. "view": LessonView, from where the step is looked at. "strokes": a stroke file
-/// (stroke_file.h) that needs no other file. "tools": by their names in stroke files. "checkpoint": facts by the keys
-/// of factTable, a number, or least and most, or either of them; "print_ready" is true; "target":
-/// {"file":"target.stl","tolerance_mm":2}, and without a file what the step's strokes leave. Files are named by their
-/// way from lesson.json, with "/", and do not leave its folder.
+/// Required keys: format, version, title, start and steps; in a step: title and text. Texts are objects with one text
+/// for each language; LessonText says what replaces a missing language. "start" is the name of a starter
+/// (starter_models.h), or {"file":"start.stl"}. "picture" is a PNG or JPEG. "view" is a LessonView, the direction from
+/// which the step is viewed. "strokes" is a stroke file (stroke_file.h) that needs no other file. "tools" are named as
+/// in stroke files. "checkpoint" contains facts by their keys in factTable. A fact's value is a number, or an object
+/// with "least", "most" or both; for "print_ready" it is true. "target" is {"file":"target.stl","tolerance_mm":2};
+/// without a file the target is the result of the step's strokes. File paths are relative to lesson.json, use "/", and
+/// must not leave its folder.
 struct LessonError : std::runtime_error
 {
     enum class Kind {
-        NoLesson,   ///< no lesson.json in it
-        NotALesson, ///< lesson.json is of no, or of another format
-        Newer,      ///< `version`
-        Syntax,     ///< not JSON; `line`, `byte` say where
-        TooDeep,    ///< brackets in brackets in brackets
+        NoLesson,   ///< the folder or zip contains no lesson.json
+        NotALesson, ///< lesson.json states no format, or another format
+        Newer,      ///< written by a newer program; `version` is the file's version
+        Syntax,     ///< not JSON; `line` and `byte` give the place
+        TooDeep,    ///< brackets are nested too deeply
         DuplicateKey,
         UnknownKey,
         MissingKey,
         WrongType,
-        UnknownValue, ///< a word that the format does not have
-        OutOfRange,   ///< `least`, `most`
-        NoWords,      ///< a text that is empty
-        TooLong,      ///< a text; `most` bytes
-        TooMany,      ///< steps, or files; `most`
-        BadName,      ///< of a file: it leaves the folder, or is not plain; `key` holds it
-        MissingFile,  ///< `file` is named, but not there
-        TooLarge,     ///< `file`, or all together if it is empty; `most` bytes
+        UnknownValue, ///< a keyword that the format does not define
+        OutOfRange,   ///< a number outside `min` to `max`
+        NoWords,      ///< a text is empty
+        TooLong,      ///< a text is longer than `max` bytes
+        TooMany,      ///< more than `max` steps or files
+        BadName,      ///< the file name in `key` leaves the folder or has forbidden characters
+        MissingFile,  ///< `file` is referenced but does not exist
+        TooLarge,     ///< `file`, or all files together if it is empty, has more than `max` bytes
         NotAPicture,  ///< `file` is neither PNG nor JPEG
-        /// The model in `file` bounds no solid: `report` says why; or else `most` of its faces fit no lattice.
+        /// The model in `file` does not bound a solid, and `report` has the reason; or `max` of its faces cannot be
+        /// fitted to the lattice.
         Unsound,
-        Strokes,    ///< `strokes` says what is wrong in `file`
-        NamesFiles, ///< strokes in `file` need other files; `strokes` says which
-        Refused,    ///< a command in `file` cannot be done soundly; `strokes` says which
+        Strokes,    ///< `strokes` has the error in `file`
+        NamesFiles, ///< a stroke in `file` needs another file; `strokes` has its index
+        Refused,    ///< a command in `file` would make the model invalid; `strokes` has its index
     };
 
     LessonError(Kind errorKind, std::filesystem::path lesson);
 
     Kind kind;
-    std::filesystem::path path;      ///< the lesson's
-    std::string file;                ///< in it; empty: lesson.json
-    std::optional<std::size_t> step; ///< counted from 0
-    std::string key;                 ///< the key, word or name in question; may be empty
+    std::filesystem::path path;      ///< path of the lesson
+    std::string file;                ///< file in the lesson; empty: lesson.json
+    std::optional<std::size_t> step; ///< index of the step, from 0
+    std::string key;                 ///< key, value or name at fault; may be empty
     std::size_t line = 0, byte = 0;  ///< counted from 1; 0: unknown
     double min = 0, max = 0;
     std::uint64_t version = 0;
@@ -69,41 +71,42 @@ struct LessonError : std::runtime_error
     MeshReport report = {};
 };
 
-/// So much is taken of a stranger's lesson.
+/// Limits for lessons from an untrusted source, in bytes unless a name says otherwise.
 struct LessonLimits
 {
-    static constexpr std::size_t maxBytes = std::size_t(64) << 20; ///< of all its files; packed and unpacked
+    /// Total size of all files in bytes, packed or unpacked.
+    static constexpr std::size_t maxBytes = std::size_t(64) << 20;
     static constexpr std::size_t maxJsonBytes = std::size_t(1) << 20, maxStrokeBytes = std::size_t(16) << 20,
                                  maxPictureBytes = std::size_t(4) << 20;
     static constexpr std::size_t maxSteps = 200, maxPackedFiles = 2000, maxTextBytes = 8000, maxNameBytes = 120;
 };
 
-/// Where the files of a lesson come from. `read`: what the file of that name holds, or nothing if there is none; of one
-/// that is larger than `most` any `most` + 1 bytes.
+/// The source of a lesson's files. `read` returns the content of the file with that name, or nothing if it does not
+/// exist. For a file larger than `max` bytes it returns any `max` + 1 bytes.
 struct LessonFiles
 {
-    std::filesystem::path path; ///< of the lesson, for errors
+    std::filesystem::path path; ///< path of the lesson, for errors
     std::function<std::optional<std::string>(const std::string& name, std::size_t max)> read;
 };
 
-/// Throws LessonError, and FileError where file, zip or model are bad in themselves. What it returns is whole: each
-/// file that is named was there and was understood. Cost: linear in the files; starting models and targets are checked
-/// (checkMesh).
+/// Reads a lesson. Throws LessonError; also FileError if a file, the zip or a model is damaged. The result is complete:
+/// every referenced file was found and parsed. Cost: linear in the files; start models and targets are checked with
+/// checkMesh().
 Lesson readLesson(const LessonFiles& files);
-/// Of a folder or a zip. In the zip the lesson may lie in a folder of its own.
+/// Reads a lesson from a folder or a zip. In a zip the lesson may be in a folder of its own.
 Lesson readLesson(const std::filesystem::path& path);
 
-/// As a zip if the name ends so, else as a folder that is not there yet. Throws FileError; then nothing has changed on
-/// disk. Read again the lesson is the same to the bit.
+/// Writes the lesson: as a zip if the path ends in .zip, else as a new folder. Throws FileError; the disk is then
+/// unchanged. Reading the files returns an identical lesson.
 void writeLesson(const std::filesystem::path& path, const Lesson& lesson);
 
-/// All files that writeLesson() writes, by their names.
+/// Returns the content of all files that writeLesson() writes, by name.
 std::map<std::string, std::string> filesOf(const Lesson& lesson);
-/// What lesson.json says.
+/// Returns the text of lesson.json.
 std::string lessonJson(const Lesson& lesson);
-/// What the step's stroke file says.
+/// Returns the text of the step's stroke file.
 std::string strokesText(const LessonStep& step);
 
-/// The mesh that stands for a model of the lesson's files. Throws FileError.
+/// Parses a model from the lesson's files. Throws FileError.
 TriangleMesh modelIn(const Lesson& lesson, const std::string& file);
 } // namespace core

@@ -1,5 +1,5 @@
-// lesson.json as a tree, which is small; then each value to its place, and each file that is named is read and
-// understood.
+// lesson.json is small and is parsed into a JSON tree. Then each value is stored in its member, and each referenced
+// file is read and parsed.
 #include "core/lesson/lesson_json_reader.h"
 
 #include "core/io/mesh_io.h"
@@ -13,10 +13,10 @@ namespace
 {
 constexpr int version = 1;
 constexpr std::string_view formatName = "fettle-lesson";
-constexpr int maxDepth = 6; ///< a bound of a fact of a step: file, steps, step, checkpoint, fact
+constexpr int maxDepth = 6; ///< deepest allowed nesting: file, steps, step, checkpoint, fact, bound
 constexpr double minTolerance = 1e-3, maxTolerance = 1e4; ///< mm
 
-/// As "de", "zh_CN", "pt-BR".
+/// Returns whether the code has the form of "de", "zh_CN" or "pt-BR".
 bool isLanguage(std::string_view code)
 {
     const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
@@ -80,8 +80,8 @@ Lesson LessonJsonReader::read()
     return std::move(m_lesson);
 }
 
-/// The library's parser needs no stack for a nest of brackets, but its tree would be as deep; and of two equal keys it
-/// takes the last.
+/// Parses the text and refuses deep nesting and duplicate keys. The JSON library parses any depth and builds an equally
+/// deep tree, and of two equal keys it keeps the last.
 LessonJsonReader::Json LessonJsonReader::parse(const std::string& text) const
 {
     std::vector<std::set<std::string>> keys;
@@ -104,7 +104,7 @@ LessonJsonReader::Json LessonJsonReader::parse(const std::string& text) const
         error.line = 1 + static_cast<std::size_t>(std::count(text.begin(), text.begin() + static_cast<long>(at), '\n'));
         error.byte = at + 1;
         throw error;
-    } catch (const Json::exception&) { // a number beyond a double
+    } catch (const Json::exception&) { // a number too large for a double
         refuse(Kind::Syntax);
     }
 }

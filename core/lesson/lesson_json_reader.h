@@ -1,6 +1,6 @@
 #pragma once
 
-// For the lesson's reader only.
+// Used by the reader of lessons only.
 
 #include "core/lesson/lesson_source.h"
 
@@ -10,7 +10,8 @@
 
 namespace core
 {
-/// Makes a lesson of lesson.json and the files that it names. Throws at the first thing that does not belong there.
+/// Builds a lesson from lesson.json and the files that it references. Throws LessonError at the first thing that the
+/// format does not allow.
 class LessonJsonReader
 {
 public:
@@ -48,7 +49,7 @@ private:
 
     const LessonFiles& m_files;
     Lesson m_lesson;
-    std::optional<std::size_t> m_step;           ///< in which it is
-    std::size_t m_left = LessonLimits::maxBytes; ///< bytes that the files may still have
+    std::optional<std::size_t> m_step;           ///< index of the step that is being read
+    std::size_t m_left = LessonLimits::maxBytes; ///< bytes that may still be read from referenced files
 };
 } // namespace core

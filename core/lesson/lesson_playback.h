@@ -7,13 +7,14 @@
 
 namespace core
 {
-/// The teacher's model: what a lesson's strokes make of its start. Every change can be taken back to the bit, so that a
-/// step may be seen again, and it begins alike whenever it is come to. Lives on the mesh thread.
+/// The teacher's model: the lesson's start plus the strokes played so far. Every change can be undone bit for bit.
+/// Steps can therefore be repeated, and a step begins with the same model no matter how it is reached. Thread: the mesh
+/// thread.
 class LessonPlayback
 {
 public:
-    /// At the start of the first step. `path`: of the lesson, for errors. Throws FileError, and LessonError::Unsound
-    /// where the start is none that can be sculpted. Cost: buildMesh().
+    /// Starts at the beginning of the first step. `path`: of the lesson, for errors. Throws FileError, or
+    /// LessonError::Unsound if the start model cannot be sculpted. Cost: buildMesh().
     LessonPlayback(std::shared_ptr<const Lesson> lesson, std::filesystem::path path);
 
     const Lesson& lesson() const { return *m_lesson; }
@@ -21,28 +22,30 @@ public:
     const Sculptor& sculptor() const { return *m_sculptor; }
     std::size_t stepIndex() const { return m_step; }
     const LessonStep& step() const { return m_lesson->steps[m_step]; }
-    /// Strokes and commands of the step that are done.
+    /// Returns the number of strokes and commands of this step that are done.
     std::size_t done() const { return m_done.size() - m_before.back(); }
 
-    /// Does what the player hands out, in its order. Throws LessonError: Strokes where a stroke is not for a model of
-    /// this size, Refused; then it was not done.
+    /// Executes one cue from LessonPlayer; all cues must be passed in order. Throws LessonError and leaves the model
+    /// unchanged: Strokes if a stroke does not fit the model's size, Refused if a command cannot be done.
     void apply(const LessonCue& cue);
-    /// What was done last in the step, or is under way. False at the step's start.
+    /// Undoes the step's last stroke or command, or the stroke that is in progress. Returns false at the step's start.
     bool undoLast();
-    /// Does the step's next stroke or command, which there is; nothing is under way. Whether that changed the model.
+    /// Executes the step's next stroke or command. Returns whether it changed the model. Precondition: there is one,
+    /// and no stroke is in progress.
     bool playNext();
-    /// Does the rest of the step; what is under way is done anew.
+    /// Executes the rest of the step. A stroke that is in progress is undone and played again as a whole.
     void finish();
-    /// Back to the step's start.
+    /// Undoes the whole step.
     void rewind();
-    /// The step's start, whichever way it is come to: what lies between is done or taken back.
+    /// Goes to the start of a step, forward or backward, by executing or undoing everything in between.
     void goTo(std::size_t step);
 
-    /// What the step's checkpoint wants to be come near to; between strokes. Cost: the rest of the step, unless it is a
-    /// file.
+    /// Returns the shape that the step's checkpoint is compared with. Precondition: the checkpoint has a target, and no
+    /// stroke is in progress. Cost: playing and undoing the rest of the step, unless the target is a file.
     TriangleMesh target();
 
-    /// The model as it is, to be sculpted on, and the lesson's start. The last that is asked of the stage.
+    /// The current model, ready to be sculpted, and the lesson's start. No other function may be called after
+    /// release().
     struct Released
     {
         std::unique_ptr<Sculptor> sculptor;
@@ -61,7 +64,7 @@ private:
     std::unique_ptr<Sculptor> m_sculptor;
     std::shared_ptr<const Snapshot> m_start;
     std::size_t m_step = 0;
-    std::vector<MeshDelta> m_done;           ///< of all steps
-    std::vector<std::size_t> m_before = {0}; ///< of the steps up to this one: how many were done before
+    std::vector<MeshDelta> m_done;           ///< one delta per finished stroke or command, of all steps
+    std::vector<std::size_t> m_before = {0}; ///< number of deltas at the start of each step up to this one
 };
 } // namespace core

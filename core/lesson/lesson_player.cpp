@@ -1,5 +1,5 @@
-// A step is laid out once as moments, each with its time; playing is a walk along them, and the ghost stands between
-// the last and the next one that have a place.
+// setStep() converts a step to a list of moments with times; playing advances along that list. The ghost brush is
+// interpolated between the last and the next moment that has a position.
 #include "core/lesson/lesson_player.h"
 
 #include <algorithm>

@@ -13,17 +13,17 @@ struct StrokeBegins
 };
 struct StrokeEnds
 {};
-/// What the teacher does next. Done one after the other, without one left out, the model becomes the teacher's to the
-/// bit.
+/// The next action of the teacher. Executing all cues in order, without omissions, reproduces the teacher's model bit
+/// for bit.
 using LessonCue = std::variant<StrokeBegins, StrokeSample, StrokeEnds, ModelCommand>;
 
-/// The teacher's brush as it is seen while it works, and on its way from stroke to stroke. In the model's space, mm.
+/// The teacher's brush as displayed during playback: at work, and between strokes. Model space, mm.
 struct GhostBrush
 {
-    Vec3 position = Vec3::Zero(); ///< of the brush, or where its ray comes from
-    /// Of the ray; missing: the brush is at the position, or on the surface near it.
+    Vec3 position = Vec3::Zero(); ///< of the brush, or the origin of its ray
+    /// Direction of the ray. Missing: the brush is at the position, or on the surface near it.
     std::optional<Vec3> direction;
-    /// Of the model in the teacher's world, as on a turntable.
+    /// Orientation of the model in the teacher's world, as on a turntable.
     Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
     double radius = 0;
     Tool tool = Tool::Pull;
@@ -31,43 +31,44 @@ struct GhostBrush
     bool isPressed = false;
 };
 
-/// Plays the teacher's strokes of one step after another: says at each moment where the brush is and what is due. It
-/// has no clock and no mesh: whoever has them tells it of the time that went by, and does on the mesh thread what it
-/// hands out (LessonPlayback, or the window's stroke path, where no sample may be dropped). Any one thread.
+/// Plays the teacher's strokes step by step. It computes where the brush is at each moment and which cues are due. It
+/// has neither a clock nor a mesh. The caller passes the elapsed time and executes the cues on the mesh thread, without
+/// dropping samples (LessonPlayback, or the window's stroke path). Thread: any one thread.
 class LessonPlayer
 {
 public:
     static constexpr double minSpeed = 0.25, maxSpeed = 4;
-    static constexpr double leadTime = 0.6;     ///< s, from the start, and from one stroke or command to the next
-    static constexpr double samplePause = 0.05; ///< s, from sample to sample of a stroke without times
-    static constexpr double maxPause = 1;       ///< s, between two samples: who thought it over need not be watched
+    static constexpr double leadTime = 0.6;     ///< seconds before the first stroke or command and between any two
+    static constexpr double samplePause = 0.05; ///< seconds between two samples of a stroke without times
+    /// Seconds; longer pauses of the teacher between two samples are shortened to this.
+    static constexpr double maxPause = 1;
 
-    /// At the start of the first step, paused. The lesson has a step at least.
+    /// Starts at the beginning of the first step, paused. Precondition: the lesson has at least one step.
     explicit LessonPlayer(std::shared_ptr<const Lesson> lesson);
 
     const Lesson& lesson() const { return *m_lesson; }
     std::size_t stepIndex() const { return m_step; }
     const LessonStep& step() const { return m_lesson->steps[m_step]; }
-    /// At its start, paused. It is one of the lesson's.
+    /// Goes to the start of a step and pauses. Precondition: the step exists.
     void setStep(std::size_t index);
 
-    double duration() const { return m_duration; } ///< s, of this step, as the teacher went
-    double time() const { return m_time; }         ///< s, 0 to duration()
+    double duration() const { return m_duration; } ///< seconds that this step takes at the teacher's speed
+    double time() const { return m_time; }         ///< current time in the step, seconds, 0 to duration()
     double speed() const { return m_speed; }
-    void setSpeed(double speed); ///< the nearest that there is
+    void setSpeed(double speed); ///< clamped to minSpeed to maxSpeed
 
     bool isPlaying() const { return m_isPlaying; }
     void play();
-    /// Only to the end of the stroke or command that is under way, or else of the next one.
+    /// Plays to the end of the stroke or command in progress, or else of the next one, and pauses there.
     void playOne();
     void pause() { m_isPlaying = false; }
     bool isAtEnd() const { return m_next == m_moments.size() && m_time >= m_duration; }
 
-    /// So much time went by: what became due, in order. Nothing while it is paused. It pauses at the end of what it is
-    /// to play.
+    /// Advances playback by elapsed time in seconds and returns the cues that became due, in order. Returns nothing
+    /// while paused. Pauses at the end of what play() or playOne() requested.
     std::vector<LessonCue> advance(double seconds);
 
-    /// Nothing in a step without strokes.
+    /// Returns the brush at the current time; nothing in a step without strokes.
     std::optional<GhostBrush> ghost() const;
 
 private:
@@ -87,9 +88,9 @@ private:
 
     std::shared_ptr<const Lesson> m_lesson;
     std::size_t m_step = 0;
-    std::vector<Moment> m_moments; ///< of the step, by time
-    std::size_t m_next = 0;        ///< the first that is not done
-    std::size_t m_end = 0;         ///< the first that is not to be played
+    std::vector<Moment> m_moments; ///< cues of the step with their times, in order of time
+    std::size_t m_next = 0;        ///< index of the first moment that is not done
+    std::size_t m_end = 0;         ///< index of the first moment that is not to be played
     double m_duration = 0, m_time = 0, m_speed = 1;
     bool m_isPlaying = false;
 };

@@ -1,5 +1,5 @@
-// Where a lesson's files lie: below a folder, links followed but not out of it; or in a zip, of which only what the
-// lesson names is unpacked.
+// The sources of a lesson's files. In a folder, symbolic links are followed as long as they stay inside it. In a zip,
+// only the files that the lesson references are unpacked.
 #include "core/lesson/lesson_source.h"
 
 #include "core/io/mesh/zip_reader.h"
@@ -15,7 +15,7 @@ namespace
 {
 using Kind = LessonError::Kind;
 
-/// Up to `most` + 1 bytes.
+/// Returns at most `max` + 1 bytes of the file.
 std::string bytesOf(const std::filesystem::path& path, std::size_t max)
 {
     FileError unreadable(FileErrorKind::NotReadable, path);
@@ -57,7 +57,7 @@ std::optional<std::string> readBelow(const std::filesystem::path& lesson, const 
     return bytesOf(path, max);
 }
 
-/// A zip in memory, and which of its folders is the lesson's.
+/// A zip in memory, and the folder in the zip that contains the lesson.
 struct Packed
 {
     Packed(const std::filesystem::path& lesson, std::string all) : path(lesson), bytes(std::move(all)), package(file)
@@ -95,7 +95,7 @@ struct Packed
     std::string bytes;
     io::FileBytes file{path, bytes};
     io::ZipReader package;
-    std::optional<std::string> folder; ///< with "/" at its end; empty: the zip's own
+    std::optional<std::string> folder; ///< ends with "/"; an empty text: the top level of the zip
 };
 } // namespace
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// For the lesson's reader and writer only.
+// Used by the reader and the writer of lessons only.
 
 #include "core/lesson/lesson_file.h"
 
@@ -8,11 +8,11 @@ namespace core
 {
 inline constexpr char lessonJsonName[] = "lesson.json";
 
-/// Whether a lesson may call a file so: plain steps with "/" between them, none of them "." or "..", no drive, nothing
-/// that a system reads in its own way.
+/// Returns whether a file in a lesson may have this name: path components separated by "/", none of them "." or "..",
+/// no drive letter, and no characters that are special on any system.
 bool isLessonName(std::string_view name);
 
-/// Throws FileError, and LessonError::NoLesson.
+/// Returns a source that reads the lesson's files from a folder. Throws FileError, and LessonError::NoLesson.
 LessonFiles lessonFolder(const std::filesystem::path& path);
 LessonFiles lessonZip(const std::filesystem::path& path);
 } // namespace core

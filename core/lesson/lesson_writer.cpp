@@ -1,5 +1,5 @@
-// What the reader takes, written: as a zip in one file that takes its place at once, or as a folder that gets its name
-// when it is whole.
+// Writes lessons in the form that the reader accepts. A zip replaces an existing file atomically. A folder gets its
+// final name when all its files are written.
 #include "core/lesson/lesson_source.h"
 
 #include "core/io/mesh/zip_writer.h"
@@ -23,7 +23,7 @@ Json jsonOf(const LessonText& text)
     return json;
 }
 
-/// Whole numbers as such: the reader asks for them.
+/// Writes whole numbers without a fraction, as the reader requires.
 Json jsonOf(double value, Fact fact)
 {
     return info(fact).isWhole ? Json(static_cast<std::uint64_t>(value)) : Json(value);
@@ -82,7 +82,7 @@ void writeZip(const std::filesystem::path& path, const std::map<std::string, std
     out.commit();
 }
 
-/// A folder beside the one that it becomes; gone with all that is in it unless it became that.
+/// A temporary folder beside its final path. The destructor removes it with its content unless commit() renamed it.
 class HalfWritten
 {
 public:

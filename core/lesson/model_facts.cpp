@@ -12,12 +12,12 @@ namespace core
 {
 namespace
 {
-constexpr double footShare = 0.01;   ///< of the height: from cut to cut
-constexpr int cuts = 10;             ///< of feet
-constexpr double grooveShare = 0.01; ///< of the height, as deep at least
+constexpr double footShare = 0.01;   ///< fraction of the height between two cuts that look for feet
+constexpr int cuts = 10;             ///< number of cuts that look for feet
+constexpr double grooveShare = 0.01; ///< smallest depth of a groove as a fraction of the height
 constexpr std::size_t levels = 64;
 
-/// The corners of the convex hull of points in a plane, in order (Andrew's monotone chain).
+/// Returns the corners of the convex hull of points in a plane, in order (Andrew's monotone chain).
 std::vector<Eigen::Vector2d> hullOf(std::vector<Eigen::Vector2d> points)
 {
     std::ranges::sort(points, {}, [](const Eigen::Vector2d& p) { return std::pair(p.x(), p.y()); });
@@ -39,7 +39,7 @@ std::vector<Eigen::Vector2d> hullOf(std::vector<Eigen::Vector2d> points)
     return hull;
 }
 
-/// Returns how far the surface reaches from the box's axis at each of the levels.
+/// Returns for each level the surface's largest distance from the vertical axis of the box.
 std::vector<double> outlineOf(const TriangleMesh& mesh, const Box& box)
 {
     const Vec3 middle = box.center();
@@ -56,7 +56,8 @@ std::vector<double> outlineOf(const TriangleMesh& mesh, const Box& box)
     };
     for (Slot f = 0; f < mesh.triangles.size(); ++f) {
         const auto corners = cornersOf(mesh, f);
-        for (std::size_t i = 0; i < 3; ++i) // of the two faces of an edge one has it upwards
+        // Only one of an edge's two faces traverses it upwards, so each edge is cut once.
+        for (std::size_t i = 0; i < 3; ++i)
             if (const Vec3& from = corners[i], &to = corners[(i + 1) % 3]; from.y() < to.y())
                 cut(from, to);
     }

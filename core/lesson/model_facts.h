@@ -4,16 +4,17 @@
 
 namespace core
 {
-// Facts that lessons ask for besides what checkMesh() says. Y is up; a model that is turned about it, mirrored or moved
-// has the same. Cost: O(faces), and a sort of the points for the widest.
+// Facts for checkpoints that checkMesh() does not compute. Y is up. They do not change if the model is moved, mirrored,
+// or rotated about Y. Cost: O(faces); widestOf() also sorts the points.
 
-/// Returns the longest distance between two of its points, seen from above, in mm.
+/// Returns the largest horizontal distance between two of the model's points, in mm.
 double widestOf(const TriangleMesh& mesh);
-/// Returns into how many pieces a level cut within the lowest tenth of its height parts what is below, at the best
-/// height: legs may be of unequal length, and grow together further up.
+/// Returns the number of feet: the largest number of pieces below a horizontal cut, over several cuts in the lowest
+/// tenth of the height. Several cuts are needed because legs may differ in length and may merge further up.
 std::size_t feetOf(const TriangleMesh& mesh);
-/// Returns how much flat surface lies on the bed, in mm^2, as the print check has it.
+/// Returns the area of the flat surface on the print bed in mm^2, as the print check computes it.
 double baseAreaOf(const TriangleMesh& mesh, const MeshReport& report);
-/// Counts how often its outline becomes narrower and wider again on the way up: grooves all around it.
+/// Returns the number of grooves all around the model: how often its outline narrows and widens again from bottom to
+/// top.
 std::size_t groovesOf(const TriangleMesh& mesh);
 } // namespace core
