@@ -14,7 +14,7 @@ struct RecoveredDocument
 {
     JournalDocument document;
     JournalHistory history;
-    /// For each step the delta that undoes or redoes it by Mesh::swap. Null where the journal has no delta: undo and
+    /// One delta per step, which undoes or redoes the step by Mesh::swap. Null where the journal has no delta: undo and
     /// redo can go only as far as the first null on each side of the present.
     std::vector<std::shared_ptr<MeshDelta>> deltas;
     std::unique_ptr<Mesh> mesh; ///< null if RecoveryOptions::mesh is false

@@ -1,5 +1,5 @@
-// Source: ISO/ASTM 52915:2016, Additive Manufacturing File Format 1.2; for scale, mirror, radians and the metadata that
-// begin with slic3r, the code of Slic3r and PrusaSlicer.
+// Sources: ISO/ASTM 52915:2016, Additive Manufacturing File Format 1.2. Scale, mirror, radians and metadata names that
+// begin with slic3r: source code of Slic3r and PrusaSlicer.
 #include "core/io/mesh/amf_document.h"
 
 #include "core/io/mesh/number_parsing.h"
@@ -10,7 +10,7 @@
 
 namespace core::io
 {
-/// Elements that hold one number come last, in the order of the fields that keep them.
+/// Kinds of elements. Those that contain one number are last, in the order of the members that store the numbers.
 enum class AmfDocumentReader::Element : std::uint8_t {
     Outside,
     Other,
@@ -50,7 +50,8 @@ enum class AmfDocumentReader::Element : std::uint8_t {
     Scale
 };
 
-/// An element that is heeded inside of a parent. The most frequent ones come first, as the search is linear.
+/// An element that is read inside of the given parent. Frequent elements are listed first, because the search is
+/// linear.
 struct AmfDocumentReader::Rule
 {
     Element parent;
@@ -139,7 +140,7 @@ std::uint8_t byteOf(double share)
     return static_cast<std::uint8_t>(std::lround(255 * std::clamp(share, 0.0, 1.0)));
 }
 
-/// Returns the three values. Throws FileError::Malformed with the name of the first that is not there.
+/// Returns the three values. Throws FileError::Malformed with the name of the first missing value.
 template <class Number>
 std::array<Number, 3> required(const FileBytes& file, const std::array<std::optional<Number>, 3>& values,
                                const std::array<std::string_view, 3>& names)
@@ -159,7 +160,7 @@ AmfDocumentReader::AmfDocumentReader(const FileBytes& file)
           [this](std::string_view) { end(); },
           [this](std::string_view piece) {
               if (m_open.back() >= Element::Metadata && m_text.size() <= maxText)
-                  m_text += piece.substr(0, maxText + 1 - m_text.size()); // longer ones are no numbers
+                  m_text += piece.substr(0, maxText + 1 - m_text.size()); // longer texts cannot be numbers
           })
 {}
 
@@ -212,7 +213,7 @@ void AmfDocumentReader::beginNode(const XmlAttributes& attributes)
 {
     const std::string id(attributes.text("id"));
     if (!id.empty() && !m_ids.insert(id).second)
-        attributes.refuse(FileFault::Repeated, "id"); // another object has it
+        attributes.refuse(FileFault::Repeated, "id"); // another object has this id
     if (m_document.nodes.size() == maxNodes)
         throw tooMany("objects", maxNodes, errorWithToken({}, m_file, {}));
     m_document.nodes.emplace_back().id = id;
@@ -269,7 +270,8 @@ void AmfDocumentReader::takeNumber(Element element)
             require(fits ? std::optional(static_cast<std::uint32_t>(corner)) : std::nullopt);
     } else if (element <= Element::Blue) {
         m_color[indexFrom(Element::Red)] = parseDouble(word);
-        m_document.remarks.materials |= !parseDouble(word); // formulas of the place are colours, too
+        // A colour may be a formula of the position: reported, not read.
+        m_document.remarks.materials |= !parseDouble(word);
     } else {
         AmfInstance& instance = m_document.nodes.back().instances.back();
         const double value = require(parseDouble(word));
@@ -306,7 +308,7 @@ void AmfDocumentReader::takeColor()
         node.colors.setObject(color);
 }
 
-/// Knows the files of slicers, and what in them is no matter.
+/// Reads metadata of slicers: whether the slicer wrote the file, and whether a volume is not solid.
 void AmfDocumentReader::takeMetadata()
 {
     const std::string_view value = trimmed(m_text);
@@ -354,7 +356,7 @@ void AmfDocumentReader::endVolume()
     node.colors.removeTriangles(m_volume.firstTriangle);
 }
 
-/// Checks the corners now that all vertices are known: they may come behind the triangles.
+/// Checks the vertex indices of the triangles. This needs all vertices, which may follow the triangles.
 void AmfDocumentReader::endMesh()
 {
     const std::size_t vertices = m_document.nodes.back().mesh.points.size() - m_firstVertex;

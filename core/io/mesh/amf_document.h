@@ -10,23 +10,23 @@
 
 namespace core::io
 {
-/// An object or a constellation, put somewhere.
+/// An object or a constellation with its placement.
 struct AmfInstance
 {
-    std::string object; ///< its id
+    std::string object; ///< id of the object or constellation
     std::uint64_t line = 0;
     Eigen::Vector3d move = Eigen::Vector3d::Zero(); ///< in the document's unit
     Eigen::Vector3d rotation = Eigen::Vector3d::Zero();
-    Eigen::Vector3d scale = Eigen::Vector3d::Ones(); ///< of slicers; a negative one mirrors
+    Eigen::Vector3d scale = Eigen::Vector3d::Ones(); ///< an extension of slicers; negative values mirror
 };
 
-/// An object, which has a mesh, or a constellation, which has instances.
+/// An AMF object, which has a mesh, or a constellation, which has instances.
 struct AmfNode
 {
-    std::string id;    ///< empty: nothing can name it
-    TriangleMesh mesh; ///< in the document's unit; its indices are in range
+    std::string id;    ///< empty: no instance can refer to it
+    TriangleMesh mesh; ///< in the document's unit; indices are in range
     std::size_t volumes = 0;
-    bool isWhole = true; ///< no volume was left out
+    bool isWhole = true; ///< false: a volume was left out
     std::vector<AmfInstance> instances;
     AmfColors colors;
 };
@@ -34,16 +34,16 @@ struct AmfNode
 /// The content of an AMF's XML.
 struct AmfDocument
 {
-    double millimetres = 1; ///< of its unit
+    double millimetres = 1; ///< length of the document's unit in mm
     bool isInRadians = false;
     std::vector<AmfNode> nodes;
     AmfColors::Materials materials;
     ReadRemarks remarks{.objects = 0};
 };
 
-/// Parses the XML of an AMF, which is given piece by piece. Elements may be of the namespace that the first one has, or
-/// of none. Edges and normals that bend triangles, composite materials and textures are passed over, with a remark.
-/// Volumes that a slicer does not print are left out. Throws FileError with lines of the XML.
+/// Parses the XML of an AMF, which is passed piece by piece. Elements may be in the namespace of the first element, or
+/// in none. Ignores edges and normals that curve triangles, composite materials and textures, but records them in the
+/// remarks. Leaves out volumes that a slicer does not print. Throws FileError with lines of the XML.
 class AmfDocumentReader
 {
 public:
@@ -75,21 +75,21 @@ private:
     AmfDocument m_document;
     std::set<std::string, std::less<>> m_ids;
     std::size_t m_instances = 0;
-    std::string m_prefix; ///< of the names of elements: a namespace and a bar, or empty
+    std::string m_prefix; ///< prefix of element names: a namespace and a bar, or empty
     std::vector<Element> m_open;
-    std::string m_text; ///< of the innermost element, if it is wanted
-    std::string m_key;  ///< the type of the metadata that are open
+    std::string m_text; ///< text of the innermost element, if it is needed
+    std::string m_key;  ///< type of the open metadata element
     std::string m_material;
 
     std::array<std::optional<float>, 3> m_point;
     std::array<std::optional<std::uint32_t>, 3> m_corners;
-    std::array<std::optional<double>, 3> m_color; ///< red, green, blue from 0 to 1
-    std::size_t m_firstVertex = 0;                ///< of the mesh, among the object's
+    std::array<std::optional<double>, 3> m_color; ///< red, green and blue from 0 to 1
+    std::size_t m_firstVertex = 0;                ///< index of the mesh's first vertex among the object's vertices
     struct
     {
         std::uint32_t corner = 0;
         std::uint64_t line = 0;
-    } m_farthest; ///< the highest number of a vertex that the mesh's triangles name
+    } m_farthest; ///< the highest vertex number in the mesh's triangles, and its line
     struct
     {
         std::size_t firstTriangle = 0;
@@ -97,6 +97,6 @@ private:
         std::optional<Rgb> color;
         Matter matter = Matter::Model;
     } m_volume;
-    XmlReader m_xml; ///< last: it calls
+    XmlReader m_xml; ///< declared last, because its callbacks use the other members
 };
 } // namespace core::io

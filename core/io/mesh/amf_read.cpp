@@ -1,5 +1,5 @@
-// Places the objects of an AMF: an object or constellation that another one names stands only where that puts it, the
-// others once, as they are.
+// Places the objects of an AMF. An object or constellation that another one refers to is placed only by those
+// references; all others are placed once, untransformed.
 #include "core/io/mesh/amf_document.h"
 #include "core/io/mesh/mesh_assembly.h"
 #include "core/io/mesh/zip_reader.h"
@@ -17,7 +17,7 @@ namespace
 constexpr int maxDepth = 64;
 constexpr std::size_t maxCopies = 1 << 16, pieceSize = 1 << 16;
 
-/// Returns the entry's first bytes; none if it cannot be unpacked.
+/// Returns the first bytes of a zip entry; empty if it cannot be unpacked.
 std::string startOf(const std::string& entry, ZipReader& package)
 {
     struct Enough
@@ -51,8 +51,8 @@ bool isNamedAmf(std::string_view name)
                       [](char wanted, char c) { return wanted == (c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c); });
 }
 
-/// Returns the entries that are AMF: by name and content, or, if there are none, by content alone. Folders of Finder's
-/// notes are passed over, and of very many entries all but the first hundred.
+/// Returns the zip entries that are AMF: those with a matching name and content, or else those with matching content.
+/// Ignores macOS metadata folders, and all entries after the first hundred.
 std::vector<std::string> modelsIn(const FileBytes& file, ZipReader& package)
 {
     constexpr std::size_t maxEntries = 100;
@@ -76,7 +76,7 @@ std::vector<std::string> modelsIn(const FileBytes& file, ZipReader& package)
     const auto named = std::find_if(names.begin(), names.end(), isNamedAmf);
     if (named == names.end())
         throw malformed(FileFault::NotInPackage, errorWithToken({}, file, "*.amf"));
-    return {*named}; // reading it says why it is not
+    return {*named}; // reading it will report what is wrong
 }
 
 AmfDocument documentIn(const FileBytes& file)
@@ -97,7 +97,7 @@ AmfDocument documentIn(const FileBytes& file)
     return document;
 }
 
-/// Sine and cosine, exact for right angles.
+/// Returns sine and cosine, exact for multiples of 90 degrees.
 Eigen::Vector2d sineAndCosine(double degrees)
 {
     const double turn = std::remainder(degrees, 360.0);
@@ -107,7 +107,7 @@ Eigen::Vector2d sineAndCosine(double degrees)
     return {std::sin(angle), std::cos(angle)};
 }
 
-/// Returns the rotation about x, then y, then z, each an axis that stays where it is.
+/// Returns the rotation about x, then y, then z; all three axes are fixed.
 Eigen::Matrix3d rotationOf(const Eigen::Vector3d& degrees)
 {
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
@@ -144,7 +144,7 @@ public:
             AmfNode& node = m_document.nodes[i];
             node.mesh.colors = node.colors.of(node.mesh, m_document.materials);
             if (!node.isWhole)
-                removeUnusedVertices(node.mesh); // they would count for the model's size
+                removeUnusedVertices(node.mesh); // they would distort the model's size
             for (const AmfInstance& instance : node.instances) {
                 const auto found = ids.find(instance.object);
                 if (found == ids.end())
@@ -218,8 +218,9 @@ private:
     AmfDocument m_document;
     StopCheck m_stopCheck;
     MeshAssembly m_assembly;
-    std::vector<std::vector<std::size_t>> m_named; ///< by each node, in the order of its instances
-    std::vector<Progress> m_progress;              ///< of the search for cycles
+    /// For each node, the nodes that its instances refer to, in their order.
+    std::vector<std::vector<std::size_t>> m_named;
+    std::vector<Progress> m_progress; ///< state of each node in the search for cycles
     std::size_t m_copies = 0;
 };
 } // namespace

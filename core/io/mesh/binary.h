@@ -8,7 +8,7 @@
 
 namespace core::io
 {
-/// The number at `at`, which need not be aligned.
+/// Returns the number at `at`, which need not be aligned.
 template <typename Number> Number load(const char* at, std::endian order)
 {
     std::array<char, sizeof(Number)> bytes;
@@ -33,7 +33,7 @@ template <typename Number> void append(std::string& out, Number number)
     out.append(bytes.data(), bytes.size());
 }
 
-/// Puts the number there, little-endian, and goes past it.
+/// Stores the number at `at` in little-endian order and advances `at` past it.
 template <typename Number> void store(char*& at, Number number)
 {
     at = std::ranges::copy(littleEndian(number), at).out;

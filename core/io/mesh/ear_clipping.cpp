@@ -12,8 +12,8 @@ namespace core::io
 {
 namespace
 {
-/// A grid over a polygon's corners in the plane in which it is seen, about one corner a cell. A place is a corner's
-/// position in the ring.
+/// A grid of a polygon's corners in its projection, with about one corner a cell. A place is an index in the ring of
+/// corners.
 class RingGrid
 {
 public:
@@ -36,7 +36,7 @@ public:
 
     void remove(std::size_t place) { std::erase(cellOf(place), static_cast<Slot>(place)); }
 
-    /// Returns whether `holds` is true of any place in the cells that the box of these three corners touches.
+    /// Returns whether `holds` is true for any place in the cells that overlap the box of these three corners.
     template <typename Holds> bool anyIn(const std::array<Slot, 3>& corners, Holds holds) const
     {
         std::array<std::size_t, 2> first, last;
@@ -55,7 +55,8 @@ public:
 private:
     float seen(Slot corner, std::size_t k) const { return m_polygon.seen(corner, static_cast<int>(k)); }
 
-    /// Returns the row or column of a coordinate. It never falls as x grows: what is in a box is in the box's cells.
+    /// Returns the row or column of a coordinate. It increases monotonically with x, so that every corner in a box is
+    /// in the box's cells.
     std::size_t step(float x, std::size_t k) const
     {
         const double part = m_size[k] > 0 ? (static_cast<double>(x) - static_cast<double>(m_min[k])) / m_size[k] : 0;
@@ -94,9 +95,9 @@ public:
         }
     }
 
-    /// Cuts ears until a triangle is left. Tests a corner again only after one of its neighbours went, or after all
-    /// others were tested. A simple polygon always has an ear; one that crosses itself may have none, and is cut
-    /// anyhow.
+    /// Cuts ears until one triangle is left. A corner is tested again only after one of its neighbours was cut, or when
+    /// no other corner is left to test. A simple polygon always has an ear. A polygon that crosses itself may have
+    /// none; then any corner is cut.
     void clip(StopCheck& stopCheck)
     {
         enqueueAll();
@@ -131,7 +132,7 @@ private:
     struct Waiting
     {
         Slot place;
-        std::uint32_t turn; ///< the place's when it was enqueued; the entry is void if it has another one now
+        std::uint32_t turn; ///< number of the place's latest enqueueing; an entry with an older number is void
     };
 
     void enqueue(Slot place) { m_waiting.push_back({place, ++m_turns[place]}); }
@@ -143,7 +144,7 @@ private:
             enqueue(place);
     }
 
-    /// Returns whether the corner is convex and no other one lies in the triangle that it would cut off.
+    /// Returns whether the corner is convex and no other corner is in the triangle that it would cut off.
     bool isEar(Slot place) const
     {
         const Slot a = m_ring[m_previous[place]], b = m_ring[place], c = m_ring[m_next[place]];
@@ -156,7 +157,8 @@ private:
         });
     }
 
-    /// Cuts the corner off. Its neighbours go to the end of the queue: cut at once, they would make a fan of slivers.
+    /// Cuts the corner off and moves its neighbours to the end of the queue. Cutting them at once would make a fan of
+    /// slivers.
     void cut(Slot place)
     {
         const Slot before = m_previous[place], behind = m_next[place];
@@ -175,11 +177,11 @@ private:
     std::span<const Slot> m_ring;
     FlatPolygon m_polygon;
     RingGrid m_grid;
-    std::vector<Slot> m_next, m_previous; ///< the neighbours of each place, among those that are left
-    std::vector<std::uint32_t> m_turns;   ///< how often each place was enqueued; or gone
+    std::vector<Slot> m_next, m_previous; ///< neighbours of each place among the remaining places
+    std::vector<std::uint32_t> m_turns;   ///< how often each place was enqueued; `gone` if it was cut
     std::deque<Waiting> m_waiting;
     std::size_t m_left;
-    Slot m_last = 0; ///< a place that is left
+    Slot m_last = 0; ///< any remaining place
 };
 } // namespace
 

@@ -7,7 +7,7 @@
 
 namespace core::io
 {
-/// A polygon seen along the axis in which its area is largest.
+/// A polygon projected along the axis in which its area is largest.
 class FlatPolygon
 {
 public:
@@ -21,14 +21,15 @@ public:
         m_sense = area[m_axis] < 0 ? -1 : 1;
     }
 
-    /// Returns 1 if the path a, b, c turns as the polygon does, -1 against it, 0 if it is straight. Exact.
+    /// Returns 1 if the path a, b, c turns in the polygon's direction, -1 if it turns against it, 0 if it is straight.
+    /// Exact.
     int turn(Slot a, Slot b, Slot c) const
     {
         return m_sense * FloatPredicates::orient2d(m_points[a], m_points[b], m_points[c], m_axis);
     }
 
     double squaredDistance(Slot a, Slot b) const { return (point(a) - point(b)).squaredNorm(); }
-    /// Returns one of the two coordinates that are seen. `which`: 0 or 1.
+    /// Returns one of the two projected coordinates. `which`: 0 or 1.
     float seen(Slot corner, int which) const { return m_points[corner][(m_axis + 1 + which) % 3]; }
 
 private:
@@ -36,6 +37,6 @@ private:
 
     const std::vector<Vec3f>& m_points;
     int m_axis = 0;
-    int m_sense = 1; ///< 1 if the polygon runs anticlockwise as it is seen, else -1
+    int m_sense = 1; ///< 1 if the projected polygon is anticlockwise, else -1
 };
 } // namespace core::io

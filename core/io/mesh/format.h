@@ -6,7 +6,7 @@
 
 #include <string_view>
 
-/// What the readers and writers of the formats share; for mesh_io only.
+/// Declarations shared by the readers and writers of all formats. Only mesh_io.cpp and they use this header.
 namespace core::io
 {
 struct FileBytes
@@ -14,16 +14,17 @@ struct FileBytes
     const std::filesystem::path& path;
     std::string_view bytes;
     std::stop_token stop = {};
-    bool isStandalone = false; ///< nothing lies beside it that it may name
+    bool isStandalone = false; ///< the file has no directory: references to other files are refused
 };
 
-/// To be asked for each element; looks every so many, which take about a millisecond.
+/// Checks for a cancel while elements are read. Call it for each element; it checks the token about once a millisecond.
+/// Throws ReadingCancelled.
 class StopCheck
 {
 public:
     explicit StopCheck(std::stop_token stop) : m_stop(std::move(stop)) {}
 
-    /// The element takes as long as so many do.
+    /// Counts one element that takes as long as `elements` ordinary ones.
     void operator()(std::size_t elements = 1)
     {
         constexpr std::size_t checkInterval = 1 << 12;
@@ -40,14 +41,15 @@ private:
     std::size_t m_count = 0;
 };
 
-/// Beyond these a file is refused: 2 GiB can hold more, this machine's memory perhaps not.
+/// Largest numbers of vertices and faces that are read. A file of 2 GiB can contain more than memory can.
 inline constexpr std::size_t maxVertices = std::size_t(1) << 27;
 inline constexpr std::size_t maxFaces = std::size_t(1) << 28;
 
-/// So much of a file is looked at before the rest is read.
+/// Number of bytes that are checked before the rest of a file is read.
 inline constexpr std::size_t startSize = 4096;
 
-/// `at` points into the file; the place is its line, or its byte.
+/// Returns an error located at the line of `at`, which points into the file's bytes; errorAtByte() uses the byte
+/// offset.
 FileError errorAtLine(FileErrorKind kind, const FileBytes& file, const char* at, std::string_view token = {});
 FileError errorAtByte(FileErrorKind kind, const FileBytes& file, const char* at, std::string_view token = {});
 FileError errorWithToken(FileErrorKind kind, const FileBytes& file, std::string_view token);
@@ -56,34 +58,37 @@ FileError withCounts(FileError error, std::uint64_t expected, std::uint64_t foun
 /// Returns the error as Malformed, with the fault; `wanted`: see FileError.
 FileError malformed(FileFault fault, FileError error, std::string_view wanted = {});
 
-/// Returns the text behind a UTF-8 byte order mark, if it begins with one.
+/// Returns the text after its UTF-8 byte order mark, if there is one.
 std::string_view withoutMark(std::string_view text);
-/// Returns the text without the NUL and Ctrl+Z that old systems and padding put behind it, and the blanks between them.
+/// Returns the text without trailing NUL and Ctrl+Z characters, which old systems and padding append, and without
+/// blanks between them.
 std::string_view withoutPadding(std::string_view text);
 
-/// Returns the format by the first bytes and the size: "stl", "obj", "ply", "off", another format's name ("png",
-/// "zip", ...), "utf-16", "text", or an empty text.
+/// Detects the format from the first bytes and the size. Returns "stl", "obj", "ply", "off", another format's name
+/// ("png", "zip", ...), "utf-16", "text", or an empty text.
 std::string_view detectFormat(std::string_view start, std::uint64_t fileSize);
 
 inline constexpr std::size_t stlHeaderSize = 84;
 inline constexpr std::size_t stlTriangleSize = 50;
-/// `start` holds the header.
+/// Returns the number of triangles in the header of a binary STL. Precondition: `start` contains the whole header.
 std::uint64_t announcedStlTriangles(std::string_view start);
-/// The size is what the header announces. Text never passes: four of its characters announce more than a file can hold.
+/// Returns whether the file has exactly the size that its header declares. A text file never has: four text characters
+/// there would declare more triangles than any file can contain.
 bool isBinaryStl(std::string_view start, std::uint64_t fileSize);
 bool isTextStl(std::string_view start);
-/// Returns whether BINARY follows the keyword OFF.
+/// Returns whether the keyword BINARY follows the keyword OFF.
 bool isBinaryOff(std::string_view start);
 
-/// Vertices as they stand in the file, axes included, but for the weld and -0 of STL.
+/// Reads a file of one format. Vertices and axes are those of the file, except that STL is welded and its -0 become 0.
 ReadResult readStl(const FileBytes& file);
 ReadResult readObj(const FileBytes& file);
 ReadResult readPly(const FileBytes& file);
 ReadResult readOff(const FileBytes& file);
-ReadResult readGltf(const FileBytes& file, bool isBinary); ///< in mm
-/// In mm. Memory: some ten times the file; at worst (packed a hundredfold, objects placed very often) a thousand times.
+ReadResult readGltf(const FileBytes& file, bool isBinary); ///< points in mm
+/// Reads a 3MF; points in mm. Memory: about ten times the file; in the worst case a thousand times, if it is packed a
+/// hundredfold or places objects very often.
 ReadResult readThreeMf(const FileBytes& file);
-ReadResult readAmf(const FileBytes& file); ///< in mm, from XML or a zip of it; memory as with 3MF
+ReadResult readAmf(const FileBytes& file); ///< reads XML or a zip of it; points in mm; memory as for readThreeMf()
 
 void writeStl(AtomicFile& out, const TriangleMesh& mesh, bool ascii);
 void writeObj(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette);

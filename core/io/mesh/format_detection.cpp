@@ -1,4 +1,4 @@
-// What a file's content looks like, whatever its ending says.
+// Detects the format of a file from its content, regardless of its extension.
 
 #include "core/io/mesh/format.h"
 
@@ -37,8 +37,8 @@ constexpr std::array magics{
     Magic{"<html", "html"},
 };
 
-/// Returns whether it has no control characters but those of lines and blanks. One in `strayOneIn` may be any, since
-/// names are padded by NULs at times.
+/// Returns whether the text has no control characters except line ends and blanks. One character in `strayOneIn` may be
+/// any, because names are sometimes padded with NULs.
 bool isText(std::string_view start, std::size_t strayOneIn = 64)
 {
     const std::string_view text = withoutPadding(start);
@@ -48,7 +48,8 @@ bool isText(std::string_view start, std::size_t strayOneIn = 64)
     return !text.empty() && static_cast<std::size_t>(strays) <= text.size() / strayOneIn;
 }
 
-/// Returns whether it is UTF-16 of either byte order: it has a mark, or every other byte of its first ones is 0.
+/// Returns whether the bytes are UTF-16 in either byte order: they have a byte order mark, or every second of the first
+/// bytes is 0.
 bool isUtf16(std::string_view start)
 {
     constexpr std::size_t looked = 32;
@@ -79,7 +80,7 @@ std::string_view withoutBlanks(std::string_view text)
     return first == std::string_view::npos ? std::string_view() : text.substr(first);
 }
 
-/// From the first line on that is neither empty nor a comment.
+/// Returns the text from its first line that is neither empty nor a comment.
 std::string_view withoutComments(std::string_view text, std::initializer_list<std::string_view> marks = {"#"})
 {
     text = withoutBlanks(withoutMark(text));
@@ -102,7 +103,7 @@ bool isObj(std::string_view start)
     return std::any_of(words.begin(), words.end(), [text](std::string_view w) { return text.starts_with(w); });
 }
 
-/// OFF, with ST, C, N, 4 and n before it or not.
+/// Returns whether the keyword is OFF with any prefix of ST, C, N, 4 and n.
 bool isOff(std::string_view start)
 {
     const std::string_view keyword = firstWord(withoutComments(start));
@@ -149,14 +150,15 @@ bool isBinaryStl(std::string_view start, std::uint64_t fileSize)
            fileSize == stlHeaderSize + stlTriangleSize * announcedStlTriangles(start);
 }
 
-/// "solid" alone is no proof: some write it into binary headers.
+/// Returns whether the file is a text STL. The word "solid" alone is no proof, because some programs write it into
+/// binary headers.
 bool isTextStl(std::string_view start)
 {
     const std::string_view text = withoutComments(start, {"#", ";", "//"});
     if (!startsWithWord(text, "solid"))
         return false;
     constexpr std::string_view keyword = "facet";
-    constexpr std::size_t strayOneIn = 16; // a name may be padded
+    constexpr std::size_t strayOneIn = 16; // the name may be padded
     for (std::size_t at = keyword.size(); at < text.size(); ++at)
         if (startsWithWord(text.substr(at), keyword))
             return isText(text, strayOneIn);

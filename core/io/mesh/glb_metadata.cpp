@@ -19,9 +19,10 @@ using Json = nlohmann::json;
 
 constexpr const char* extensionName = "FETTLE_document";
 constexpr int version = 1;
-/// Ours are a few thousand bytes long; whoever rewrote the file may have added to them.
+/// Largest JSON chunk that is read, bytes. Fettle writes a few thousand bytes; another program that rewrote the file
+/// may have added more.
 constexpr std::size_t maxJson = 1 << 20;
-/// What an import can come to, and more.
+/// Largest absolute exponent of a lattice that is accepted; imports stay well below it.
 constexpr int maxExponent = 64;
 constexpr double farthest = 1e9; ///< mm
 
@@ -34,7 +35,8 @@ nlohmann::ordered_json jsonOf(const SavedView& view)
             {"orthographic", view.orthographic}};
 }
 
-/// As a stroke file has it, but without files: whoever gets the model does not have them.
+/// Returns the brush as a stroke of a stroke file. Files that it uses are omitted, because whoever receives the model
+/// does not have them.
 nlohmann::ordered_json jsonOf(StrokeSettings brush)
 {
     if (brush.alpha && !brush.alpha->isBuiltIn())
@@ -47,7 +49,7 @@ nlohmann::ordered_json jsonOf(StrokeSettings brush)
     return stroke;
 }
 
-/// Null where the object has none.
+/// Returns the value at the key; a null value if there is none.
 const Json& valueIn(const Json& object, const char* key)
 {
     static const Json none;
@@ -101,7 +103,8 @@ std::optional<SavedView> viewIn(const Json& metadata)
     return view;
 }
 
-/// Nothing in it has parts of its own, however deep: what is copied and written goes as deep as it.
+/// Returns whether no element is itself a list or an object. This bounds the recursion when the JSON is copied and
+/// written.
 bool isFlat(const Json& value)
 {
     return std::ranges::none_of(value, [](const Json& part) { return part.is_structured(); });
@@ -124,7 +127,7 @@ std::optional<StrokeSettings> brushIn(const Json& metadata)
 
 std::optional<WorkDone> workIn(const Json& metadata)
 {
-    constexpr double maxStrokes = 9e15, longest = 1e10; // what a double counts in ones; 300 years
+    constexpr double maxStrokes = 9e15, longest = 1e10; // integers that a double holds exactly; 300 years
     const Json& work = valueIn(metadata, "work");
     const auto strokes = numberIn(work, "strokes", 0, maxStrokes), seconds = numberIn(work, "seconds", 0, longest);
     if (!strokes || *strokes != std::trunc(*strokes) || !seconds)
@@ -144,7 +147,8 @@ nlohmann::ordered_json jsonOf(const SavedReference& reference)
             {"inFront", reference.inFront}};
 }
 
-/// Returns nothing where it names no image of a disk: what a stranger's file names is not asked for on a network.
+/// Reads one reference image. Returns nothing if an entry is not valid, or if the path is on a network: a file from an
+/// untrusted source must not cause network access.
 std::optional<SavedReference> referenceIn(const Json& json)
 {
     static constexpr std::string_view sides[] = {"front", "back", "right", "left", "top", "bottom"};
@@ -185,7 +189,7 @@ std::vector<Rgb> paletteIn(const Json& metadata)
     return palette;
 }
 
-/// Returns the JSON chunk; empty if the file is no GLB, ends early, or has more JSON than maxJson.
+/// Returns the JSON chunk; empty if the file is not a GLB, ends early, or has more JSON than maxJson.
 std::string jsonChunkOf(std::istream& file)
 {
     std::array<char, glbHeadSize + glbChunkHeadSize> head{};

@@ -8,7 +8,7 @@
 
 namespace core::io
 {
-/// Into a glTF document, as the extension FETTLE_document, which no reader needs:
+/// Adds the metadata to a glTF document as the extension FETTLE_document, which readers may ignore:
 ///
 ///     {"version": 1, "unit": "mm", "lattice": 16, "uniformDetail": 1.5, "palette": ["c86e50", "8a5a3c"],
 ///      "view": {"target": [0, 0, 0], "distance": 300, "yaw": 0.5, "pitch": 0.35, "orthographic": false},
@@ -16,10 +16,10 @@ namespace core::io
 ///      "references": [{"side": "front", "path": "lion.jpg", "width": 120, "x": 0, "y": 50, "opacity": 0.6,
 ///                      "inFront": false}]}
 ///
-/// Where there is nothing to note, there is no extension. Coordinates are multiples of 2^-lattice mm; "brush" is a
-/// stroke of a stroke file, without samples.
+/// Empty metadata adds no extension. Coordinates are multiples of 2^-lattice mm; "brush" is a stroke of a stroke file
+/// without samples.
 void addMetadata(nlohmann::ordered_json& document, const DocumentMetadata& metadata);
 
-/// From the start of a GLB. What is not as we write it is left out.
+/// Reads the metadata from the start of a GLB. Ignores entries that addMetadata() would not have written.
 DocumentMetadata readGlbMetadata(std::istream& file);
 } // namespace core::io

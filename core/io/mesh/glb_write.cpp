@@ -1,5 +1,5 @@
-// GLB: a node that scales millimetres to glTF's metres, one mesh of one primitive, its colours linear in 16 bits,
-// its mask an attribute of our own, 0 to 1.
+// GLB: one node that scales mm to glTF's metres, with one mesh of one primitive. Colours are linear with 16 bits. The
+// mask is a custom attribute, 0 to 1.
 
 #include "core/io/mesh/binary.h"
 #include "core/io/mesh/glb_metadata.h"
@@ -21,14 +21,15 @@ using Json = nlohmann::ordered_json;
 
 constexpr int floatType = 5126, shortType = 5123, indexType = 5125, vertexTarget = 34962, indexTarget = 34963;
 
-/// GLB's sizes have 32 bits.
+/// Limit of the buffer's size, because sizes in a GLB have 32 bits.
 constexpr std::size_t maxBytes = 4'000'000'000;
 
-/// Area-weighted, of unit length; glTF takes no others.
+/// Returns area-weighted vertex normals of unit length. Vertices without area get (0, 0, 1), because glTF requires unit
+/// length.
 std::vector<Vec3f> normalsOf(const TriangleMesh& mesh)
 {
     std::vector<Vec3f> normals(mesh.points.size());
-    const std::size_t chunkSize = chunksOf(mesh.points.size(), minChunks); // each core goes through all triangles
+    const std::size_t chunkSize = chunksOf(mesh.points.size(), minChunks); // each core scans all triangles
     forEachChunk(mesh.points.size(), chunkSize, [&](std::size_t, std::size_t begin, std::size_t end) {
         std::vector<Vec3> sums(end - begin, Vec3::Zero());
         const auto isOwn = [begin, end](Slot corner) { return corner >= begin && corner < end; };
@@ -50,7 +51,7 @@ std::vector<Vec3f> normalsOf(const TriangleMesh& mesh)
     return normals;
 }
 
-/// Of each 8 bits as they are seen.
+/// Returns the linear 16-bit light of each 8-bit sRGB value.
 std::array<std::uint16_t, 256> lights()
 {
     std::array<std::uint16_t, 256> table;
@@ -59,7 +60,7 @@ std::array<std::uint16_t, 256> lights()
     return table;
 }
 
-/// Buffer views one after the other, an accessor each.
+/// Collects buffer views that follow each other, each with one accessor.
 class Layout
 {
 public:

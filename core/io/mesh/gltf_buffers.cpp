@@ -1,4 +1,4 @@
-// Source: Khronos, glTF 2.0 specification, section 2.8 (URIs); RFC 3986 (percent signs), RFC 4648 (base64).
+// Sources: Khronos, glTF 2.0 specification, section 2.8 (URIs); RFC 3986 (percent signs), RFC 4648 (base64).
 #include "core/io/mesh/gltf_buffers.h"
 
 #include <algorithm>
@@ -44,7 +44,7 @@ std::string fromBase64(const FileBytes& file, std::string_view text)
     return bytes;
 }
 
-/// Empty if a percent sign stands alone.
+/// Decodes percent signs. Returns nothing if a percent sign is not followed by two hexadecimal digits.
 std::optional<std::string> withoutPercents(std::string_view uri)
 {
     std::string text;
@@ -64,7 +64,7 @@ std::optional<std::string> withoutPercents(std::string_view uri)
     return text;
 }
 
-/// http:, file:, C:
+/// Returns whether the uri begins with a scheme or a drive: http:, file:, C:
 bool hasScheme(std::string_view uri)
 {
     const std::size_t end = uri.find_first_of(":/");

@@ -6,8 +6,8 @@
 
 namespace core::io
 {
-/// What a buffer's uri stands for: base64 in the uri itself, or a file beside `file`, of which `bytes` are read. Throws
-/// FileError: OutsideFolder for anything that is not in the file's folder, or below it, when percent signs, dots and
-/// links are followed; CutOff with fewer bytes, and what reading the other file meets.
+/// Returns the content of a buffer's uri: base64 data in the uri itself, or `bytes` bytes of a file beside `file`.
+/// Throws FileError. OutsideFolder: the uri, after decoding percent signs and resolving dots and links, leaves the
+/// file's folder. CutOff: there are fewer bytes. Errors in reading the other file are thrown, too.
 std::string gltfBuffer(const FileBytes& file, std::string_view uri, std::uint64_t bytes);
 } // namespace core::io

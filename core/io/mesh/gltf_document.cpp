@@ -16,15 +16,15 @@ namespace core::io
 {
 namespace
 {
-/// Its parsed form takes up to eighty times that, if it is nothing but brackets. Models' own numbers are not in it, but
-/// in its texts.
+/// Largest size of the JSON in bytes, without its string contents. Parsing nothing but brackets needs eighty times this
+/// memory. The numbers of models are not limited by it: they are in buffers or in base64 strings.
 constexpr std::size_t maxJson = std::size_t(1) << 23;
-/// As many bytes as a model's file may have.
+/// Largest total size in bytes, equal to the limit for a model file.
 constexpr std::size_t maxBytes = std::size_t(1) << 31;
-/// The limit of what is unpacked of a file, in times of its own bytes, as of a zip; and what is allowed in any case.
+/// Limits of unpacked bytes: a multiple of the file's size, as for a zip, and a size in bytes that is always allowed.
 constexpr std::size_t maxUnpackedTimes = 100, alwaysUnpacked = std::size_t(64) << 20;
 
-/// Of JSON, what is not inside of texts; each text counts as its two quotes.
+/// Returns the size of the JSON without the contents of its strings; each string counts as its two quotes.
 std::size_t sizeBesideTexts(std::string_view json)
 {
     std::size_t size = 0;
@@ -40,8 +40,8 @@ std::size_t sizeBesideTexts(std::string_view json)
     return size;
 }
 
-/// Returns the first number of JSON, outside of its texts, that is too large for a double; empty, at the front, if none
-/// is.
+/// Returns the first number in the JSON, outside of strings, that is too large for a double. Returns an empty view at
+/// the front if there is none.
 std::string_view tooLargeIn(std::string_view json)
 {
     std::size_t end = 0;
@@ -84,7 +84,7 @@ bool isWhole(int componentType)
     return componentType == 5121 || componentType == 5123 || componentType == 5125;
 }
 
-/// Normalised ones go to 1. A float32 with as many bits as a float32 can hold.
+/// Converts a number. Normalised integers are scaled to a maximum of 1. The result is rounded to the target type.
 template <typename Number, typename Source> Number converted(Source x, bool isNormalized)
 {
     if constexpr (std::is_floating_point_v<Source> || std::is_same_v<Number, std::uint32_t>)
@@ -106,7 +106,7 @@ void convertFrom(const GltfLayout& layout, std::size_t begin, std::size_t end, N
                 layout.normalized);
 }
 
-/// The numbers of the elements from `begin` to `end`.
+/// Converts the numbers of the elements from `begin` to `end`.
 template <typename Number> void convert(const GltfLayout& layout, std::size_t begin, std::size_t end, Number* into)
 {
     switch (layout.componentType) {
@@ -125,7 +125,8 @@ template <typename Number> void convert(const GltfLayout& layout, std::size_t be
     }
 }
 
-/// Returns whether the binary chunk begins there and ends in the file. Some programs do not pad the chunk before it.
+/// Returns whether a binary chunk begins at `at` and ends within the file. Some programs do not pad the chunk before
+/// it.
 bool isChunkAt(std::string_view bytes, std::size_t at)
 {
     if (at > bytes.size() || bytes.size() - at < glbChunkHeadSize)
@@ -207,7 +208,7 @@ void GltfDocument::parse(std::string_view text)
         m_document = Json::parse(withoutPadding(text));
     } catch (const Json::parse_error& error) {
         throw malformed(FileFault::Json, errorAtByte({}, m_file, text.data() + std::min(error.byte, text.size())));
-    } catch (const Json::exception&) { // a number beyond all bounds
+    } catch (const Json::exception&) { // a number too large for a double
         const std::string_view number = tooLargeIn(text);
         throw errorAtByte(FileErrorKind::NotANumber, m_file, number.data(), number);
     }
@@ -218,7 +219,7 @@ void GltfDocument::refuseOldVersion() const
     const auto asset = m_document.find("asset");
     const auto version = asset != m_document.end() && asset->is_object() ? asset->find("version") : m_document.end();
     if (asset == m_document.end() || !asset->is_object() || version == asset->end() || !version->is_string())
-        return; // as many leave it out
+        return; // the version is optional here: many files omit it
     const std::string& text = version->get_ref<const std::string&>();
     if (text.starts_with("0.") || text.starts_with("1."))
         refuse(FileFault::OldGltf, text);
@@ -230,7 +231,7 @@ bool GltfDocument::isRequired(std::string_view extension) const
     return std::any_of(required.begin(), required.end(), [extension](const Json& name) { return name == extension; });
 }
 
-/// What cannot be passed over.
+/// Throws NeedsExtension if the file requires an extension that cannot be ignored.
 void GltfDocument::refuseExtensions() const
 {
     for (const Json& extension : arrayIn(m_document, "extensionsRequired")) {
@@ -251,7 +252,7 @@ void GltfDocument::loadBuffers()
             m_buffers.emplace_back();
             continue;
         }
-        if (uri == buffer.end()) { // the chunk is the first one's
+        if (uri == buffer.end()) { // the GLB's binary chunk belongs to the first buffer
             m_buffers.push_back(m_buffers.empty() ? m_binary : std::string_view());
             continue;
         }
@@ -270,7 +271,6 @@ void GltfDocument::loadBuffers()
     }
 }
 
-/// Empty if there is none.
 const GltfDocument::Json& GltfDocument::arrayIn(const Json& object, const char* key) const
 {
     static const Json none = Json::array();
@@ -339,7 +339,7 @@ std::string_view GltfDocument::viewBytes(std::size_t index) const
     return m_unpacked[index] = meshoptUnpacked(m_file, what);
 }
 
-/// `count` elements of `size` bytes from `offset` on in a buffer view; all of them are in the file.
+/// Returns the layout of `count` elements of `size` bytes in a buffer view. Throws if they exceed the view.
 GltfLayout GltfDocument::elementsIn(const Json& at, std::size_t count, std::size_t size, std::size_t ownStride) const
 {
     const auto index = indexIn(at, "bufferView");
@@ -391,7 +391,7 @@ GltfLayout GltfDocument::layoutOf(std::size_t accessor, int min, int max, const 
     return layout;
 }
 
-/// What stands at some of an accessor's places instead of its own numbers.
+/// Returns the sparse part of an accessor: indices of elements and the values that replace them.
 GltfDocument::Sparse GltfDocument::sparseOf(std::size_t accessor, const GltfLayout& layout) const
 {
     const Json& from = element("accessors", accessor);
@@ -419,7 +419,7 @@ GltfDocument::Sparse GltfDocument::sparseOf(std::size_t accessor, const GltfLayo
     return result;
 }
 
-/// On all cores.
+/// Converts the accessor's numbers on all cores and applies its sparse part.
 template <typename Number>
 LargeBuffer<Number> GltfDocument::numbersOf(std::size_t accessor, const GltfLayout& layout,
                                             const std::stop_token& stop) const

@@ -1,5 +1,5 @@
-// Source: Khronos, KHR_draco_mesh_compression. The stream stands for the primitive's indices and for the attributes
-// that the extension names, by their unique ids; the accessors tell their counts and types.
+// Source: Khronos, KHR_draco_mesh_compression. The stream contains the primitive's indices and the attributes that the
+// extension lists with their unique ids. The accessors declare the counts and types.
 #include "core/io/mesh/gltf_draco.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace
 {
 using Json = GltfDocument::Json;
 
-/// Returns the attributes that are decoded; streams may hold others.
+/// Returns the names of the attributes that are decoded; streams may contain others.
 std::vector<std::string> readAttributes()
 {
     std::vector<std::string> names{"POSITION", "COLOR_0", "_MASK"};
@@ -29,7 +29,7 @@ std::size_t sizeOf(const DracoMesh& mesh)
 }
 } // namespace
 
-/// Returns whether the stream has to be decoded: the file requires it, or the positions are nowhere else.
+/// Returns whether the stream must be decoded: the file requires it, or no accessor has the positions.
 bool GltfDraco::isNeeded(const Json& primitive) const
 {
     if (m_gltf.isRequired(dracoExtension))

@@ -4,7 +4,7 @@
 
 namespace core::io
 {
-/// Returns whether a glTF that requires the extension can be read. It can if the extension is read, or if it says only
-/// how the model looks (materials, textures, lights), what is told of it, or what moves it: nothing of that is read.
+/// Returns whether a glTF that requires the extension can be read. This is so if the extension is supported, or if it
+/// only affects appearance (materials, textures, lights), metadata or animation, none of which is read.
 bool isWithoutShape(std::string_view extension);
 } // namespace core::io

@@ -1,5 +1,5 @@
-// Source: Khronos, EXT_mesh_gpu_instancing (the attributes TRANSLATION, ROTATION and SCALE; others are for shaders) and
-// KHR_node_visibility.
+// Sources: Khronos, EXT_mesh_gpu_instancing (attributes TRANSLATION, ROTATION and SCALE; others are for shaders only)
+// and KHR_node_visibility.
 #include "core/io/mesh/gltf_instances.h"
 
 #include <Eigen/Geometry>
@@ -14,7 +14,7 @@ using Json = GltfDocument::Json;
 
 constexpr std::string_view instancing = "EXT_mesh_gpu_instancing", visibility = "KHR_node_visibility";
 
-/// Returns an extension, which has to be an object; null if there is none.
+/// Returns an extension; null if there is none. Throws if it is not an object.
 const Json* extensionOf(const GltfDocument& gltf, const Json& node, std::string_view name)
 {
     const Json* const extension = gltfExtension(node, name);
@@ -23,7 +23,7 @@ const Json* extensionOf(const GltfDocument& gltf, const Json& node, std::string_
     return extension;
 }
 
-/// Reads the attributes of a node's instances, which are equally many.
+/// Reads the attributes of a node's instances. All attributes must have the same count.
 class InstanceReader
 {
 public:
@@ -33,7 +33,7 @@ public:
         , m_attributes(attributes)
     {}
 
-    /// Returns the attribute's numbers, instance after instance; empty if there is none.
+    /// Returns the attribute's numbers, instance by instance; empty if there is none.
     LargeBuffer<float> numbersOf(const char* name, int components)
     {
         const auto accessor = m_gltf.indexIn(m_attributes, name);
@@ -47,7 +47,7 @@ public:
         m_count = layout.count;
         return m_gltf.valuesOf(*accessor, layout, m_file.stop);
     }
-    /// Returns the number of instances; empty if no attribute has told it.
+    /// Returns the number of instances; nothing if no attribute has been read.
     std::optional<std::size_t> count() const { return m_count; }
 
 private:
@@ -78,7 +78,7 @@ std::vector<Eigen::Matrix4d> gltfInstances(const FileBytes& file, const GltfDocu
             instance.translate(Eigen::Map<const Eigen::Vector3f>(&places[3 * i]).cast<double>());
         if (turns.size() > 0)
             instance.rotate(Eigen::Quaterniond(Eigen::Map<const Eigen::Vector4f>(&turns[4 * i]).cast<double>())
-                                .normalized()); // x, y, z, w, as glTF has them
+                                .normalized()); // glTF order: x, y, z, w
         if (scales.size() > 0)
             instance.scale(Eigen::Map<const Eigen::Vector3f>(&scales[3 * i]).cast<double>());
         instances.push_back(instance.matrix());

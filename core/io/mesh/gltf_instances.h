@@ -8,15 +8,15 @@
 
 namespace core::io
 {
-/// The number of instances that one file may have.
+/// Largest number of instances in one file.
 inline constexpr std::size_t maxGltfInstances = std::size_t(1) << 18;
 
-/// Returns the transforms to a node from the places of its mesh: EXT_mesh_gpu_instancing lists them. Without it the
-/// identity. Throws FileError for lists that are no such transforms or not equally long, and TooManyElements. Memory:
-/// 128 bytes for each.
+/// Returns the transforms from the node's mesh to the node, one for each instance in EXT_mesh_gpu_instancing; the
+/// identity without that extension. Throws FileError if the lists are not valid transforms or differ in length, and
+/// TooManyElements. Memory: 128 bytes an instance.
 std::vector<Eigen::Matrix4d> gltfInstances(const FileBytes& file, const GltfDocument& gltf,
                                            const GltfDocument::Json& node);
 
-/// Returns whether a node is shown, with all below it (KHR_node_visibility). Throws FileError.
+/// Returns whether a node and its descendants are visible (KHR_node_visibility). Throws FileError.
 bool isGltfVisible(const GltfDocument& gltf, const GltfDocument::Json& node);
 } // namespace core::io

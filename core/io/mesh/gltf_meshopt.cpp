@@ -1,4 +1,4 @@
-// Source: Khronos, EXT_meshopt_compression and the draft of KHR_meshopt_compression, "JSON schema updates".
+// Sources: Khronos, EXT_meshopt_compression and the draft of KHR_meshopt_compression, "JSON schema updates".
 #include "core/io/mesh/gltf_meshopt.h"
 
 #include <array>
@@ -9,14 +9,14 @@ namespace
 {
 using Json = GltfDocument::Json;
 
-/// Returns the extension's object; null if there is none.
+/// Returns the object of either meshopt extension; null if there is none.
 const Json* extensionIn(const Json& object)
 {
     const Json* const ofKhronos = gltfExtension(object, "KHR_meshopt_compression");
     return ofKhronos ? ofKhronos : gltfExtension(object, "EXT_meshopt_compression");
 }
 
-/// Returns the place of the word that the object has at the key; nothing if it has another one.
+/// Returns the index in `words` of the object's value at the key; nothing if the value is not in `words`.
 template <std::size_t Count>
 std::optional<std::size_t> wordIn(const Json& object, const char* key, const std::array<std::string_view, Count>& words)
 {

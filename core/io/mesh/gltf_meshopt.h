@@ -5,17 +5,17 @@
 
 namespace core::io
 {
-/// A compressed buffer view, and where its data are.
+/// A compressed buffer view and the location of its data.
 struct GltfMeshopt
 {
-    MeshoptView view; ///< without its data
+    MeshoptView view; ///< `data` is not set
     std::size_t buffer = 0, offset = 0, length = 0;
 };
 
-/// Returns how a buffer view is compressed; nothing if it is not. `name` is the view's, for errors. Throws
-/// FileError::Malformed for what the extension does not allow.
+/// Returns the compression of a buffer view; nothing if it is not compressed. `name`: name of the view, for errors.
+/// Throws FileError::Malformed if the extension does not allow its values.
 std::optional<GltfMeshopt> gltfMeshoptIn(const GltfDocument& gltf, const GltfDocument::Json& view,
                                          const std::string& name);
-/// Returns whether a buffer only stands for what programs read that cannot unpack.
+/// Returns whether the buffer is only a fallback for programs that cannot unpack meshopt.
 bool isGltfFallback(const GltfDocument::Json& buffer);
 } // namespace core::io

@@ -48,7 +48,7 @@ GltfPrimitive::Numbers GltfPrimitive::numbersOf(const std::string& attribute, in
         m_decoded ? m_draco.attributeOf(m_primitive, *m_decoded, attribute.c_str()) : nullptr;
     if (const Json& from = m_gltf.element("accessors", accessor);
         m_decoded && !decoded && !from.contains("bufferView") && !from.contains("sparse"))
-        m_gltf.refuse(FileFault::Missing, attribute); // neither the stream has it nor the accessor
+        m_gltf.refuse(FileFault::Missing, attribute); // neither the stream nor the accessor has the attribute
     GltfLayout own;
     if (decoded && m_decoded->vertices != 0)
         own = {.first = decoded->bytes.data(),

@@ -5,8 +5,8 @@
 
 namespace core::io
 {
-/// A glTF's primitive: its numbers, from the accessors or from the Draco stream that stands for them. Throws FileError
-/// for whatever is not as it should be.
+/// A primitive of a glTF. Its numbers are read from the accessors or from the Draco stream that replaces them. Throws
+/// FileError if the primitive is not valid.
 class GltfPrimitive
 {
 public:
@@ -15,20 +15,21 @@ public:
     /// `file`, `gltf`, `draco`, `primitive`: not owned.
     GltfPrimitive(const FileBytes& file, const GltfDocument& gltf, GltfDraco& draco, const Json& primitive);
 
-    /// Returns whether it is made of triangles: a list, a strip or a fan, and has positions.
+    /// Returns whether the primitive has positions and consists of triangles: a list, a strip or a fan.
     bool hasTriangles() const;
-    /// Returns how its corners make triangles, as glTF numbers it.
+    /// Returns the glTF mode that says how the corners form triangles.
     std::size_t mode() const;
     bool has(const std::string& attribute) const { return m_attributes.contains(attribute); }
 
     struct Numbers
     {
-        LargeBuffer<float> values; ///< vertex after vertex; normalised ones from -1 or 0 to 1
+        LargeBuffer<float> values; ///< vertex by vertex; normalised numbers are from -1 or 0 to 1
         std::size_t components = 0;
     };
-    /// Returns an attribute that it has, of `min` to `max` components.
+    /// Returns the numbers of an attribute with `min` to `max` components. Precondition: has(attribute).
     Numbers numbersOf(const std::string& attribute, int min, int max) const;
-    /// Returns the vertices of its corners, each less than `vertices`. Without indices they follow each other.
+    /// Returns the vertex index of each corner, all less than `vertices`. Without indices the corners are the vertices
+    /// in order.
     LargeBuffer<std::uint32_t> cornersOf(std::size_t vertices) const;
 
 private:
@@ -39,6 +40,6 @@ private:
     const GltfDraco& m_draco;
     const Json& m_primitive;
     const Json& m_attributes;
-    const DracoMesh* m_decoded = nullptr; ///< null: its accessors have all
+    const DracoMesh* m_decoded = nullptr; ///< null: the accessors contain all data
 };
 } // namespace core::io

@@ -1,4 +1,4 @@
-// Reads glTF: the triangles of each primitive with the transforms above it, metres made millimetres.
+// Reads glTF: the triangles of each primitive, transformed by its nodes and converted from metres to mm.
 
 #include "core/io/mesh/gltf_document.h"
 #include "core/io/mesh/gltf_draco.h"
@@ -18,8 +18,8 @@ namespace
 {
 using Json = GltfDocument::Json;
 
-/// The vertices and triangles for each byte of the file at most, since a mesh may stand in a scene many times; and the
-/// number that is always read.
+/// Largest numbers of vertices and triangles for each byte of the file, since a scene may use a mesh many times; and
+/// the number of vertices that is always allowed.
 constexpr std::size_t maxCopies = 16, maxFaceCopies = 32, alwaysTaken = std::size_t(1) << 20;
 constexpr double millimetres = 1000;
 constexpr std::size_t chunkSize = 1 << 15;
@@ -62,7 +62,7 @@ private:
         const GltfPrimitive primitive(m_file, m_gltf, m_draco, json);
         m_hasTargets = m_hasTargets || json.contains("targets");
         if (!primitive.hasTriangles())
-            return; // points and lines
+            return; // points or lines
         const auto first = static_cast<Slot>(m_mesh.points.size());
         const LargeBuffer<float> numbers = primitive.numbersOf("POSITION", 3, 3).values;
         const std::size_t count = numbers.size() / 3;
@@ -103,7 +103,7 @@ private:
         });
     }
 
-    /// Linear, with or without alpha.
+    /// Adds vertex colours, which are linear, with or without alpha.
     void addColors(Slot first, std::size_t count, const GltfPrimitive& primitive)
     {
         const GltfPrimitive::Numbers numbers = primitive.numbersOf("COLOR_0", 3, 4);
@@ -122,7 +122,7 @@ private:
         });
     }
 
-    /// As writeGlb has them.
+    /// Adds masks in the form that writeGlb() writes.
     void addMasks(Slot first, std::size_t count, const GltfPrimitive& primitive)
     {
         const LargeBuffer<float> numbers = primitive.numbersOf("_MASK", 1, 1).values;
@@ -135,7 +135,8 @@ private:
                 static_cast<std::uint8_t>(numbers[i] > 0 ? std::min(numbers[i], 1.0f) * 255 + 0.5f : 0);
     }
 
-    /// `isMirrored`: asked for the places of each triangle's corners.
+    /// Adds triangles. isMirrored(a, b, c) is called with the positions of a triangle's corners in `corners`; mirrored
+    /// triangles are reversed.
     template <class IsMirrored>
     void addTriangles(const LargeBuffer<std::uint32_t>& corners, std::size_t mode, Slot first,
                       const IsMirrored& isMirrored)
@@ -170,7 +171,8 @@ private:
             return;
         const auto isSeam = [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; };
         const auto begin = m_mesh.triangles.begin() + static_cast<std::ptrdiff_t>(before);
-        m_mesh.triangles.erase(std::remove_if(begin, m_mesh.triangles.end(), isSeam), // connects strips
+        // Degenerate triangles that connect strips.
+        m_mesh.triangles.erase(std::remove_if(begin, m_mesh.triangles.end(), isSeam),
                                m_mesh.triangles.end()); // Clang 14, which the fuzzers need, knows no ranges::remove_if
     }
 

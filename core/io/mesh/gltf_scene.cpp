@@ -10,9 +10,10 @@ namespace core::io
 {
 namespace
 {
-constexpr std::size_t maxJoints = 1 << 18; ///< of all skins
+constexpr std::size_t maxJoints = 1 << 18; ///< largest number of joints of all skins
 constexpr int maxDepth = 256;
-constexpr std::size_t alwaysVisited = 1 << 16; ///< nodes, though the file has fewer
+/// Number of node visits that is always allowed, even if the file has fewer nodes.
+constexpr std::size_t alwaysVisited = 1 << 16;
 } // namespace
 
 void GltfScene::forEachMesh(const Eigen::Matrix4d& root, const Visit& visit)
@@ -63,7 +64,7 @@ void GltfScene::visitNode(std::size_t index, const Eigen::Matrix4d& above, int d
     if (depth > maxDepth)
         m_gltf.refuse(FileFault::TooDeep, "nodes");
     const std::size_t max = std::max(alwaysVisited, m_gltf.arrayIn(m_gltf.document(), "nodes").size());
-    if (++m_nodes > max) // they are no tree
+    if (++m_nodes > max) // the nodes do not form a tree
         throw tooMany("nodes", max, errorWithToken({}, m_file, {}));
     const Json& node = m_gltf.element("nodes", index);
     if (!isGltfVisible(m_gltf, node))
@@ -115,7 +116,7 @@ std::span<const Eigen::Matrix4d> GltfScene::jointsOf(std::size_t skin)
     return transforms;
 }
 
-/// Returns the transform from a node to the space that the root leads to.
+/// Returns the transform from a node to the space of `root` in forEachMesh().
 const Eigen::Matrix4d& GltfScene::worldOf(std::size_t node, int depth)
 {
     if (depth > maxDepth)
@@ -150,7 +151,7 @@ std::optional<Eigen::Matrix<double, count, 1>> GltfScene::numbersIn(const Json& 
 Eigen::Matrix4d GltfScene::transformOf(const Json& node) const
 {
     if (const auto matrix = numbersIn<16>(node, "matrix"))
-        return Eigen::Map<const Eigen::Matrix4d>(matrix->data()); // columns first, as glTF has them
+        return Eigen::Map<const Eigen::Matrix4d>(matrix->data()); // column-major, as in glTF
     Eigen::Affine3d transform = Eigen::Affine3d::Identity();
     if (const auto by = numbersIn<3>(node, "translation"))
         transform.translate(*by);

@@ -12,16 +12,17 @@
 
 namespace core::io
 {
-/// The place of a mesh in a scene.
+/// The placement of a mesh in a scene.
 struct GltfPlace
 {
-    Eigen::Matrix4d transform; ///< from the mesh to the scene, unless joints say otherwise
-    /// Holds the transforms from a mesh with a skin to where each joint takes it. They live as long as the GltfScene.
+    Eigen::Matrix4d transform; ///< from the mesh to the scene; not used for vertices bound to joints
+    /// Transforms from a skinned mesh to the scene, one for each joint; empty without a skin. Valid as long as the
+    /// GltfScene exists.
     std::span<const Eigen::Matrix4d> joints;
 };
 
-/// Walks the nodes of a glTF's scene that are visible, and their instances. A file without scenes has those that are no
-/// other node's children; one without nodes, too, has its meshes as they are.
+/// Visits the visible nodes of a glTF's scene, and their instances. Without scenes it visits all nodes that have no
+/// parent; without nodes, too, all meshes untransformed.
 class GltfScene
 {
 public:
@@ -32,8 +33,8 @@ public:
         , m_stopCheck(stopCheck)
     {}
 
-    /// Calls `visit` with each mesh of the scene, as often as it stands in it, and with its place in the space that
-    /// `root` leads to. Joints stand as their nodes do. Throws FileError, and ReadingCancelled.
+    /// Calls `visit` for each use of a mesh in the scene. Placements are in the space that `root` transforms to. Joints
+    /// have the transforms of their nodes. Throws FileError and ReadingCancelled.
     using Visit = std::function<void(std::size_t mesh, const GltfPlace& place)>;
     void forEachMesh(const Eigen::Matrix4d& root, const Visit& visit);
 
@@ -54,10 +55,10 @@ private:
     const FileBytes& m_file;
     const GltfDocument& m_gltf;
     StopCheck& m_stopCheck;
-    std::size_t m_nodes = 0, m_instances = 0, m_joints = 0; ///< numbers so far; joints once for each skin
+    std::size_t m_nodes = 0, m_instances = 0, m_joints = 0; ///< counts so far; the joints of a skin are counted once
     Eigen::Matrix4d m_root = Eigen::Matrix4d::Identity();
-    std::vector<std::optional<std::size_t>> m_parents; ///< of the nodes, once a joint has asked for them
-    std::map<std::size_t, Eigen::Matrix4d> m_worlds;   ///< of the joints and what they hang on, as far as asked for
-    std::map<std::size_t, std::vector<Eigen::Matrix4d>> m_skins; ///< the joints of each, as far as asked for
+    std::vector<std::optional<std::size_t>> m_parents; ///< parent of each node; filled when a joint first needs it
+    std::map<std::size_t, Eigen::Matrix4d> m_worlds;   ///< transforms of joints and their ancestors, cached
+    std::map<std::size_t, std::vector<Eigen::Matrix4d>> m_skins; ///< joint transforms of each skin, cached
 };
 } // namespace core::io

@@ -9,21 +9,21 @@
 
 namespace core::io
 {
-/// Says where the joints of a skin take the vertices of a primitive, by all of its sets of joints. Throws FileError for
-/// bindings that are not as they should be, or too many.
+/// Computes the transforms by which a skin's joints move the vertices of a primitive, from all its joint sets. Throws
+/// FileError if the bindings are not valid or too many.
 class GltfSkinning
 {
 public:
-    /// `joints`: the transforms from the mesh to where each joint takes it; not owned. They may be none.
+    /// `joints`: for each joint the transform from the mesh to the scene; may be empty; not owned.
     GltfSkinning(const FileBytes& file, const GltfDocument& gltf, const GltfPrimitive& primitive,
                  std::span<const Eigen::Matrix4d> joints, std::size_t vertices);
 
     /// Returns whether the primitive is bound to joints.
     bool isBound() const { return !m_bindings.empty(); }
-    /// Returns the mean of the joints' transforms by the vertex's weights; where it has none, that of its first joint,
-    /// or of the skin's where that is none. Precondition: isBound().
+    /// Returns the weighted mean of the transforms of the vertex's joints. Without weights it is the transform of the
+    /// vertex's first joint, or of the skin's first joint if the index is not valid. Precondition: isBound().
     Eigen::Matrix4d transformOf(std::size_t vertex) const;
-    /// Returns whether the mean of the transforms of a triangle's vertices mirrors it. Precondition: isBound().
+    /// Returns whether the mean transform of a triangle's vertices mirrors the triangle. Precondition: isBound().
     bool isMirrored(std::size_t a, std::size_t b, std::size_t c) const;
 
 private:

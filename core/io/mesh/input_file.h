@@ -7,7 +7,7 @@
 
 namespace core::io
 {
-/// A file opened for reading, the same one throughout, whatever the path becomes meanwhile. Throws FileError.
+/// A file opened for reading. It stays the same file even if the path is replaced meanwhile. Throws FileError.
 /// Thread-safe.
 class InputFile
 {
@@ -17,7 +17,7 @@ public:
     InputFile(const InputFile&) = delete;
     InputFile& operator=(const InputFile&) = delete;
 
-    /// How many bytes from `offset` on were read: fewer than asked for only at the file's end.
+    /// Reads bytes from `offset` on and returns their number. It is less than requested only at the file's end.
     std::size_t read(std::uint64_t offset, std::span<char> into) const;
 
 private:

@@ -4,7 +4,7 @@
 
 namespace core::io
 {
-/// The mean of what was added; of nothing, Rgb().
+/// Computes the mean of added colours; Rgb() if there are none.
 struct MeanColor
 {
     std::array<std::uint32_t, 3> sum{};

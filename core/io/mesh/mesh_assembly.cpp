@@ -9,13 +9,14 @@ namespace core::io
 {
 namespace
 {
-/// The vertices and triangles for each byte of the file at most, and the number that is always taken.
+/// Largest numbers of vertices and triangles for each byte of the file; and the number of vertices that is always
+/// allowed.
 constexpr std::size_t maxVertexCopies = 16, maxFaceCopies = 32, alwaysTaken = std::size_t(1) << 20;
 } // namespace
 
 void removeUnusedVertices(TriangleMesh& mesh)
 {
-    std::vector<Slot> places(mesh.points.size(), 0); // first 1 for those in use, then where they go
+    std::vector<Slot> places(mesh.points.size(), 0); // at first 1 for used vertices, later the new index of each vertex
     for (const Triangle& triangle : mesh.triangles)
         for (const Slot corner : triangle)
             places[corner] = 1;

@@ -6,22 +6,23 @@
 
 namespace core::io
 {
-/// Removes the vertices that no triangle names; those that stay keep their order. Precondition: as of
+/// Removes the vertices that no triangle uses; the others keep their order. Precondition: the mesh is as required by
 /// MeshAssembly::add().
 void removeUnusedVertices(TriangleMesh& mesh);
 
-/// Copies of a file's meshes, put to their places, as one mesh. A file may place a mesh very often, so that there is a
-/// limit: 16 vertices and 32 triangles for each byte of the file, or a million and two million if that is more.
+/// Joins placed copies of a file's meshes to one mesh. A file may place a mesh very often. The result is therefore
+/// limited to 16 vertices and 32 triangles for each byte of the file, or to about a million and two million if that is
+/// more.
 class MeshAssembly
 {
 public:
     explicit MeshAssembly(const FileBytes& file);
 
-    /// Precondition: the indices of `mesh` are in range; its colours are one for each point, or none. `transform` is
-    /// for columns; a mirrored copy is turned, so that its outside stays outside. Throws FileError: TooManyElements,
-    /// and NotANumber for a point that is not finite.
+    /// Adds a copy of the mesh. `transform` applies to column vectors. A mirrored copy has its triangles reversed, so
+    /// that its outside stays outside. Precondition: the indices of `mesh` are in range; it has one colour for each
+    /// point, or none. Throws FileError: TooManyElements, or NotANumber if a point is not finite.
     void add(const TriangleMesh& mesh, const Eigen::Matrix4d& transform);
-    /// Returns the mesh, and leaves none. Vertices that have no colour get the default one where others have theirs.
+    /// Returns the mesh and leaves this object empty. If some vertices have colours, the others get the default colour.
     TriangleMesh take();
 
 private:

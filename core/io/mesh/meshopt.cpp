@@ -1,4 +1,4 @@
-// Source: Khronos, EXT_meshopt_compression and the draft of KHR_meshopt_compression.
+// Sources: Khronos, EXT_meshopt_compression and the draft of KHR_meshopt_compression.
 #include "core/io/mesh/meshopt.h"
 
 namespace core::io
@@ -29,7 +29,7 @@ std::string_view MeshoptBytes::take(std::size_t size)
     return taken;
 }
 
-/// Base 128, the lowest digit first; each digit but the last one has its highest bit set.
+/// Reads an integer in base 128, lowest digit first. All bytes except the last have their highest bit set.
 std::uint32_t MeshoptBytes::varint()
 {
     std::uint32_t value = 0;

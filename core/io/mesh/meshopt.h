@@ -6,29 +6,29 @@
 
 namespace core::io
 {
-/// A buffer view's data as EXT_meshopt_compression and KHR_meshopt_compression pack them.
+/// A buffer view compressed with EXT_meshopt_compression or KHR_meshopt_compression.
 struct MeshoptView
 {
     enum class Mode { Attributes, Triangles, Indices };
     enum class Filter { None, Octahedral, Quaternion, Exponential, Color };
 
-    std::string_view data; ///< packed
+    std::string_view data; ///< compressed
     Mode mode = Mode::Attributes;
     Filter filter = Filter::None;
-    std::size_t count = 0;  ///< elements
-    std::size_t stride = 0; ///< bytes of an element: of attributes a multiple of 4 up to 256, of indices 2 or 4
-    std::string name;       ///< of the view, for errors
+    std::size_t count = 0;  ///< number of elements
+    std::size_t stride = 0; ///< bytes of an element: for attributes a multiple of 4 up to 256, for indices 2 or 4
+    std::string name;       ///< name of the view, for errors
 };
 
-/// The most bytes that one packed byte can stand for.
+/// Largest number of bytes that one compressed byte can produce.
 inline constexpr std::size_t maxMeshoptRatio = 1024;
 
-/// Returns the view's elements, unpacked and filtered. Precondition: count, stride and filter are as the extensions
-/// allow them. Throws FileError::Malformed: CompressedCut if the data end too early, else CompressedWrong. Memory:
+/// Returns the view's elements, unpacked and filtered. Precondition: count, stride and filter are allowed by the
+/// extensions. Throws FileError::Malformed: CompressedCut if the data end too early, else CompressedWrong. Memory:
 /// twice the result.
 std::string meshoptUnpacked(const FileBytes& file, const MeshoptView& view);
 
-/// Bytes that are read one after the other. Throws as meshoptUnpacked().
+/// Reads bytes one after the other. Throws as meshoptUnpacked().
 class MeshoptBytes
 {
 public:
@@ -41,9 +41,9 @@ public:
     std::string_view take(std::size_t size);
     std::uint8_t byte() { return static_cast<std::uint8_t>(take(1).front()); }
     std::uint32_t varint();
-    /// Cuts `size` bytes off the end.
+    /// Removes `size` bytes from the end and returns them.
     std::string_view takeTail(std::size_t size);
-    /// Throws if any is left.
+    /// Throws CompressedWrong if bytes are left.
     void requireEnd() const;
     [[noreturn]] void refuse(FileFault fault) const;
 
@@ -53,7 +53,7 @@ private:
     std::string_view m_rest;
 };
 
-/// Steps of meshoptUnpacked(), which chooses among them.
+/// Unpack one mode each, and apply the filter; called by meshoptUnpacked().
 std::string meshoptAttributes(const FileBytes& file, const MeshoptView& view);
 std::string meshoptTriangles(const FileBytes& file, const MeshoptView& view);
 std::string meshoptIndices(const FileBytes& file, const MeshoptView& view);

@@ -1,4 +1,5 @@
-// Source: KHR_meshopt_compression, appendix A, mode 0, versions 0 and 1; version 0 is that of EXT_meshopt_compression.
+// Source: KHR_meshopt_compression, appendix A, mode 0, versions 0 and 1. Version 0 is also that of
+// EXT_meshopt_compression.
 #include "core/io/mesh/meshopt.h"
 
 #include <algorithm>
@@ -20,8 +21,8 @@ std::uint8_t& byteAt(char* bytes, std::size_t at)
     return reinterpret_cast<std::uint8_t*>(bytes)[at];
 }
 
-/// Unpacks the elements block by block; within a block, all deltas of the elements' first bytes, then those of the
-/// second ones, and so on.
+/// Unpacks the elements block by block. A block contains the deltas of the first byte of all its elements, then those
+/// of the second byte, and so on.
 class AttributeReader
 {
 public:
@@ -88,7 +89,7 @@ private:
             readGroup(widths[static_cast<std::uint8_t>(header[i / 4]) >> 2 * (i % 4) & 3], into + i * groupSize);
     }
 
-    /// Deltas that do not fit into their few bits follow as bytes.
+    /// Unpacks the deltas of 16 elements. A delta that does not fit into `width` bits follows as a byte.
     void readGroup(int width, std::uint8_t* into)
     {
         const std::string_view packed = m_bytes.take(groupSize * static_cast<std::size_t>(width) / 8);
@@ -105,7 +106,8 @@ private:
         }
     }
 
-    /// Makes numbers of four bytes' deltas: of `size` elements, the first of which is at `into`.
+    /// Adds deltas to four bytes of each element, as integers of 1, 2 or 4 bytes. `size`: number of elements; `into`:
+    /// the first one.
     void addDeltas(std::size_t channel, std::size_t size, char* into)
     {
         const std::uint8_t how = m_channels[channel];
@@ -138,9 +140,10 @@ private:
     std::size_t m_count, m_stride;
     MeshoptBytes m_bytes;
     bool m_isFirstVersion = false;
-    std::array<std::uint8_t, maxStride> m_last{};         ///< the element before
-    std::array<std::uint8_t, maxStride / 4> m_channels{}; ///< how the deltas of four bytes each are meant
-    std::array<std::array<std::uint8_t, maxBlock>, maxStride> m_deltas{}; ///< of a block, by byte and element
+    std::array<std::uint8_t, maxStride> m_last{};         ///< the previous element
+    std::array<std::uint8_t, maxStride / 4> m_channels{}; ///< for each group of four bytes: how to combine deltas
+    /// Deltas of a block, indexed by byte and element.
+    std::array<std::array<std::uint8_t, maxBlock>, maxStride> m_deltas{};
 };
 } // namespace
 

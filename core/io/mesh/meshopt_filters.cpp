@@ -1,4 +1,4 @@
-// Source: KHR_meshopt_compression, appendix B; but for Color its filters are those of EXT_meshopt_compression.
+// Source: KHR_meshopt_compression, appendix B. All filters except Color are also those of EXT_meshopt_compression.
 #include "core/io/mesh/binary.h"
 #include "core/io/mesh/meshopt.h"
 
@@ -20,7 +20,8 @@ template <class Number> std::array<Number, 4> fourAt(const char* at)
     return four;
 }
 
-/// Stores a number that the file's data may have made too large, or none: then 0.
+/// Stores a number rounded and clamped to its type. Damaged data may produce numbers that are too large or NaN; NaN and
+/// infinity are stored as 0.
 template <class Number> void storeRounded(double value, char* at)
 {
     constexpr double min = std::numeric_limits<Number>::min(), max = std::numeric_limits<Number>::max();
@@ -28,7 +29,8 @@ template <class Number> void storeRounded(double value, char* at)
     store(at, rounded);
 }
 
-/// Signed and normalised: a direction by two numbers on an octahedron, 1 in the same precision, and what stays.
+/// Decodes a unit vector from two octahedral coordinates. The third input is the value of 1 in their precision; the
+/// fourth is unchanged. All are signed and normalised.
 template <class Number> void filterOctahedral(char* at)
 {
     const auto in = fourAt<Number>(at);
@@ -43,20 +45,20 @@ template <class Number> void filterOctahedral(char* at)
     storeRounded<Number>(z * scale, at + 2 * sizeof(Number));
 }
 
-/// Three components without the largest, times the root of two; then 1 in their precision, with two bits that say
-/// which the largest is.
+/// Decodes a unit quaternion from its three smaller components, multiplied by the square root of 2. The fourth input is
+/// the value of 1 in their precision; its two lowest bits are the index of the largest component.
 void filterQuaternion(char* at)
 {
     const auto in = fourAt<std::int16_t>(at);
     const double one = in[3] | 3, range = std::sqrt(0.5);
     const double x = in[0] / one * range, y = in[1] / one * range, z = in[2] / one * range;
     const double w = std::sqrt(std::max(0.0, 1 - x * x - y * y - z * z));
-    std::size_t place = static_cast<unsigned>(in[3]) & 3; // first of the largest
+    std::size_t place = static_cast<unsigned>(in[3]) & 3; // index of the largest component
     for (const double component : {w, x, y, z})
         storeRounded<std::int16_t>(component * 32767, at + 2 * (place++ % 4));
 }
 
-/// A signed exponent of 8 bits above a signed mantissa of 24.
+/// Decodes a float from a signed 8-bit exponent in the high bits and a signed 24-bit mantissa.
 void filterExponential(char* at)
 {
     const auto bits = load<std::int32_t>(at, std::endian::little);
@@ -65,7 +67,8 @@ void filterExponential(char* at)
     store(at, static_cast<float>(std::ldexp(static_cast<double>(mantissa), exponent)));
 }
 
-/// Luma, two chromas, and alpha below a bit that tells the precision; made red, green, blue, alpha.
+/// Converts luma and two chroma values to red, green and blue. The fourth value has the alpha below a bit that marks
+/// the precision.
 template <class Number> void filterColor(char* at)
 {
     const auto in = fourAt<std::make_signed_t<Number>>(at);

@@ -1,4 +1,4 @@
-// Source: KHR_meshopt_compression, appendix A, modes 1 and 2, which are those of EXT_meshopt_compression.
+// Source: KHR_meshopt_compression, appendix A, modes 1 and 2, which are also those of EXT_meshopt_compression.
 #include "core/io/mesh/meshopt.h"
 
 #include <array>
@@ -13,7 +13,7 @@ std::uint32_t withoutZigzag(std::uint32_t value)
     return (value & 1) != 0 ? ~(value >> 1) : value >> 1;
 }
 
-/// Gathers indices of 2 or 4 bytes.
+/// Collects indices of 2 or 4 bytes.
 class IndexWriter
 {
 public:
@@ -37,12 +37,12 @@ private:
     std::string m_indices;
 };
 
-/// The last sixteen that were added.
+/// The last sixteen entries that were added.
 template <class Entry> class Fifo
 {
 public:
     void add(const Entry& entry) { m_entries[m_next++ % m_entries.size()] = entry; }
-    /// Returns nothing if there were not so many. 0: the latest.
+    /// Returns the entry of this age, 0 for the latest; nothing if fewer were added.
     std::optional<Entry> at(std::size_t age) const
     {
         return age < m_next ? std::optional(m_entries[(m_next - 1 - age) % m_entries.size()]) : std::nullopt;
@@ -96,7 +96,7 @@ private:
 
     std::uint32_t explicitIndex() { return m_last += withoutZigzag(m_bytes.varint()); }
 
-    /// Reads a triangle at an edge of one before. `what`: where its third corner comes from.
+    /// Reads a triangle that shares an earlier edge. `what`: code of the source of its third corner.
     void readAtEdge(std::size_t edge, unsigned what)
     {
         const auto [a, b] = required(m_edges.at(edge));
@@ -112,7 +112,7 @@ private:
         add(a, b, c);
     }
 
-    /// Reads a triangle that shares no edge. `pair`: where its second and third corner come from.
+    /// Reads a triangle that shares no edge. `pair`: codes of the sources of its second and third corner.
     void readAlone(unsigned code, unsigned pair)
     {
         if (code >= 0xfe && pair == 0)
@@ -146,7 +146,8 @@ private:
     std::size_t m_count;
     MeshoptBytes m_bytes;
     IndexWriter m_writer;
-    std::uint32_t m_next = 0, m_last = 0; ///< the next new index; the latest that stood in the data
+    /// M_next: the next unused index; m_last: the latest index written explicitly.
+    std::uint32_t m_next = 0, m_last = 0;
     Fifo<std::array<std::uint32_t, 2>> m_edges;
     Fifo<std::uint32_t> m_vertices;
 };

@@ -12,7 +12,8 @@ const char* afterPlus(std::string_view word)
     return word.data() + (word.size() > 1 && word[0] == '+' && word[1] != '-' ? 1 : 0);
 }
 
-/// A number beyond float32's range: rounds to zero or a denormal, or is infinite (NaN returned).
+/// Parses a number outside float32's range. Returns zero or a denormal for a tiny number, NaN for one that is too
+/// large.
 float farNumber(std::string_view word)
 {
     double value = 0;

@@ -6,8 +6,8 @@
 
 namespace core::io
 {
-/// A decimal number, a plus before it or not, and nothing else; in any locale. Rounded to the nearest. Empty: none, or
-/// not finite.
+/// Parses a decimal number, with or without a leading plus, in the C locale. The word must contain nothing else. Rounds
+/// to the nearest value. Returns nothing if it is not a number or not finite.
 std::optional<float> parseFloat(std::string_view word);
 std::optional<double> parseDouble(std::string_view word);
 std::optional<std::int64_t> parseInteger(std::string_view word);

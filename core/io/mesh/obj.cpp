@@ -1,5 +1,6 @@
-// OBJ: the lines v (with colour, if any) and f, which is fo in old files; all others are passed over, materials,
-// free-form surfaces and calls of other files with a remark. Faces may name vertices that come later.
+// OBJ: reads the lines v (with colour, if any) and f, which is fo in old files. All other lines are ignored; materials,
+// free-form surfaces and calls of other files are recorded in the remarks. Faces may use vertices that are defined
+// later.
 
 #include "core/io/mesh/palette.h"
 #include "core/io/mesh/polygons.h"
@@ -51,13 +52,13 @@ private:
         else if (keyword == "mtllib" || keyword == "usemtl")
             m_remarks.materials = true;
         else if (keyword == "call" || keyword == "surf" || keyword == "bsp" || keyword == "bzp" ||
-                 keyword == "cdp") // the last three stand in old files
+                 keyword == "cdp") // the last three occur in old files
             ++m_remarks.unreadNodes;
         else if (keyword == "o")
             ++m_remarks.objects;
     }
 
-    /// v x y z, with or without a weight, with or without r g b.
+    /// Reads v x y z, with or without a weight and with or without r g b.
     void readVertex()
     {
         std::array<float, 7> numbers;
@@ -82,7 +83,7 @@ private:
         if (m_faces.cornersOfOpenFace() < 3) {
             if (m_text.atFileEnd())
                 m_text.fail(FileErrorKind::CutOff, {});
-            m_faces.dropOpenFace(); // a point or an edge
+            m_faces.dropOpenFace(); // only a point or an edge
             ++m_remarks.facesOfFewer;
             return;
         }
@@ -93,7 +94,7 @@ private:
         m_faces.endFace();
     }
 
-    /// v, v/vt, v//vn or v/vt/vn. Counted from 1, or, negative, back from the last vertex so far.
+    /// Reads v, v/vt, v//vn or v/vt/vn. Indices start at 1; negative ones count back from the latest vertex.
     Slot readCorner()
     {
         const std::string_view word = m_text.word();
@@ -122,7 +123,7 @@ private:
             refuseIndex(m_largestWord);
     }
 
-    /// Colours are written from 0 to 1; by some programs to 255.
+    /// Converts the colours to bytes. They are from 0 to 1; some programs write them from 0 to 255.
     void makeColors()
     {
         if (m_colors.empty())
@@ -147,7 +148,7 @@ private:
     TextScanner m_text;
     StopCheck m_stopCheck;
     TriangleMesh m_mesh;
-    std::vector<RawColor> m_colors; ///< as in the file; shorter than the points while none came since
+    std::vector<RawColor> m_colors; ///< values in the file; shorter than the points until the next coloured vertex
     Polygons m_faces;
     ReadRemarks m_remarks{.objects = 0};
     std::int64_t m_largest = -1;

@@ -1,7 +1,8 @@
-// Source: Geomview's manual, OFF files: line ends are blanks like any other, but for that of a face's colour.
-// OFF and COFF: a header with the counts, a vertex a line (with normal or colour, if the header says so), a face a
-// line or over several, whose colour is passed over. A file that cannot be read so is read in other layouts: a
-// vertex, a face or both begin wherever the one before it ends. Comments stand anywhere. off_binary.h reads BINARY.
+// Source: Geomview's manual, OFF files. Line ends are blanks like any other, except after a face's colour. A file has a
+// header with the counts, then the vertices (with normal or colour, if the keyword says so), then the faces. Usually a
+// vertex is one line, and a face begins a line; a face's colour is ignored. If a file cannot be read so, other layouts
+// are tried. In those, vertices, faces or both begin right after the preceding one. Comments may be anywhere.
+// off_binary.h reads BINARY.
 
 #include "core/io/mesh/number_parsing.h"
 #include "core/io/mesh/off_binary.h"
@@ -20,34 +21,35 @@ namespace core::io
 {
 namespace
 {
-/// A vertex takes at least "0 0 0\n" of a file, a face "1 0\n".
+/// Smallest sizes in bytes: a vertex takes at least "0 0 0\n", a face "1 0\n".
 constexpr std::size_t minVertex = 6, minFace = 4;
 
 using RawColor = std::array<float, 3>;
 constexpr RawColor noColor{-1, -1, -1};
 
-/// Says what begins a line, behind which more may stand. Other elements begin where the one before them ends.
+/// States whether vertices and faces begin new lines, whose ends may have further words. Otherwise an element begins
+/// right after the preceding one.
 struct Layout
 {
     bool ofVertices, ofFaces;
-    std::size_t components = 4; ///< the components of a vertex's colour; by lines it may have 3 or 4
+    std::size_t components = 4; ///< components of a vertex's colour; if vertices begin lines, 3 or 4 are accepted
 };
 
-/// Lists the layouts that are tried.
+/// The layouts in the order in which they are tried.
 constexpr std::array<Layout, 6> layouts{
     {{true, true}, {false, false}, {false, true}, {false, false, 3}, {false, true, 3}, {true, false}}};
 
-/// Tells how well a layout fits a file that cannot be read; the larger, the better.
+/// A measure of how well a layout fits a file that could not be read with it; larger is better.
 struct Fit
 {
-    bool hasItsLines = true;  ///< or it ran out of lines, the first of which holds more than one vertex
-    std::size_t elements = 0; ///< that were read
-    bool isWhole = true;      ///< or the file ended too early for it
+    bool hasItsLines = true;  ///< false: the file has too few lines, and the first one contains several vertices
+    std::size_t elements = 0; ///< number of elements that were read
+    bool isWhole = true;      ///< false: the file ended before all elements were read
 
     auto operator<=>(const Fit&) const = default;
 };
 
-/// Returns the number of words that follow on the line.
+/// Returns the number of further words on the line.
 std::size_t wordsOnLine(TextScanner text)
 {
     std::size_t words = 0;
@@ -88,13 +90,13 @@ public:
         if (m_lines.ofFaces)
             m_text.nextLine();
         if ((!m_lines.ofVertices || !m_lines.ofFaces) && parseDouble(m_text.wordAnywhere()))
-            m_text.fail(FileErrorKind::CutOff, {}); // a number is left: others stand for something else, too
+            m_text.fail(FileErrorKind::CutOff, {}); // a number is left over: the numbers before it were misinterpreted
         m_mesh.triangles = m_faces.triangles(m_mesh.points, m_stopCheck, m_remarks);
         makeColors();
         return {std::move(m_mesh), m_remarks};
     }
 
-    /// Returns how well the layout fits, after read() failed with such an error.
+    /// Returns how well the layout fits, after read() failed with this error.
     Fit fit(const FileError& error) const
     {
         const bool isCut = error.kind == FileErrorKind::CutOff;
@@ -102,8 +104,8 @@ public:
     }
 
 private:
-    /// Takes ST, C and N in this order, each if present, and the number of coordinates behind nOFF, which must be
-    /// three. 4OFF has others.
+    /// Reads the keyword: ST, C and N in this order, each optional, then OFF. nOFF is followed by the number of
+    /// coordinates, which must be three. 4OFF is refused.
     void readKeyword()
     {
         const std::string_view keyword = nextWord();
@@ -149,7 +151,7 @@ private:
         return static_cast<std::size_t>(count);
     }
 
-    /// Skips the number of edges, which stands on this line, or alone on the next. Many programs leave it out.
+    /// Skips the number of edges, which is on this line or alone on the next. Many programs omit it.
     void skipEdges()
     {
         TextScanner ahead = m_text;
@@ -162,7 +164,7 @@ private:
             m_text.wordAnywhere();
     }
 
-    /// Goes to the next line with words that are not a comment if what comes next begins a line.
+    /// Begins an element. If `line` is true, moves to the next line that has words.
     void begin(bool line)
     {
         m_stopCheck();
@@ -180,7 +182,7 @@ private:
         for (float& x : point)
             x = m_text.toNumber(nextWord());
         for (std::size_t i = point.size(); i < m_coordinates; ++i)
-            nextWord(); // whatever it is
+            nextWord(); // a coordinate of the normal, ignored
         if (m_hasColors && (!m_lines.ofVertices || !m_text.atLineEnd()))
             readColor();
         for (int i = 0; i < 2 && m_hasTexture && !m_lines.ofVertices; ++i)
@@ -190,7 +192,7 @@ private:
             m_linesAreShared = wordsOnLine(m_text) >= m_coordinates + (m_hasColors ? 3 : 0) + (m_hasTexture ? 2 : 0);
     }
 
-    /// r g b, with or without a. Kept as it stands until it is known whether they go to 1 or to 255.
+    /// Reads r g b, with or without a. Values are kept as written until it is known whether their maximum is 1 or 255.
     void readColor()
     {
         m_colors.resize(m_mesh.points.size(), noColor);
@@ -259,10 +261,10 @@ private:
     StopCheck m_stopCheck;
     Layout m_lines;
     bool m_hasColors = false, m_hasTexture = false;
-    bool m_linesAreShared = false; ///< the first vertex, of which a line is to begin, is followed by another there
-    std::size_t m_coordinates = 3; ///< of a vertex, before its colour
+    bool m_linesAreShared = false; ///< the line of the first vertex contains a further vertex
+    std::size_t m_coordinates = 3; ///< numbers of a vertex before its colour: 3, or 6 with a normal
     TriangleMesh m_mesh;
-    std::vector<RawColor> m_colors; ///< as in the file; shorter than the points while none came since
+    std::vector<RawColor> m_colors; ///< values in the file; shorter than the points until the next coloured vertex
     bool m_hasFractions = false;
     float m_largest = 0;
     Polygons m_faces;

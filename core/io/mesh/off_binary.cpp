@@ -1,5 +1,5 @@
-// Source: Geomview manual, OFF files (big-endian, colour components counted); what other programs write was learnt from
-// their files.
+// Sources: Geomview manual, OFF files (big-endian, with counts of colour components); the variants of other programs
+// were derived from their files.
 #include "core/io/mesh/off_binary.h"
 
 #include "core/io/mesh/binary.h"
@@ -19,10 +19,10 @@ struct Dialect
 {
     std::endian order;
     bool countsComponents;  ///< a number of colour components follows each face
-    std::size_t components; ///< the components of a vertex's colour
+    std::size_t components; ///< number of components of a vertex's colour
 };
 
-/// Reads numbers of 32 bits, one after the other. Throws FileError.
+/// Reads 32-bit numbers one after the other. Throws FileError.
 class NumberInput
 {
 public:
@@ -43,7 +43,8 @@ public:
         return number;
     }
 
-    /// Reads the number of elements of at least so many bytes each. `what`: their name in an error.
+    /// Reads the number of elements, each of which has at least `bytesEach` bytes. `what`: name of the elements, for
+    /// errors.
     std::size_t count(std::string_view what, std::size_t max, std::size_t bytesEach)
     {
         const std::uint32_t number = whole();
@@ -186,8 +187,8 @@ private:
 
 ReadResult BinaryOff::read() const
 {
-    std::optional<BodyReader> withRest; // the first that leaves only some bytes behind the model
-    std::optional<FileError> problem;   // the problem of the reading that came furthest
+    std::optional<BodyReader> withRest; // the first dialect that leaves only some bytes after the model
+    std::optional<FileError> problem;   // the error of the dialect that read furthest
     std::size_t leastLeft = 0;
     for (const std::endian order : {std::endian::big, std::endian::little})
         for (const bool countsComponents : {true, false})

@@ -4,10 +4,11 @@
 
 namespace core::io
 {
-/// The body of an OFF file whose keyword BINARY follows: it begins at `body`. Whole numbers and floats of 32 bits; per
-/// vertex a point, a normal and a colour where the keyword says so. Programs differ in the byte order (the format's is
-/// big-endian), in whether a number of colour components follows each face (the format's does), and in whether a colour
-/// has four components (the format's) or three. The first of these that fits all of the file is taken.
+/// The body of an OFF file with the keyword BINARY; `body` points to its first byte. It consists of 32-bit integers and
+/// floats: for each vertex a point, and a normal and a colour if the keyword says so. Programs differ in three ways.
+/// The byte order is big-endian in the standard. A number of colour components follows each face in the standard. A
+/// colour has four components in the standard, else three. The first combination that reads the whole file is used; if
+/// none does, the first that leaves only bytes at the end.
 struct BinaryOff
 {
     const FileBytes& file;

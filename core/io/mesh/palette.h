@@ -12,13 +12,14 @@ namespace core::io
 {
 inline constexpr std::size_t maxPaletteColors = 64;
 
-/// "c86e50".
+/// Returns the colour as text, for example "c86e50".
 std::string hexOf(const Rgb& color);
-/// Of nothing but six hexadecimal digits.
+/// Returns the colour of a text of exactly six hexadecimal digits; nothing for any other text.
 std::optional<Rgb> colorOf(std::string_view word);
 
-/// "fettle palette c86e50 8a5a3c", for a comment of its own among a file's first lines.
+/// Returns for example "fettle palette c86e50 8a5a3c", to be written as a comment near the start of a file.
 std::string paletteWords(std::span<const Rgb> palette);
-/// Of such a comment in the start of a file; empty if there is none, or it is not as we write it.
+/// Returns the palette in such a comment near the start of a file. Empty if there is none or it does not have the form
+/// of paletteWords().
 std::vector<Rgb> paletteIn(std::string_view start);
 } // namespace core::io

@@ -1,5 +1,5 @@
-// Reads PLY: the header announces elements and their properties. Vertices, faces and triangle strips are read, other
-// elements skipped.
+// Reads PLY. The header declares elements and their properties. Vertices, faces and triangle strips are read; other
+// elements are skipped.
 
 #include "core/io/mesh/palette.h"
 #include "core/io/mesh/ply_source.h"
@@ -79,7 +79,7 @@ template <typename Source> std::uint8_t readColor(Source& source, PlyType type)
     return static_cast<std::uint8_t>(std::clamp<std::int64_t>(value, 0, 255));
 }
 
-/// Takes faces of three corners where they belong; what a face has beyond that is not taken.
+/// Stores faces of three corners directly at their final places; further corners are ignored.
 class TriangleRows
 {
 public:
@@ -135,11 +135,11 @@ public:
     }
 
 private:
-    /// Before anything is allocated by a count, the file must be long enough for it.
+    /// Throws CutOff if the file is too short for the declared count, before memory is allocated for it.
     void requireRoom(const PlyElement& element) const
     {
         const std::uint64_t min = element.minSize(m_header.encoding), left = m_source.bytesLeft() + 1;
-        if (min != 0 && element.count > left / min) { // one byte more: the last line may have no end
+        if (min != 0 && element.count > left / min) { // one byte more, because the last line may have no end
             const bool isCountable = element.count <= ~std::uint64_t(0) / min;
             throw withCounts(errorAtByte(FileErrorKind::CutOff, m_file, m_file.bytes.data() + m_file.bytes.size()),
                              isCountable ? element.count * min : ~std::uint64_t(0), left - 1);
@@ -214,7 +214,7 @@ private:
         }
     }
 
-    /// Reads an element of triangle strips. Each list is a strip; the index -1 ends one and begins the next.
+    /// Reads an element of triangle strips. Each list is a strip; the index -1 ends it and begins another.
     void readStrips(const PlyElement& element)
     {
         requireFew(m_file, element, "triangle strips", maxFaces);
@@ -256,8 +256,8 @@ private:
         return count;
     }
 
-    /// On all cores. False, and nothing is changed, if not all faces have as many corners as the first, or if anything
-    /// is wrong.
+    /// Reads faces of fixed size on all cores. Returns false and changes nothing if the faces differ in their number of
+    /// corners, or if anything is wrong.
     bool readFacesInRows(const PlyElement& element, const std::vector<Role>& roles)
     {
         if (std::ranges::count_if(element.properties, &PlyProperty::isList) != 1 || element.count == 0 ||
@@ -308,11 +308,11 @@ private:
             m_source.skip(PlyType::Uint8, element.count * size);
             return true;
         } catch (const FileError&) {
-            return false; // who reads it face by face says where
+            return false; // reading face by face will report the place of the error
         }
     }
 
-    /// Adds the face. Returns false, and adds nothing, if it is a point or an edge.
+    /// Adds a face. Returns false and adds nothing if it is a point or an edge.
     template <typename Faces>
     bool readFace(Source& source, const PlyElement& element, const std::vector<Role>& roles, Faces& faces) const
     {
@@ -367,7 +367,7 @@ private:
 
     FileBytes m_file;
     const PlyHeader& m_header;
-    std::uint64_t m_vertices = 0; ///< as announced
+    std::uint64_t m_vertices = 0; ///< number of vertices that the header declares
     Source m_source;
     StopCheck m_stopCheck;
     TriangleMesh m_mesh;

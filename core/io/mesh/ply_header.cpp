@@ -48,7 +48,7 @@ public:
                 readElement(line);
             else if (keyword == "property")
                 readProperty();
-        } // else it is a comment, or an unknown keyword
+        } // other lines are comments or unknown keywords
         if (!hasFormat)
             m_text.fail(FileFault::Keyword, {}, "format");
         m_text.nextLine();
@@ -117,14 +117,14 @@ private:
     const FileBytes& m_file;
     TextScanner m_text;
     PlyHeader m_header;
-    bool m_linesEndBackwards; ///< \n\r: the last one's second byte is no part of the body
+    bool m_linesEndBackwards; ///< line ends are \n\r: the last line's second byte does not belong to the body
 };
 } // namespace
 
 std::uint64_t PlyElement::minSize(PlyEncoding encoding) const
 {
     if (encoding == PlyEncoding::Ascii)
-        return 2 * properties.size(); // a digit and a blank each
+        return 2 * properties.size(); // a digit and a blank for each property
     return std::accumulate(
         properties.begin(), properties.end(), std::uint64_t(0),
         [](std::uint64_t sum, const PlyProperty& p) { return sum + sizeOf(p.countType.value_or(p.type)); });

@@ -23,9 +23,9 @@ constexpr bool isWhole(PlyType type)
 
 struct PlyProperty
 {
-    std::string_view name; ///< part of the file
+    std::string_view name; ///< view into the file
     PlyType type = PlyType::Float;
-    std::optional<PlyType> countType; ///< of a list
+    std::optional<PlyType> countType; ///< type of the length, if the property is a list
 
     bool isList() const { return countType.has_value(); }
 };
@@ -33,11 +33,11 @@ struct PlyProperty
 struct PlyElement
 {
     std::string_view name;
-    std::uint64_t count = 0; ///< as announced: nothing is known yet about the file's having so many
+    std::uint64_t count = 0; ///< as declared; not yet checked against the file's size
     std::vector<PlyProperty> properties;
-    const char* line = nullptr; ///< where it is announced
+    const char* line = nullptr; ///< where the element is declared
 
-    /// The fewest bytes that one of it takes.
+    /// Returns the smallest size of one element in bytes.
     std::uint64_t minSize(PlyEncoding encoding) const;
 };
 
@@ -50,6 +50,6 @@ struct PlyHeader
     const PlyElement* find(std::string_view name) const;
 };
 
-/// Each element's name comes once. Throws FileError.
+/// Parses the header. Each element name occurs once. Throws FileError.
 PlyHeader readPlyHeader(const FileBytes& file);
 } // namespace core::io

@@ -8,7 +8,7 @@
 
 namespace core::io
 {
-/// The body of a PLY file, value by value. Two sources with one interface.
+/// Reads the body of a text PLY file value by value. PlyBinarySource has the same interface.
 class PlyTextSource
 {
 public:
@@ -18,7 +18,7 @@ public:
 
     std::uint64_t bytesLeft() const { return static_cast<std::uint64_t>(fileEnd() - m_text.position()); }
 
-    /// Reads text. An element is a line, but its lists may go on on the next.
+    /// Moves to the next element's line. Lists may continue on further lines.
     void beginElement()
     {
         while (m_text.atLineEnd())
@@ -30,11 +30,11 @@ public:
         for (; !m_text.atLineEnd(); m_text.word())
             m_hasMore = true;
     }
-    /// Returns whether any element so far had more values than the header says.
+    /// Returns whether any element so far had more values than the header declares.
     bool hasMore() const { return m_hasMore; }
 
     std::int64_t whole(PlyType) { return m_text.toInteger(m_last = m_text.word()); }
-    std::int64_t listed(PlyType) { return m_text.toInteger(m_last = m_text.wordAnywhere()); } ///< one of a list
+    std::int64_t listed(PlyType) { return m_text.toInteger(m_last = m_text.wordAnywhere()); } ///< an item of a list
     float number(PlyType) { return m_text.toNumber(m_last = m_text.word()); }
     void skip(PlyType, std::uint64_t count)
     {
@@ -43,7 +43,7 @@ public:
                 m_text.fail(FileFault::Number, {});
     }
 
-    /// About the value read last.
+    /// Throws an error about the value read last.
     [[noreturn]] void fail(FileErrorKind kind, std::uint64_t expected = 0, std::string_view token = {}) const
     {
         throw withCounts(errorAt(kind, token), expected);
@@ -67,8 +67,8 @@ private:
 class PlyBinarySource
 {
 public:
-    /// Elements without lists, or with lists of one length, have one size: each can be found without reading those
-    /// before it.
+    /// Elements without lists, or with lists of equal length, have a fixed size. Each can be located without reading
+    /// the preceding ones.
     static constexpr bool hasRows = true;
 
     PlyBinarySource(const FileBytes& file, const PlyHeader& header)

@@ -23,8 +23,7 @@ void appendQuad(std::vector<Triangle>& triangles, const FlatPolygon& polygon, st
     }
 }
 
-/// Drops a polygon's corners that equal the one before, and the tips of slits: paths that go somewhere and straight
-/// back.
+/// Removes corners of a polygon that equal the preceding one, and slits: paths that lead to a point and straight back.
 class CleanRing
 {
 public:
@@ -39,7 +38,7 @@ public:
         }
     }
 
-    /// Returns whether there is anything to drop. Most polygons have nothing.
+    /// Returns whether there is anything to remove. Most polygons need no change.
     static bool isNeeded(const std::vector<Vec3f>& points, std::span<const Slot> corners)
     {
         const std::size_t n = corners.size();
@@ -77,7 +76,7 @@ private:
 
     const std::vector<Vec3f>& m_points;
     std::vector<Slot> m_ring;
-    std::size_t m_first = 0; ///< the ring begins here
+    std::size_t m_first = 0; ///< index of the ring's first corner
 };
 } // namespace
 
@@ -107,7 +106,7 @@ std::vector<Triangle> Polygons::triangles(const std::vector<Vec3f>& points, Stop
         stopCheck();
         const auto corners = std::span(m_corners).subspan(first, end - first);
         first = end;
-        if (corners.size() == 3) { // most have
+        if (corners.size() == 3) { // the most frequent case
             result.push_back({corners[0], corners[1], corners[2]});
         } else if (!CleanRing::isNeeded(points, corners)) {
             appendPolygon(result, points, corners, stopCheck);

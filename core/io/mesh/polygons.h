@@ -8,16 +8,16 @@
 
 namespace core::io
 {
-/// The largest number of corners of a face. Outlines of scans and texts have tens of thousands.
+/// Largest number of corners of a face. Outlines of scans and of lettering have tens of thousands.
 inline constexpr std::size_t maxCorners = std::size_t(1) << 20;
 
-/// Appends the triangles of one face with at least three corners, wound as the polygon is; no new vertices. A quad is
-/// cut at its reflex corner, or along the shorter diagonal; larger polygons by ear clipping (ear_clipping.h). A polygon
-/// that crosses itself, or has no area, gives triangles too, of whatever use.
+/// Appends the triangles of one face with at least three corners, in the polygon's orientation; adds no vertices. A
+/// quad is cut at its reflex corner or along the shorter diagonal, a larger polygon by ear clipping (ear_clipping.h). A
+/// polygon that crosses itself or has no area also gives triangles, but they may be useless.
 void appendPolygon(std::vector<Triangle>& triangles, const std::vector<Vec3f>& points, std::span<const Slot> corners,
                    StopCheck& stopCheck);
 
-/// Faces as files give them, kept until all points are known.
+/// Stores the polygons of a file until all points are known.
 class Polygons
 {
 public:
@@ -27,7 +27,7 @@ public:
         m_ends.reserve(faces);
     }
     void addCorner(Slot corner) { m_corners.push_back(corner); }
-    /// Ends the face whose corners were added since the last.
+    /// Ends the face that consists of the corners added since the last endFace().
     void endFace() { m_ends.push_back(static_cast<Slot>(m_corners.size())); }
 
     /// Removes the corners of the open face.
@@ -37,8 +37,9 @@ public:
     std::size_t faces() const { return m_ends.size(); }
     std::size_t corners() const { return m_corners.size(); }
 
-    /// Returns the triangles of all faces. Leaves out corners that a polygon names twice in a row, or only to go back,
-    /// and polygons of which fewer than three are left; counts both in the remarks. Throws ReadingCancelled.
+    /// Returns the triangles of all faces. Removes corners that a polygon names twice in a row, and slits where it goes
+    /// back on itself. Leaves out polygons with fewer than three corners left. Counts both in the remarks. Throws
+    /// ReadingCancelled.
     std::vector<Triangle> triangles(const std::vector<Vec3f>& points, StopCheck stopCheck, ReadRemarks& remarks) const;
 
 private:

@@ -6,7 +6,8 @@
 
 namespace core::io
 {
-/// Writes `count` records of `size` bytes; store(i, into) puts the bytes of one there, on all cores.
+/// Writes `count` records of `size` bytes. store(i, into) must write the bytes of record i to `into`; it is called on
+/// all cores.
 template <typename Store> void writeRecords(AtomicFile& out, std::size_t count, std::size_t size, Store store)
 {
     constexpr std::size_t bytesAtOnce = std::size_t(1) << 23, recordsPerChunk = std::size_t(1) << 13;

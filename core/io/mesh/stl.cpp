@@ -1,5 +1,5 @@
-// STL: triangles as loose corners, binary or text. Corners with equal bits are welded. Colours are read where a binary
-// file has them; none are written: a triangle's colour is not a vertex's.
+// STL: unconnected triangles, binary or text. Corners with equal bits are welded. Colours of a binary file are read.
+// None are written, because STL colours triangles and Fettle colours vertices.
 
 #include "core/io/mesh/binary.h"
 #include "core/io/mesh/record_writer.h"
@@ -21,10 +21,10 @@ constexpr std::size_t chunkSize = 1 << 15;
 
 const char* cornerAt(const FileBytes& file, std::size_t corner)
 {
-    return file.bytes.data() + stlHeaderSize + corner / 3 * stlTriangleSize + 12 + corner % 3 * 12; // past the normal
+    return file.bytes.data() + stlHeaderSize + corner / 3 * stlTriangleSize + 12 + corner % 3 * 12; // skips the normal
 }
 
-/// The triangles that loose corners make, welded.
+/// Returns the mesh of triangles given by their corners, after welding equal corners.
 TriangleMesh meshOf(std::size_t triangles, const PointLoader& corners, const std::stop_token& stop)
 {
     const WeldedPoints same = weldPoints(3 * triangles, corners, stop);
@@ -42,7 +42,7 @@ TriangleMesh meshOf(std::size_t triangles, const PointLoader& corners, const std
     return mesh;
 }
 
-/// The first that is none.
+/// Throws an error at the first number that is not finite. Precondition: there is one.
 [[noreturn]] void refuseNumber(const FileBytes& file)
 {
     for (std::size_t corner = 0;; ++corner)
@@ -51,7 +51,7 @@ TriangleMesh meshOf(std::size_t triangles, const PointLoader& corners, const std
                 throw errorAtByte(FileErrorKind::NotANumber, file, at);
 }
 
-/// Returns whether the record can be a triangle: it is finite, with corners in three places. Padding is not.
+/// Returns whether the record can be a triangle: finite, with three different corners. Padding is not a triangle.
 bool isTriangle(const FileBytes& file, std::size_t number)
 {
     std::array<std::array<float, 3>, 3> corners;
@@ -65,8 +65,9 @@ bool isTriangle(const FileBytes& file, std::size_t number)
            corners[2] != corners[0];
 }
 
-/// Returns the number of triangles to read: as many as the header says; or all that there are, if it says what programs
-/// write that do not know yet (0, or all bits), or if what follows the announced ones is nothing but triangles.
+/// Returns the number of triangles to read. Normally this is the header's count. All triangles in the file are read if
+/// the count is 0 or has all bits set, as written by programs that do not know it yet, or if nothing but triangles
+/// follows.
 std::size_t trianglesIn(const FileBytes& file)
 {
     constexpr std::uint64_t unknown = 0xffffffff;
@@ -88,7 +89,7 @@ ReadResult readBinary(const FileBytes& file)
         for (Vec3f& p : into) {
             const char* const at = cornerAt(file, begin++);
             for (int k = 0; k < 3; ++k)
-                p[k] = load<float>(at + 4 * k, std::endian::little) + 0.0F; // adding 0 takes the sign from -0
+                p[k] = load<float>(at + 4 * k, std::endian::little) + 0.0F; // adding 0 removes the sign of -0
         }
     };
     TriangleMesh mesh = meshOf(count, corners, file.stop);
@@ -106,8 +107,8 @@ ReadResult readBinary(const FileBytes& file)
     return {std::move(mesh), remarks};
 }
 
-/// Reads text STL by its words, wherever lines end. Normals may be missing, comments (#, ;, //) may stand anywhere.
-/// Skips words behind a loop or a facet, and all before the first solid and between solids.
+/// Reads text STL word by word, independent of line ends. Normals may be missing; comments (#, ;, //) may be anywhere.
+/// Skips words after a loop or a facet, and everything outside of solids.
 class TextStlReader
 {
 public:
@@ -129,7 +130,8 @@ public:
     }
 
 private:
-    /// Skips all up to the line behind the next "solid", which a name may follow, or to the facet on its own line.
+    /// Skips everything up to the next "solid" and its name: to the next line, or to a facet on the same line. Returns
+    /// false if there is no further solid.
     bool findSolid()
     {
         for (bool hasLine = true; hasLine; hasLine = m_text.nextLine()) {
@@ -145,7 +147,7 @@ private:
         return false;
     }
 
-    /// Goes to where a facet begins on this line. Returns false, and stays, if none does.
+    /// Moves to a facet on this line. Returns false, and does not move, if there is none.
     bool toFacetOnLine()
     {
         TextScanner ahead = m_text;
@@ -153,7 +155,7 @@ private:
             if (!is(ahead.word(), "facet"))
                 continue;
             if (!isBehindFacet(ahead))
-                continue; // a word of a name
+                continue; // a word of the solid's name
             for (; before > 0; --before)
                 m_text.word();
             return true;
@@ -161,8 +163,8 @@ private:
         return false;
     }
 
-    /// Returns whether the words that follow are such as follow "facet": a normal, if any, and the loop with its first
-    /// vertex. No name goes on like that.
+    /// Returns whether a facet's content follows: an optional normal, and a loop with its first vertex. A solid's name
+    /// never continues so.
     static bool isBehindFacet(TextScanner words)
     {
         std::string_view word = words.wordAnywhere();
@@ -172,14 +174,14 @@ private:
         if (!is(word, "outer") || !is(words.wordAnywhere(), "loop"))
             return false;
         bool isAtEnd = false;
-        do { // passes over what stands behind "loop"
+        do { // skip the words after "loop"
             isAtEnd = words.atLineEnd();
             word = words.wordAnywhere();
         } while (!isAtEnd && !is(word, "vertex") && !is(word, "facet"));
         return is(word, "vertex");
     }
 
-    /// Reads a solid, and those that begin where it ends, on the same line.
+    /// Reads a solid, and further solids that begin on the line where it ends.
     void readSolid()
     {
         do
@@ -195,7 +197,7 @@ private:
         require(word, "facet");
         word = nextWord();
         if (is(word, "normal"))
-            for (int i = 0; i < 4 && !is(word, "outer"); ++i) // skips the normal: the corners tell it
+            for (int i = 0; i < 4 && !is(word, "outer"); ++i) // skip the normal, which follows from the corners
                 word = nextWord();
         require(word, "outer");
         require(nextWord(), "loop");
@@ -210,7 +212,7 @@ private:
         require(wordAfterLine("endfacet"), "endfacet");
     }
 
-    /// Returns the next word that is no comment's; an empty one at the end of the file.
+    /// Returns the next word outside of comments; empty at the end of the file.
     std::string_view nextWord()
     {
         for (;;) {
@@ -221,7 +223,7 @@ private:
         }
     }
 
-    /// Returns the keyword if it stands on this line, else the first word of the lines that follow.
+    /// Returns the keyword if it is on this line, else the first word of the following lines.
     std::string_view wordAfterLine(std::string_view keyword)
     {
         while (!m_text.atLineEnd())
@@ -248,7 +250,7 @@ private:
     std::vector<Vec3f> m_corners;
 };
 
-/// Unit normal, or 0 if the triangle has no area.
+/// Returns the unit normal, or 0 if the triangle has no area.
 Vec3f normalOf(const std::array<Vec3f, 3>& p)
 {
     const Vec3 a = p[0].cast<double>();
@@ -259,7 +261,7 @@ Vec3f normalOf(const std::array<Vec3f, 3>& p)
 
 void writeBinary(AtomicFile& out, const TriangleMesh& mesh)
 {
-    std::string header = "binary STL"; // not "solid", which many take for text
+    std::string header = "binary STL"; // not "solid", which many programs take for a text file
     header.resize(stlHeaderSize - 4);
     append(header, static_cast<std::uint32_t>(mesh.triangles.size()));
     out.write(header);

@@ -16,7 +16,7 @@ std::uint8_t channel(std::uint16_t word, int shift)
     return static_cast<std::uint8_t>(((word >> shift & max) * 255 + max / 2) / max);
 }
 
-/// Of the whole model, where Magics wrote it.
+/// Returns the colour of the whole model in a header written by Magics.
 std::optional<Rgb> colorOfHeader(std::string_view header)
 {
     constexpr std::string_view title = "COLOR=";
@@ -39,7 +39,8 @@ std::vector<Rgb> stlColors(std::string_view header, std::span<const std::uint16_
     const std::optional<Rgb> whole = colorOfHeader(header);
     if (!whole && std::ranges::none_of(words, [](std::uint16_t word) { return (word & flag) != 0; }))
         return {};
-    const bool isPlain = std::ranges::all_of(words, [](std::uint16_t word) { return word == 0; }); // then 0 is no black
+    // Then 0 does not mean black.
+    const bool isPlain = std::ranges::all_of(words, [](std::uint16_t word) { return word == 0; });
     const auto colorOf = [&](std::uint16_t word) {
         if (!whole)
             return viscamColor(word);

@@ -4,10 +4,10 @@
 
 namespace core::io
 {
-/// The two bytes after each triangle of a binary STL hold its colour, 5 bits a channel, in the way of VisCAM (bit 15:
-/// there is one; blue lowest), or, where the header says COLOR=rgba, in that of Magics (bit 15: the header's; red
-/// lowest). By vertex: the mean of its triangles; without colour of their own they are Rgb(). Empty if no triangle has
-/// any.
+/// Reads the colours of a binary STL from the two bytes after each triangle, with 5 bits a channel. The VisCAM
+/// convention: bit 15 means that there is a colour, blue is lowest. The Magics convention applies if the header has
+/// COLOR=rgba: bit 15 means the header's colour, red is lowest. Returns for each vertex the mean of its triangles'
+/// colours; a triangle without colour counts as Rgb(). Returns an empty list if no triangle has a colour.
 std::vector<Rgb> stlColors(std::string_view header, std::span<const std::uint16_t> words, const TriangleMesh& mesh,
                            StopCheck& stopCheck);
 } // namespace core::io

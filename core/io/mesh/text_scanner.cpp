@@ -25,7 +25,7 @@ TextScanner::TextScanner(const FileBytes& file, const char* from, char comment)
     , m_end(file.bytes.data() + withoutPadding(file.bytes).size())
     , m_comment(comment)
 {
-    m_end = std::max(m_end, m_at); // a body of zeros may follow a header
+    m_end = std::max(m_end, m_at); // a header may be followed by a body that is all zeros
 }
 
 void TextScanner::skipBlanks()
@@ -37,7 +37,7 @@ void TextScanner::skipBlanks()
             m_at = std::find_if(m_at, m_end, isLineEnd);
         if (m_at == m_end || !isContinuation(m_at))
             return;
-        ++m_at; // now at the line end that the backslash takes away
+        ++m_at; // now at the line end that the backslash cancels
         if (*m_at == '\r' && m_at + 1 != m_end && m_at[1] == '\n')
             ++m_at;
     }

@@ -4,35 +4,35 @@
 
 namespace core::io
 {
-/// Reads the words of a text file, line by line. Lines end with \n, \r\n or \r; a backslash at the end of a line
-/// continues it. Skips a byte order mark at the file's start and padding at its end. Errors name the line. An error at
-/// the very end of the file is CutOff.
+/// Reads a text file word by word and line by line. Lines end with \n, \r\n or \r; a backslash at the end of a line
+/// continues it. Skips a byte order mark at the file's start and padding at its end. Errors have the line. An error at
+/// the very end of the file is reported as CutOff.
 class TextScanner
 {
 public:
     /// `comment`: skips from this character to the end of a line.
     TextScanner(const FileBytes& file, const char* from, char comment = '\0');
 
-    /// The next word on this line; empty at its end.
+    /// Returns the next word on this line; empty at the line's end.
     std::string_view word();
-    /// The next word on this line or a later one; empty at the end of the file.
+    /// Returns the next word on this line or a later one; empty at the end of the file.
     std::string_view wordAnywhere();
-    /// To the start of the next line. False at the end of the file.
+    /// Moves to the start of the next line. Returns false at the end of the file.
     bool nextLine();
-    /// No further word on this line. Leaves the position there.
+    /// Moves past blanks. Returns whether no further word follows on this line.
     bool atLineEnd();
     bool atFileEnd() const { return m_at == m_end; }
     const char* position() const { return m_at; }
 
-    /// Next word on this line, as a finite number, rounded to the nearest float32.
+    /// Returns the next word on this line as a finite number, rounded to the nearest float32.
     float number() { return toNumber(word()); }
     float toNumber(std::string_view word) const;
-    /// The word must be a whole number and nothing else.
+    /// Returns the word as a number. The word must be a whole number and nothing else.
     std::int64_t toInteger(std::string_view word) const;
 
-    /// `word` is what is wrong: a part of the file, or empty for what is missing here.
+    /// Throws an error about `word`, a part of the file; empty if something is missing at the current position.
     [[noreturn]] void fail(FileErrorKind kind, std::string_view word) const;
-    /// Throws Malformed; the fault says what was expected in the word's place.
+    /// Throws Malformed. The fault names what was expected instead of the word.
     [[noreturn]] void fail(FileFault fault, std::string_view word, std::string_view wanted = {}) const;
 
 private:

@@ -8,7 +8,7 @@
 
 namespace core::io
 {
-/// Text in the C locale. Floating-point numbers have the fewest digits that come back to the same bits.
+/// Writes text in the C locale. Floating-point numbers have the fewest digits that are read back to the same bits.
 class TextWriter
 {
 public:

@@ -1,6 +1,6 @@
-// Source: 3MF Consortium, Core Specification 1.3; Materials and Properties Extension 1.2 (colour groups); Production
-// Extension 1.1 (paths); Beam Lattice Extension 1.2. Elements come in the order that the specification asks for: what
-// is named stands before what names it.
+// Sources: 3MF Consortium, Core Specification 1.3; Materials and Properties Extension 1.2 (colour groups); Production
+// Extension 1.1 (paths); Beam Lattice Extension 1.2. As required there, everything must be defined before it is
+// referenced.
 #include "core/io/mesh/threemf_part.h"
 
 #include "core/io/mesh/mean_color.h"
@@ -15,14 +15,15 @@ namespace core::io
 namespace
 {
 constexpr std::string_view coreSpace = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02|",
-                           firstCoreSpace = "http://schemas.microsoft.com/3dmanufacturing/2013/01|", // before 1.0
-    materialSpace = "http://schemas.microsoft.com/3dmanufacturing/material/2015/02|",
+                           // Used before version 1.0.
+    firstCoreSpace = "http://schemas.microsoft.com/3dmanufacturing/2013/01|",
+                           materialSpace = "http://schemas.microsoft.com/3dmanufacturing/material/2015/02|",
                            productionSpace = "http://schemas.microsoft.com/3dmanufacturing/production/2015/06|",
                            pathAttribute = "http://schemas.microsoft.com/3dmanufacturing/production/2015/06|path",
                            beamName = "http://schemas.microsoft.com/3dmanufacturing/beamlattice/2017/02|beam";
 
-/// Extensions that a file may require: ours, and those that change no shape (slices come beside a mesh, triangle sets
-/// name some of it, slicers' own say how it is painted and printed).
+/// Namespaces that a file may require: the supported ones, and those that do not change the shape. Slices accompany a
+/// mesh, triangle sets name parts of it, and slicers' own say how it is painted and printed.
 constexpr std::string_view knownSpaces[] = {coreSpace,
                                             firstCoreSpace,
                                             materialSpace,
@@ -32,7 +33,7 @@ constexpr std::string_view knownSpaces[] = {coreSpace,
                                             "http://schemas.slic3r.org/3mf/2017/06|",
                                             "http://schemas.bambulab.com/package/2021|"};
 
-/// Shapes that extensions put in the place of a mesh.
+/// Elements of extensions that replace an object's mesh by another shape.
 constexpr std::string_view otherShapes[] = {
     "http://schemas.3mf.io/3dmanufacturing/booleanoperations/2023/07|booleanshape",
     "http://schemas.microsoft.com/3dmanufacturing/displacement/2022/07|"
@@ -40,7 +41,7 @@ constexpr std::string_view otherShapes[] = {
     "http://schemas.3mf.io/3dmanufacturing/displacement/2023/10|displacementmesh",
     "http://schemas.3mf.io/3dmanufacturing/volumetric/2022/01|levelset"};
 
-/// Returns an extension's name for people: its namespace without what they have in common.
+/// Returns an extension's name for users: its namespace without the common beginning.
 std::string_view extensionName(std::string_view space)
 {
     for (const std::string_view common :
@@ -50,7 +51,7 @@ std::string_view extensionName(std::string_view space)
     return space;
 }
 
-/// Refuses a model that requires an extension that is not read, by the name of its namespace.
+/// Throws NeedsExtension with the name of the extension if the model requires one that is not supported.
 void requireKnownExtensions(const XmlAttributes& attributes)
 {
     std::string_view rest = attributes.text("requiredextensions");
@@ -62,7 +63,7 @@ void requireKnownExtensions(const XmlAttributes& attributes)
         rest.remove_prefix(prefix.size());
         std::string_view space = attributes.spaceOf(prefix);
         if (space.empty())
-            space = prefix; // some name the namespace itself
+            space = prefix; // some files have the namespace itself here
         const bool isKnown =
             std::any_of(std::begin(knownSpaces), std::end(knownSpaces),
                         [space](std::string_view known) { return space == known.substr(0, known.size() - 1); });
@@ -72,7 +73,8 @@ void requireKnownExtensions(const XmlAttributes& attributes)
     }
 }
 
-/// Returns the name without the core's namespace, that of today or of the first programs; empty if it has another.
+/// Returns the name without the core namespace, in its current or oldest form; empty if the name is in another
+/// namespace.
 std::string_view coreName(std::string_view name)
 {
     for (const std::string_view space : {coreSpace, firstCoreSpace})
@@ -81,8 +83,8 @@ std::string_view coreName(std::string_view name)
     return {};
 }
 
-/// Returns whether an object's type is that of the model; supports and others are not. Refuses a type that the
-/// specification does not have.
+/// Returns whether the object's type is part of the model, unlike supports. Throws if the specification does not have
+/// the type.
 bool isSolidType(std::string_view type, const XmlAttributes& attributes)
 {
     if (type.empty() || type == "model" || type == "surface")
@@ -102,14 +104,15 @@ double millimetresOf(std::string_view unit, const XmlAttributes& attributes)
     attributes.refuse(FileFault::LengthUnit, unit);
 }
 
-/// #rrggbb, or #rrggbbaa.
+/// Parses #rrggbb or #rrggbbaa.
 std::optional<Rgb> displayColor(std::string_view text)
 {
     const bool isColor = (text.size() == 7 || text.size() == 9) && text.front() == '#';
     return isColor ? colorOf(text.substr(1, 6)) : std::nullopt;
 }
 
-/// Twelve numbers: the rows of a matrix that points are rows to the left of.
+/// Parses the twelve numbers of the transform attribute. They are the rows of a matrix for row vectors; the result is
+/// for column vectors.
 Eigen::Matrix4d transformOf(const XmlAttributes& attributes)
 {
     Eigen::Matrix4d transform = Eigen::Matrix4d::Identity();
@@ -129,13 +132,13 @@ Eigen::Matrix4d transformOf(const XmlAttributes& attributes)
 }
 } // namespace
 
-/// The groups that properties come from, and what they make of the open object.
+/// The colour groups of the part, and the colours of the object that is being read.
 struct ThreeMfPartReader::Colors
 {
     std::map<std::uint32_t, std::vector<std::optional<Rgb>>> groups;
     std::vector<std::optional<Rgb>>* openGroup = nullptr;
     std::optional<std::uint32_t> objectGroup, objectIndex;
-    std::vector<MeanColor> means; ///< one per vertex, from the first coloured triangle on
+    std::vector<MeanColor> means; ///< one for each vertex, filled from the first coloured triangle on
 
     std::optional<Rgb> find(std::optional<std::uint32_t> group, std::optional<std::uint32_t> index) const
     {
@@ -235,7 +238,7 @@ void ThreeMfPartReader::beginObject(const XmlAttributes& attributes)
 {
     m_object = &m_part.objects[attributes.whole("id")];
     if (!m_object->mesh.points.empty() || !m_object->components.empty())
-        attributes.refuse(FileFault::Repeated, "id"); // another object has it
+        attributes.refuse(FileFault::Repeated, "id"); // another object has this id
     m_object->isSolid = isSolidType(attributes.text("type"), attributes);
     m_colors->objectGroup = attributes.wholeIfAny("pid");
     m_colors->objectIndex = attributes.wholeIfAny("pindex");

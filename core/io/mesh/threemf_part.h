@@ -9,37 +9,38 @@
 
 namespace core::io
 {
-/// Another object, put somewhere.
+/// A reference to an object, with its placement.
 struct ThreeMfComponent
 {
-    std::string part; ///< where the object is; empty: in the same part
+    std::string part; ///< path of the part that contains the object; empty: the same part
     std::uint32_t object = 0;
-    Eigen::Matrix4d transform = Eigen::Matrix4d::Identity(); ///< of columns, to the unit of the part that puts it there
+    /// For column vectors; to the unit of the part that contains the reference.
+    Eigen::Matrix4d transform = Eigen::Matrix4d::Identity();
 };
 
 struct ThreeMfObject
 {
-    TriangleMesh mesh; ///< in the part's unit; its indices are in range
+    TriangleMesh mesh; ///< in the part's unit; indices are in range
     std::vector<ThreeMfComponent> components;
-    bool isSolid = true;    ///< else a support, solid or not, or something else that is not the model
-    std::string otherShape; ///< the extension of a shape of its own that is not read, or empty
+    bool isSolid = true;    ///< false: a support, a solid support, or another object that is not part of the model
+    std::string otherShape; ///< extension that defines this object's shape in a way that is not supported, or empty
 };
 
-/// What one model part of a 3MF holds.
+/// The content of one model part of a 3MF.
 struct ThreeMfPart
 {
-    double millimetres = 1; ///< of its unit
+    double millimetres = 1; ///< length of the part's unit in mm
     std::map<std::uint32_t, ThreeMfObject> objects;
     std::vector<ThreeMfComponent> build;
     bool hasTextures = false;
     std::size_t beams = 0;
 };
 
-/// Of the package's path as a part names it: without the slash at its front. Throws FileError::Malformed where it
-/// leaves the package.
+/// Returns a package path, as written in a part, without its leading slash. Throws FileError::Malformed if it leaves
+/// the package.
 std::string threeMfPath(const FileBytes& file, std::string_view path);
 
-/// Parses a model part, which is given piece by piece. Throws FileError with lines of that part.
+/// Parses a model part, which is passed piece by piece. Throws FileError with lines of that part.
 class ThreeMfPartReader
 {
 public:
@@ -64,8 +65,8 @@ private:
     const FileBytes& m_file;
     StopCheck m_stopCheck;
     ThreeMfPart m_part;
-    ThreeMfObject* m_object = nullptr; ///< the one that is being read
+    ThreeMfObject* m_object = nullptr; ///< the object that is being read
     std::unique_ptr<Colors> m_colors;
-    XmlReader m_xml; ///< last: it calls
+    XmlReader m_xml; ///< declared last, because its callbacks use the other members
 };
 } // namespace core::io

@@ -1,5 +1,5 @@
-// 3MF: the package names its model part; the items of its build say which objects stand where, and their components
-// what they are made of. What other parts hold is read when it is asked for.
+// 3MF: the package names its model part. The build items of that part place objects; objects may consist of components,
+// which are objects, too. Other parts are read when a component refers to them.
 #include "core/io/mesh/mesh_assembly.h"
 #include "core/io/mesh/threemf_part.h"
 #include "core/io/mesh/threemf_slicer_parts.h"
@@ -16,7 +16,7 @@ namespace
 constexpr int maxDepth = 64;
 constexpr std::size_t maxInstances = 1 << 16, maxParts = 1 << 12;
 
-/// Empty where the package names none.
+/// Returns the path of the model part; empty if the package names none.
 std::string modelPathOf(const FileBytes& file, ZipReader& package)
 {
     constexpr std::string_view modelType = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
@@ -35,7 +35,7 @@ std::string modelPathOf(const FileBytes& file, ZipReader& package)
     return path;
 }
 
-/// Returns whether it makes a point or a line of whatever it is for.
+/// Returns whether the transform reduces every object to a point or a line.
 bool isPoint(const Eigen::Matrix4d& transform)
 {
     const Eigen::Matrix3d m = transform.topLeftCorner<3, 3>();
@@ -66,7 +66,7 @@ public:
             if (object == objects.end())
                 continue;
             leaveOut(parts, object->second.mesh.triangles);
-            removeUnusedVertices(object->second.mesh); // they would count for the model's size
+            removeUnusedVertices(object->second.mesh); // they would distort the model's size
         }
         const Eigen::Matrix4d unit =
             Eigen::Vector4d(root.millimetres, root.millimetres, root.millimetres, 1).asDiagonal();
@@ -99,7 +99,7 @@ private:
         return found->second;
     }
 
-    /// Throws FileError; where it names a line, it names the part, too, unless that is the first one.
+    /// Reads a part. Throws FileError. An error with a line also names the part, unless it is the first part.
     ThreeMfPart readPart(const std::string& path)
     {
         ThreeMfPartReader reader(m_file);
@@ -114,12 +114,12 @@ private:
         return reader.part();
     }
 
-    /// The place of a component in the build.
+    /// The placement of a component in the build.
     struct Place
     {
-        Eigen::Matrix4d above;   ///< the transform of what it is a component of
-        int depth = 0;           ///< 0: it is itself an item of the build
-        std::uint32_t built = 0; ///< the number of the object that the item of the build names
+        Eigen::Matrix4d above;   ///< transform of the object that contains the component
+        int depth = 0;           ///< 0: the component is itself a build item
+        std::uint32_t built = 0; ///< id of the object that the build item refers to
     };
 
     void add(const std::string& from, const ThreeMfComponent& component, const Place& place)
@@ -156,10 +156,10 @@ private:
             add(path, inner, {transform, place.depth + 1, place.built});
     }
 
-    /// Removes the triangles of parts that are no matter.
+    /// Removes the triangles of parts that are not solid.
     void leaveOut(const std::vector<ThreeMfSlicerParts::Triangles>& parts, std::vector<Triangle>& triangles)
     {
-        std::vector<int> changes(triangles.size() + 1, 0); // of the number of parts that a triangle belongs to
+        std::vector<int> changes(triangles.size() + 1, 0); // change in the number of such parts at each triangle
         for (const ThreeMfSlicerParts::Triangles& part : parts) {
             m_stopCheck();
             if (part.first > part.last || part.first >= triangles.size())
@@ -184,9 +184,10 @@ private:
     std::map<std::string, ThreeMfPart> m_parts;
     ThreeMfSlicerParts m_slicerParts;
     MeshAssembly m_assembly;
-    std::string m_otherShape; ///< the extension of a shape that was left out
+    std::string m_otherShape; ///< extension of a shape that was left out
     std::size_t m_instances = 0;
-    bool m_hasPoint = false, m_hasExtent = false; ///< an object that its transform makes a point or a line; another one
+    /// Some object is a point or a line after its transform; some other object is not.
+    bool m_hasPoint = false, m_hasExtent = false;
     ReadRemarks m_remarks{.objects = 0};
 };
 } // namespace

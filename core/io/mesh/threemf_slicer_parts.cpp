@@ -1,4 +1,4 @@
-// Source: the code of PrusaSlicer (Metadata/Slic3r_PE_model.config) and of Bambu Studio (model_settings.config).
+// Sources: the code of PrusaSlicer (Metadata/Slic3r_PE_model.config) and of Bambu Studio (model_settings.config).
 #include "core/io/mesh/threemf_slicer_parts.h"
 
 #include "core/io/mesh/xml_reader.h"
@@ -7,23 +7,23 @@ namespace core::io
 {
 namespace
 {
-/// Returns the name without a namespace: the files have none, but some programs give them one.
+/// Returns the name without its namespace. The files normally have no namespace, but some programs add one.
 std::string_view withoutSpace(std::string_view name)
 {
     return name.substr(name.rfind('|') + 1);
 }
 
-/// Returns a whole number; nothing if there is none.
+/// Returns the attribute's whole number; nothing if there is none or it is not valid.
 std::optional<std::uint32_t> numberIn(const XmlAttributes& attributes, std::string_view name)
 {
     try {
         return attributes.wholeIfAny(name);
     } catch (const FileError&) {
-        return std::nullopt; // one that is wrong leaves the others right
+        return std::nullopt; // an invalid number must not discard the valid ones
     }
 }
 
-/// Gathers the volumes of PrusaSlicer's file: an element `volume` with the numbers of its triangles, in it metadata.
+/// Reads the volumes in PrusaSlicer's file: elements `volume` with a range of triangles, which contain metadata.
 class VolumeReader
 {
 public:
@@ -60,8 +60,8 @@ private:
     bool m_isMatter = true, m_isNegative = false;
 };
 
-/// Gathers the parts of Bambu Studio's file that are no matter: elements `part` in an `object`. The program goes by
-/// their `subtype` alone, whatever the type of the object in the model; a subtype that it does not know is matter.
+/// Reads the parts in Bambu Studio's file that are not solid: elements `part` in an `object`. As in that program only
+/// `subtype` matters, whatever the object's type in the model is; a part with an unknown subtype is solid.
 class PartReader
 {
 public:
@@ -86,7 +86,7 @@ private:
     std::optional<std::uint32_t> m_object;
 };
 
-/// Reads a part, if it is there, up to where it breaks off.
+/// Reads a part, if it exists, up to the first error.
 template <class Reader> void readPart(const FileBytes& file, ZipReader& package, const std::string& name, Reader reader)
 {
     const std::optional<std::string> part = package.find(name);
@@ -104,7 +104,7 @@ template <class Reader> void readPart(const FileBytes& file, ZipReader& package,
         end);
     try {
         package.read(*part, [&xml](std::string_view piece) { xml.take(piece); });
-    } catch (const FileError&) { // the model does not need it
+    } catch (const FileError&) { // the file is optional
     }
 }
 } // namespace

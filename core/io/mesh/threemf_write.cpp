@@ -1,5 +1,5 @@
-// 3MF: content types, relationships and one model part, whose text is made while it is packed: an object, one build
-// item, and, if there are colours, a colour group that the triangles' corners point into.
+// 3MF: content types, relationships and one model part, whose text is generated while it is compressed. It has one
+// object, one build item and, if there are colours, a colour group that the triangles' corners refer to.
 #include "core/io/mesh/format.h"
 #include "core/io/mesh/palette.h"
 #include "core/io/mesh/zip_writer.h"
@@ -43,7 +43,7 @@ std::uint32_t numberOf(const Rgb& color)
     return static_cast<std::uint32_t>(color.r) << 16 | static_cast<std::uint32_t>(color.g) << 8 | color.b;
 }
 
-/// The model part's text, a piece at a time.
+/// Generates the text of the model part piece by piece.
 class ModelText
 {
 public:
@@ -57,7 +57,8 @@ public:
                        m_colors.end()); // Clang 14, which the fuzzers need, knows no ranges::unique
     }
 
-    /// To be asked before it is read. The package's heads are of the old, short kind only when it is known.
+    /// Returns the size of the whole text in bytes. Must be called before read(). The zip's entries can have the short
+    /// headers of old zip versions only if the size is known.
     std::size_t size()
     {
         std::size_t bytes = 0;
@@ -84,7 +85,7 @@ public:
     }
 
 private:
-    /// The elements in their order: start, colours, vertices, triangles, end.
+    /// Appends the next element to m_text: start, colours, vertices, triangles, end. Returns false after the last one.
     bool addNext()
     {
         std::size_t at = m_next++;
@@ -155,9 +156,9 @@ private:
     }
 
     const TriangleMesh& m_mesh;
-    std::vector<std::uint32_t> m_colors; ///< each once, sorted
-    std::size_t m_next = 0;              ///< element
-    std::string m_text;                  ///< from m_taken on it was not read yet
+    std::vector<std::uint32_t> m_colors; ///< each colour once, sorted
+    std::size_t m_next = 0;              ///< index of the next element
+    std::string m_text;                  ///< not yet read from m_taken on
     std::size_t m_taken = 0;
 };
 
@@ -167,7 +168,7 @@ struct ModelSource
     std::size_t size = text.size();
 };
 
-/// What the library asks of a source of bytes.
+/// The callback by which libzip reads the model part.
 zip_int64_t answer(void* self, void* data, zip_uint64_t size, zip_source_cmd_t command)
 {
     auto& [text, textSize] = *static_cast<ModelSource*>(self);
@@ -202,7 +203,7 @@ zip_int64_t answer(void* self, void* data, zip_uint64_t size, zip_source_cmd_t c
 
 void writeThreeMf(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette)
 {
-    // the first part is not packed: readMetadata() looks at the file's start
+    // the first part is stored uncompressed: readMetadata() reads the palette from the file's first bytes
     std::string types(contentTypes);
     if (!palette.empty())
         types += "<!--\n# " + paletteWords(palette) + "\n-->\n";

@@ -8,9 +8,8 @@
 
 namespace core::io
 {
-/// Makes triangles of the corners of strips: each corner with the two before it, every second one wound the other way,
-/// so that all face as the strip's first one does. Leaves out triangles that name a corner twice, by which strips are
-/// connected and turned.
+/// Makes triangles from strips. Each corner forms a triangle with the two before it; every second triangle is reversed,
+/// so that all face the same side. Omits triangles that have a corner twice, which strips use to connect or turn.
 class TriangleStrips
 {
 public:
@@ -33,7 +32,7 @@ public:
 
 private:
     std::vector<Triangle> m_triangles;
-    std::size_t m_corners = 0; ///< the corners of the strip so far
+    std::size_t m_corners = 0; ///< number of corners of the strip so far
     Slot m_beforeLast = 0, m_last = 0;
 };
 } // namespace core::io

@@ -1,6 +1,6 @@
-// Points that are equal, found by hashing in three passes, each on all cores:
-//   1. file    the points of each chunk are sorted by hash into that chunk's buckets, in the order of the file
-//   2. search  each bucket is gathered from all chunks, small enough for a core's cache; each point gets the index of
+// Finds equal points by hashing in three passes, each on all cores:
+//   1. file    each chunk's points are sorted by hash into that chunk's buckets, in the order of the file
+//   2. search  each bucket is collected from all chunks, small enough for a core's cache; each point gets the index of
 //              the first point that equals it
 //   3. number  first points are numbered in the order of the file: a bit marks each, and the count of bits before it is
 //              its number; the bits are few enough for the cache
@@ -42,7 +42,7 @@ private:
     static std::uint32_t of(float x)
     {
         return std::bit_cast<std::uint32_t>(x + 0.0F);
-    } // adding 0 takes the sign from -0
+    } // adding 0 removes the sign of -0
 };
 
 class PointBuckets
@@ -73,10 +73,10 @@ private:
     struct Filed
     {
         Bits bits;
-        Slot index; ///< of the point
+        Slot index; ///< index of the point in the file
     };
 
-    /// work(chunk, begin, end), whatever forEachChunk puts together.
+    /// Calls work(chunk, begin, end) for single chunks, even if forEachChunk() combines several.
     template <typename Work> void inChunks(Work work) const
     {
         forEachChunk(m_count, chunkSize, [&](std::size_t chunk, std::size_t first, std::size_t last) {
@@ -88,7 +88,7 @@ private:
         });
     }
 
-    /// Where what a chunk has for a bucket begins; it ends where the next begins.
+    /// Returns the index in m_filed of a chunk's first point in a bucket. The bucket ends where the next one begins.
     Slot& startOf(std::size_t chunk, std::size_t bucket) { return m_starts[chunk * m_buckets + bucket]; }
 
     std::span<const Filed> contentOf(std::size_t chunk, std::size_t bucket)
@@ -114,7 +114,7 @@ private:
             m_filed[places[m_bucketOf[i]]++] = {Bits(points[i - begin]), static_cast<Slot>(i)};
     }
 
-    /// Open addressing.
+    /// Finds for each point in a bucket the first equal point, with a hash table with open addressing.
     void search(std::size_t bucket)
     {
         if (m_stop.stop_requested())
@@ -139,8 +139,8 @@ private:
             }
     }
 
-    /// m_numbers hold, of each point as it was filed, the first that is like it; then of each point of the file its
-    /// number.
+    /// Numbers the distinct points. Before, m_numbers has for each filed point the index of its first equal point;
+    /// afterwards it has for each point of the file the number of its distinct point.
     WeldedPoints number()
     {
         std::vector<FirstOnes> firstOnes(chunksOf(m_count, firstOnesSize));
@@ -173,7 +173,8 @@ private:
         return same;
     }
 
-    /// Of so many points in a row, which are the first of their kind, and how many such there are before.
+    /// For 64 consecutive points: a bit for each that is the first of its kind, and the number of first points before
+    /// them.
     static constexpr std::size_t firstOnesSize = 64;
     struct FirstOnes
     {
@@ -182,7 +183,8 @@ private:
     };
     static_assert(chunkSize % firstOnesSize == 0); // no two cores write to the same bits
 
-    const std::uint64_t m_seed = std::random_device()(); ///< nobody can make a file of points that hash alike
+    /// Random, so that no file can be made whose points have equal hashes.
+    const std::uint64_t m_seed = std::random_device()();
     std::size_t m_count;
     std::size_t m_buckets; ///< a power of two
     const PointLoader& m_load;
@@ -207,7 +209,7 @@ void weld(TriangleMesh& mesh, const std::stop_token& stop)
     const WeldedPoints same = weldPoints(mesh.points.size(), load, stop);
     if (same.firsts.size() == mesh.points.size())
         return;
-    for (std::size_t i = 0; i < same.firsts.size(); ++i) { // no point moves up
+    for (std::size_t i = 0; i < same.firsts.size(); ++i) { // a point moves only to a lower or equal index
         mesh.points[i] = mesh.points[same.firsts[i]];
         if (!mesh.colors.empty())
             mesh.colors[i] = mesh.colors[same.firsts[i]];

@@ -1,4 +1,4 @@
-// Source: Web3D Consortium, ISO/IEC 19775-1 (X3D architecture; 4.3.4 "Standard units", 4.4.3 "DEF/USE semantics"),
+// Sources: Web3D Consortium, ISO/IEC 19775-1 (X3D architecture; 4.3.4 "Standard units", 4.4.3 "DEF/USE semantics"),
 // 19776-1 (XML encoding).
 #include "core/io/mesh/x3d_document.h"
 
@@ -51,7 +51,7 @@ void refuseX3d(const FileBytes& file, const X3dNode& node, FileFault fault, std:
     throw error;
 }
 
-/// The handlers that expat calls. No exception passes through it: it is kept, and parsing ends.
+/// The callbacks for expat. An exception must not pass through expat: it is stored, and parsing stops.
 struct X3dDocument::Parser
 {
     Parser(const FileBytes& bytes, X3dDocument& to)
@@ -137,7 +137,7 @@ struct X3dDocument::Parser
             open.back()->children.push_back(&node);
         open.push_back(&node);
         if (node.name == "ProtoDeclare")
-            outside.push_back(defined); // names of a prototype hold inside of it only
+            outside.push_back(defined); // names defined in a prototype are valid only inside of it
         if (const std::string_view used = node.text("USE"); !used.empty()) {
             const auto found = defined.find(used);
             if (found == defined.end())
@@ -154,10 +154,11 @@ struct X3dDocument::Parser
             document.m_radians = factorOf(node);
     }
 
-    /// Returns the name of an element, without its prefix if it is X3D. The first element's prefix is the whole file's.
+    /// Returns the name of an element, without its prefix if it is an X3D element. The root's prefix is valid for the
+    /// whole file.
     std::string_view withoutPrefix(std::string_view name)
     {
-        constexpr std::string_view ofX3d = "web3d.org/specifications/x3d"; // with a version behind it
+        constexpr std::string_view ofX3d = "web3d.org/specifications/x3d"; // followed by a version
         const std::size_t colon = name.find(':'), size = colon == std::string_view::npos ? 0 : colon + 1;
         const std::string_view space = spaces.spaceOf(name.substr(0, size > 0 ? colon : 0));
         if (open.empty()) {
@@ -179,7 +180,7 @@ struct X3dDocument::Parser
         spaces.end();
     }
 
-    /// Returns how many of the format's own units a unit stands for.
+    /// Returns the conversion factor of a unit element to the format's standard unit.
     double factorOf(const X3dNode& unit) const
     {
         const std::string_view text = unit.text("conversionFactor");
@@ -192,11 +193,12 @@ struct X3dDocument::Parser
     const FileBytes& file;
     X3dDocument& document;
     std::unique_ptr<XML_ParserStruct, void (*)(XML_ParserStruct*)> parser;
-    std::vector<X3dNode*> open; ///< from the root on
+    std::vector<X3dNode*> open; ///< open elements, beginning with the root
     std::map<std::string, const X3dNode*, std::less<>> defined;
-    std::vector<std::map<std::string, const X3dNode*, std::less<>>> outside; ///< of each prototype that is open
+    /// Names defined outside of each open prototype.
+    std::vector<std::map<std::string, const X3dNode*, std::less<>>> outside;
     XmlNamespaces spaces;
-    std::string rootPrefix, rootSpace; ///< the prefix with its colon
+    std::string rootPrefix, rootSpace; ///< rootPrefix includes the colon
     std::exception_ptr problem;
 };
 

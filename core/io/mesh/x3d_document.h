@@ -8,37 +8,37 @@
 
 namespace core::io
 {
-/// A node of an X3D scene, as its XML has it.
+/// A node of an X3D scene, as written in the XML.
 struct X3dNode
 {
     std::string name;
     std::vector<std::pair<std::string, std::string>> attributes; ///< name and value
     std::vector<const X3dNode*> children;
-    const X3dNode* used = nullptr; ///< the node that it stands for, by USE
+    const X3dNode* used = nullptr; ///< the node that a USE attribute refers to
     std::uint64_t line = 0;
 
-    /// Returns the node that it stands for: itself, unless it has a USE.
+    /// Returns the node that a USE attribute refers to; without one, this node.
     const X3dNode& meant() const { return used ? *used : *this; }
-    /// Returns the value, or an empty text.
+    /// Returns the attribute's value; empty if there is none.
     std::string_view text(std::string_view attribute) const;
-    /// Returns whether the value is false, as isX3dFalse() has it.
+    /// Returns whether the value means false, see isX3dFalse().
     bool isFalse(std::string_view attribute) const;
 };
 
-/// An X3D file in its XML encoding, parsed as a tree by a library (expat). Elements lie at most 256 deep; a document
-/// type is passed over, unless it declares something. Elements with the root's prefix go without it, and so do those
-/// with a prefix of the root's namespace or of X3D's. Throws FileError with the line, also where a USE names nothing.
+/// An X3D file in XML encoding, parsed by the library expat to a tree. Elements may be nested 256 deep. A document type
+/// is ignored unless it declares something. Element names lose their prefix if it is the root's, or stands for the
+/// root's or X3D's namespace. Throws FileError with the line; an undefined USE is an error.
 class X3dDocument
 {
 public:
     explicit X3dDocument(const FileBytes& file);
 
     const X3dNode& scene() const { return *m_scene; }
-    /// Returns the metres in the unit of its lengths.
+    /// Returns the length of the file's unit in metres.
     double metres() const { return m_metres; }
-    /// Returns whether it is of version 4 or later.
+    /// Returns whether the file has X3D version 4 or later.
     bool isOfVersion4() const { return m_isOfVersion4; }
-    /// Returns the radians in the unit of its angles.
+    /// Returns the file's unit of angles in radians.
     double radians() const { return m_radians; }
 
 private:
@@ -50,9 +50,9 @@ private:
     bool m_isOfVersion4 = false;
 };
 
-/// Returns whether the text is false, in either case, blanks around it or not.
+/// Returns whether the text is "false" in upper or lower case, with or without blanks around it.
 bool isX3dFalse(std::string_view text);
 
-/// Throws a FileError that tells of the node's line.
+/// Throws a FileError with the node's line.
 [[noreturn]] void refuseX3d(const FileBytes& file, const X3dNode& node, FileFault fault, std::string_view token);
 } // namespace core::io

@@ -1,8 +1,8 @@
-// Source: Web3D Consortium, ISO/IEC 19775-1: 10 (grouping), 23 (navigation: Billboard, Collision, LOD), 9 (networking:
-// Anchor), 32 (CAD), 35 (layering). Assimp (5.2 to 6.0) loses its place in the scene at a group that is used again, or
-// has nothing in it, takes no notice of ccw, and passes over Collision, LOD, Anchor and others with all that they hold;
-// its cones and cylinders are not closed, and the caps of its extrusions not wound alike. The names of an inlined file
-// are in one scope with those of the file around it.
+// Sources: Web3D Consortium, ISO/IEC 19775-1: 10 (grouping), 23 (navigation: Billboard, Collision, LOD), 9 (networking:
+// Anchor), 32 (CAD), 35 (layering). The expansion avoids errors of Assimp 5.2 to 6.0. It loses its position in the
+// scene at a group that is empty or used again. It ignores ccw, and skips Collision, LOD, Anchor and others with their
+// children. Its cones and cylinders are not closed, and the caps of its extrusions differ in orientation. It shares the
+// names of an inlined file with the file around it.
 #include "core/io/mesh/x3d_expansion.h"
 
 #include "core/io/mesh/number_parsing.h"
@@ -21,22 +21,22 @@ namespace core::io
 namespace
 {
 constexpr std::size_t maxNodes = std::size_t(1) << 18;
-constexpr std::size_t maxDepth = 256; ///< groups in each other, as XML may have them, those of USE counted
-constexpr std::size_t leastText = std::size_t(1) << 26; ///< the bytes that are written of any file
+constexpr std::size_t maxDepth = 256; ///< nested groups, as deep as XML elements may be, including those nested by USE
+constexpr std::size_t leastText = std::size_t(1) << 26; ///< bytes of text that may be written for any file
 
-/// The children of these are in the scene, where they stand.
+/// Groups whose children belong to the scene.
 constexpr std::array<std::string_view, 12> groups{"Group",     "StaticGroup", "Collision", "Anchor",
                                                   "Billboard", "CADAssembly", "CADLayer",  "CADFace",
                                                   "Layer",     "LayerSet",    "Viewport",  "PickableGroup"};
 constexpr std::array<std::string_view, 2> transforms{"Transform", "CADPart"};
-/// The attributes that place a group, and how many numbers they have: three, or an axis and an angle.
+/// The attributes that place a group, and their number of values: three, or four for an axis with an angle.
 constexpr std::array<std::pair<std::string_view, std::size_t>, 5> placing{
     {{"center", 3}, {"rotation", 4}, {"scale", 3}, {"scaleOrientation", 4}, {"translation", 3}}};
-/// A list of numbers that shapes a surface that is left to the reader of the file.
+/// An attribute that shapes a primitive. The primitive is copied, and its reader makes the surface.
 struct Shaping
 {
     std::string_view node, attribute;
-    std::size_t numbers = 0; ///< that the list has; 0: any
+    std::size_t numbers = 0; ///< number of values in the list; 0: any
 };
 constexpr std::array<Shaping, 9> primitives{{{"Box", "size", 3},
                                              {"Sphere", "radius", 1},
@@ -61,8 +61,8 @@ void dropBlanksBefore(std::string_view& text)
     text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n,"), text.size()));
 }
 
-/// Returns the texts of a list that are not empty, without their quotes, which Assimp takes amiss, and without the
-/// blanks and commas before them. A text without quotes goes to the list's end.
+/// Returns the non-empty strings of a list without their quotes, which Assimp does not handle, and without the blanks
+/// and commas before them. A string without quotes extends to the end of the list.
 std::vector<std::string_view> textsOf(std::string_view list)
 {
     std::vector<std::string_view> texts;
@@ -86,20 +86,20 @@ bool isMetadata(const X3dNode& node)
     return std::string_view(node.name).starts_with("Metadata");
 }
 
-/// Returns whether a node hides its children one by one: a CADLayer does so before version 4.
+/// Returns whether the node hides its children one by one, as a CADLayer does before version 4.
 bool hidesEach(const X3dDocument& document, const X3dNode& node)
 {
     return node.name == "CADLayer" && !document.isOfVersion4();
 }
 
-/// The nodes of a scene that would show a surface: those that stand for one, and those that hold or use such a node.
+/// The nodes of a scene that would show a surface: surface nodes, and all nodes that contain or use one.
 class NodesWithShapes
 {
 public:
     /// `scene`: not owned.
     explicit NodesWithShapes(const X3dNode& scene) : m_scene(scene) {}
 
-    /// Looks for all of them when it is asked first.
+    /// Returns whether the node would show a surface. The first call searches the scene.
     bool contains(const X3dNode& node)
     {
         if (!m_found)
@@ -136,7 +136,7 @@ private:
     std::optional<std::unordered_set<const X3dNode*>> m_found;
 };
 
-/// The text that is written, with the names of what is in it.
+/// The output text, and the names of the nodes that it contains.
 class X3dText
 {
 public:
@@ -147,9 +147,9 @@ public:
 
     void add(std::string_view text) { m_text += text; }
     std::size_t size() const { return m_text.size(); }
-    /// Takes back what was written since then.
+    /// Removes the text written since the output had this size.
     void shrink(std::size_t size) { m_text.resize(size); }
-    /// Takes back the last name that was given, too.
+    /// Removes text as shrink(size), and the name that addDefinition() gave last, to this node.
     void shrink(std::size_t size, const X3dNode& named)
     {
         m_text.resize(size);
@@ -178,7 +178,7 @@ public:
         add(">");
     }
 
-    /// Names a node that was written already, as a node of that name. Returns false if it was not.
+    /// Writes a reference to a node that was already written under that element name. Returns false if it was not.
     bool addUse(const X3dNode& node, std::string_view name)
     {
         const auto found = m_named.find(&node);
@@ -189,7 +189,8 @@ public:
         return true;
     }
 
-    /// Names a node, so that addUse() finds it. `name`: of the node as it is written; kept as a view.
+    /// Gives the node being written a name, so that addUse() finds it. `name`: element name as written; only a view is
+    /// kept.
     void addDefinition(const X3dNode& node, std::string_view name)
     {
         m_named.insert_or_assign(&node, std::pair(m_nextName, name));
@@ -213,7 +214,7 @@ public:
         m_text += '"';
     }
 
-    /// Gives a node without one of the file's own a name.
+    /// Gives a node that has no counterpart in the file a name.
     void addName() { m_text += " DEF=\"" + m_names + std::to_string(m_nextName++) + "\""; }
 
     static std::string escaped(std::string_view text)
@@ -243,10 +244,11 @@ public:
 
 private:
     const FileBytes& m_file;
-    std::string m_names; ///< how the names of this file's nodes begin
+    std::string m_names; ///< prefix of the names of this file's nodes
     std::string m_text;
     std::size_t m_nodes = 0, m_nextName = 0;
-    std::unordered_map<const X3dNode*, std::pair<std::size_t, std::string_view>> m_named; ///< of what was written
+    /// Nodes that were written, with their numbers and element names.
+    std::unordered_map<const X3dNode*, std::pair<std::size_t, std::string_view>> m_named;
 };
 
 class X3dWriter
@@ -270,7 +272,7 @@ public:
         const std::size_t before = m_to.size();
         addChildren(m_document.scene());
         if (!isInMetres && m_to.size() == before)
-            m_to.shrink(scene); // readers may not expect a transform of nothing
+            m_to.shrink(scene); // some readers do not expect an empty transform
         else if (!isInMetres)
             m_to.add("</Transform>");
         m_to.add("</Scene></X3D>\n");
@@ -295,7 +297,7 @@ private:
     void add(const X3dNode& node)
     {
         const X3dNode& meant = node.meant();
-        if (node.text("containerField") == "proxy") // of a Collision: what is met, not what is seen
+        if (node.text("containerField") == "proxy") // of a Collision: the shape for collisions, which is not visible
             return;
         if (meant.isFalse("visible") && !hidesEach(m_document, meant))
             return;
@@ -333,8 +335,8 @@ private:
         m_open.erase(&meant);
     }
 
-    /// Adds an attribute whose axis, if it has one, is of unit length: Assimp multiplies with it as it stands. An axis
-    /// of no length turns nothing.
+    /// Writes an attribute of a transform. Normalises its axis, if it has one, because Assimp uses it unchanged. A
+    /// rotation about an axis of length 0 is omitted.
     void addPlacing(const X3dNode& node, std::string_view name, std::size_t count)
     {
         std::vector<double> numbers = x3dNumbers(m_file, node, name);
@@ -344,7 +346,7 @@ private:
             refuseX3d(m_file, node, FileFault::Number, node.text(name));
         if (count == 4) {
             const double length = std::hypot(numbers[0], numbers[1], numbers[2]);
-            constexpr double tolerance = 1e-12; // an axis that was divided once stays as it is
+            constexpr double tolerance = 1e-12; // an axis that is already normalised is not changed
             if (length == 0)
                 return;
             for (std::size_t i = 0; i < 3 && std::abs(length - 1) > tolerance; ++i)
@@ -354,7 +356,7 @@ private:
         m_to.addNumbers(name, numbers);
     }
 
-    /// Adds what is shown: of a Switch the child that it chooses, of a LOD the first that shows anything, which is the
+    /// Adds the visible child: for a Switch the chosen one, for a LOD the first that shows anything, which is the
     /// finest.
     void addChosen(const X3dNode& node)
     {
@@ -364,7 +366,7 @@ private:
             choice = which.empty() ? -1 : parseInteger(which.front()).value_or(-1);
         }
         if (choice < 0)
-            return; // nothing is shown
+            return; // nothing is visible
         const std::size_t before = m_to.size();
         for (const X3dNode* child : node.children) {
             if (isMetadata(*child) || isIn(noSurfaces, child->name) || choice-- > 0)
@@ -396,7 +398,7 @@ private:
         m_to.shrink(before, shape);
     }
 
-    /// Adds what says whether there are materials and textures.
+    /// Adds only the information whether there are materials and textures.
     void addAppearance(const X3dNode& appearance)
     {
         std::string inside;
@@ -491,7 +493,7 @@ private:
         }
         const bool isInMetres = m_document.metres() == 1;
         if (!isInMetres)
-            m_to.beginScale(1 / m_document.metres()); // the file has a unit of its own
+            m_to.beginScale(1 / m_document.metres()); // the inlined file has its own unit
         m_to.begin(node, "Inline");
         m_to.add(" url=\"" + X3dText::escaped(*name) + "\"/>");
         if (!isInMetres)
@@ -505,7 +507,7 @@ private:
     X3dLists m_lists{m_file};
     std::size_t m_unread = 0;
     NodesWithShapes m_withShapes{m_document.scene()};
-    std::unordered_set<const X3dNode*> m_open; ///< groups that are being written
+    std::unordered_set<const X3dNode*> m_open; ///< groups that are being written, to find cycles
 };
 } // namespace
 

@@ -1,4 +1,4 @@
-// Source: Web3D Consortium, ISO/IEC 19775-1, clause 11 (rendering: triangle sets), 13 (geometry: ElevationGrid,
+// Sources: Web3D Consortium, ISO/IEC 19775-1, clauses 11 (rendering: triangle sets), 13 (geometry: ElevationGrid,
 // IndexedFaceSet), 32 (CAD: quad sets).
 #include "core/io/mesh/x3d_faces.h"
 
@@ -26,7 +26,7 @@ constexpr std::string_view blanks = " \t\r\n,";
     throw error;
 }
 
-/// Returns the node's indices, each -1 or below `count`.
+/// Returns the indices in an attribute, each -1 or less than `count`.
 std::vector<Index> indicesIn(const FileBytes& file, const X3dNode& node, std::string_view attribute, std::size_t count)
 {
     std::vector<Index> indices;
@@ -41,7 +41,7 @@ std::vector<Index> indicesIn(const FileBytes& file, const X3dNode& node, std::st
     return indices;
 }
 
-/// Returns the node's child of such a name, or null.
+/// Returns the node's child with this name; null if there is none.
 const X3dNode* childOf(const X3dNode& node, std::string_view name)
 {
     for (const X3dNode* child : node.children)
@@ -50,7 +50,7 @@ const X3dNode* childOf(const X3dNode& node, std::string_view name)
     return nullptr;
 }
 
-/// Returns the numbers of so many points, one after the other.
+/// Returns `count` consecutive indices.
 std::vector<Index> numbersOf(std::size_t count, std::size_t first = 0)
 {
     std::vector<Index> numbers(count);
@@ -58,7 +58,7 @@ std::vector<Index> numbersOf(std::size_t count, std::size_t first = 0)
     return numbers;
 }
 
-/// Cuts at each -1.
+/// Splits the list at each -1.
 std::vector<Face> runsOf(const std::vector<Index>& indices)
 {
     std::vector<Face> runs(1);
@@ -79,7 +79,7 @@ std::vector<Face> inPieces(const std::vector<Index>& indices, std::size_t corner
     return faces;
 }
 
-/// Cuts the points into runs, each as long as the attribute says.
+/// Splits consecutive points into runs with the lengths in the attribute.
 std::vector<Face> countedRuns(const FileBytes& file, const X3dNode& node, std::string_view attribute, std::size_t count)
 {
     std::vector<Face> runs;
@@ -152,12 +152,12 @@ std::size_t countIn(const FileBytes& file, const X3dNode& node, std::string_view
     return static_cast<std::size_t>(count);
 }
 
-/// An ElevationGrid's points as text, and its quads: along x, row after row.
+/// The points of an ElevationGrid as text, and its quads, row by row along x.
 struct Grid
 {
     std::string points;
     std::vector<Face> faces;
-    std::size_t count = 0; ///< of points
+    std::size_t count = 0; ///< number of points
 };
 
 Grid gridOf(const FileBytes& file, const X3dNode& node)
@@ -198,8 +198,8 @@ std::string written(const std::vector<Face>& faces, bool isReversed)
     return text;
 }
 
-/// Gives each of so many points the index of a colour, or -1. An index of the node counts for one corner of a face, or
-/// for a face; the last one of a point stays. `used`: as keepUsed() returned it.
+/// Returns for each point the index of its colour, or -1. An index in the node applies to a corner of a face, or to a
+/// whole face. If a point has several colours, the last one counts. `used`: the result of keepUsed().
 std::vector<Index> colorsOfPoints(const FileBytes& file, const X3dNode& node, const std::vector<Face>& faces,
                                   const std::vector<Index>& used, std::size_t points, std::size_t colors)
 {
@@ -208,7 +208,7 @@ std::vector<Index> colorsOfPoints(const FileBytes& file, const X3dNode& node, co
     const std::vector<Index> indices = indicesIn(file, node, "colorIndex", colors);
     const std::vector<Face> corners = isOfFaces ? std::vector<Face>() : runsOf(indices);
     for (std::size_t i = 0; i < faces.size(); ++i)
-        for (std::size_t k = 0; k < faces[i].size() && faces[i].size() >= 3; ++k) { // others are left out
+        for (std::size_t k = 0; k < faces[i].size() && faces[i].size() >= 3; ++k) { // smaller faces are left out
             const Index point = faces[i][k];
             if (indices.empty())
                 result[point] = isOfFaces ? static_cast<Index>(i) : used.empty() ? point : used[point];
@@ -239,8 +239,8 @@ void addColors(const FileBytes& file, const X3dNode& node, const std::vector<Fac
         }
 }
 
-/// Numbers the points of faces anew if these use less than half of `count`, and returns the ones used. Takes no longer
-/// where there are more: many sets may share them.
+/// Renumbers the faces' points if they use less than half of `count` points, and returns the used ones. Returns nothing
+/// otherwise. Cost: linear in the faces only, because many sets may share a large list of points.
 std::vector<Index> keepUsed(std::vector<Face>& faces, std::size_t count)
 {
     std::unordered_map<Index, Index> own;
@@ -326,7 +326,7 @@ std::optional<X3dFaces> facesOfX3d(const FileBytes& file, const X3dNode& node, X
     X3dFaces result;
     std::size_t count = numbers.size() / 3;
     std::optional<std::vector<Face>> faces;
-    std::vector<Index> used; // empty: all
+    std::vector<Index> used; // empty: all points are used
     if (node.name == "ElevationGrid") {
         Grid grid = gridOf(file, node);
         count = grid.count;

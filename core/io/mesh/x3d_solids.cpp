@@ -1,4 +1,4 @@
-// Source: Web3D Consortium, ISO/IEC 19775-1, 13.3.2 (Cone), 13.3.3 (Cylinder), 13.3.5 (Extrusion: the planes of its
+// Source: Web3D Consortium, ISO/IEC 19775-1, 13.3.2 (Cone), 13.3.3 (Cylinder), 13.3.5 (Extrusion: planes of the
 // cross-sections along the spine).
 #include "core/io/mesh/x3d_solids.h"
 
@@ -15,8 +15,8 @@ namespace core::io
 namespace
 {
 constexpr int sides = 32;
-/// The sine of a turn of the spine up to which it is straight there: the rounding of its numbers makes such turns, in
-/// any direction. Curves of fewer than 60,000 pieces a turn have larger ones.
+/// Sine of the largest turn of a spine that counts as straight. Rounding of the points causes such turns in any
+/// direction. Curves with fewer than 60,000 segments a full turn have larger ones.
 constexpr double straightTurn = 1e-4;
 
 /// Collects points and faces as text.
@@ -54,7 +54,7 @@ private:
     bool m_isReversed;
 };
 
-/// Adds a ring about the y axis, anticlockwise as it is seen from above.
+/// Adds a ring of points about the y axis, anticlockwise as seen from above.
 std::vector<int> addRing(FaceText& to, double radius, double y)
 {
     std::vector<int> ring;
@@ -98,7 +98,7 @@ X3dFaces cylinderOf(const FileBytes& file, const X3dNode& node)
     return faces.take();
 }
 
-/// A section that is drawn along a spine.
+/// A cross-section that is swept along a spine.
 struct Extrusion
 {
     std::vector<Vec3> spine;
@@ -107,7 +107,7 @@ struct Extrusion
     bool isSpineClosed = false, isSectionClosed = false;
 };
 
-/// Returns whether the first and the last of the values, which have so many numbers each, are the same.
+/// Returns whether the first and the last value are equal; each value has `each` numbers.
 bool endsAsItBegins(const std::vector<double>& values, std::size_t each)
 {
     const auto last = values.begin() + static_cast<std::ptrdiff_t>(each * (values.size() / each - 1));
@@ -139,7 +139,7 @@ Extrusion extrusionOf(const FileBytes& file, const X3dNode& node, double radians
     return result;
 }
 
-/// Returns the directions along the spine, or its turning at each point (the normals of the planes that it turns in).
+/// Returns for each point the direction of the spine, or, if `isTurning`, the normal of the plane in which it turns.
 std::vector<Vec3> alongSpine(const Extrusion& extrusion, bool isTurning)
 {
     const std::vector<Vec3>& spine = extrusion.spine;
@@ -152,7 +152,8 @@ std::vector<Vec3> alongSpine(const Extrusion& extrusion, bool isTurning)
                    &after = spine[i < last                  ? i + 1
                                   : extrusion.isSpineClosed ? 0
                                                             : last];
-        const Vec3 ahead = after - spine[i], back = before - spine[i], turning = ahead.cross(back); // 0 at an end
+        // `turning` is 0 at an end.
+        const Vec3 ahead = after - spine[i], back = before - spine[i], turning = ahead.cross(back);
         const bool isStraight = turning.norm() <= straightTurn * ahead.norm() * back.norm();
         if (isTurning)
             result.push_back(isStraight ? Vec3(0, 0, 0) : turning.normalized());
@@ -167,8 +168,8 @@ bool isDirection(const Vec3& v)
     return v.squaredNorm() > 0.5;
 }
 
-/// Gives the points without a direction that of the point before, those at the beginning that of the first that has
-/// one. Returns whether there is any.
+/// Gives each point without a direction that of the preceding point; points at the beginning get the first direction
+/// that exists. Returns whether there is any.
 bool fillDirections(std::vector<Vec3>& directions)
 {
     const auto first = std::find_if(directions.begin(), directions.end(), isDirection);
@@ -180,12 +181,12 @@ bool fillDirections(std::vector<Vec3>& directions)
     return true;
 }
 
-/// Returns the frames of the cross-sections: x and z lie in their planes, y along the spine.
+/// Returns the frames of the cross-sections: x and z are in their planes, y is along the spine.
 std::vector<Eigen::Matrix3d> framesOf(const Extrusion& extrusion)
 {
     std::vector<Vec3> y = alongSpine(extrusion, false), z = alongSpine(extrusion, true);
     const bool hasWay = fillDirections(y);
-    if (!fillDirections(z)) { // straight
+    if (!fillDirections(z)) { // the spine is straight
         const Vec3 up = hasWay ? y.front() : Vec3(0, 1, 0);
         return std::vector<Eigen::Matrix3d>(y.size(),
                                             Eigen::Quaterniond::FromTwoVectors(Vec3(0, 1, 0), up).toRotationMatrix());
@@ -202,13 +203,13 @@ std::vector<Eigen::Matrix3d> framesOf(const Extrusion& extrusion)
     return frames;
 }
 
-/// Returns the values for one of the spine's points: the last ones there are, where there are fewer.
+/// Returns the values for a point of the spine. If there are too few, the last ones are used.
 const double* valuesAt(const std::vector<double>& values, std::size_t each, std::size_t point)
 {
     return values.data() + each * std::min(point, values.size() / each - 1);
 }
 
-/// Adds the cross-sections. One that lies where the one before it lies is that one.
+/// Adds the rings of the cross-sections. A cross-section that equals the preceding one shares its points.
 std::vector<std::vector<int>> addRings(const Extrusion& extrusion, FaceText& to)
 {
     const std::vector<Eigen::Matrix3d> frames = framesOf(extrusion);

@@ -4,8 +4,8 @@
 
 namespace core::io
 {
-/// Returns the faces of a Cone, a Cylinder (both with 32 sides) or an Extrusion, closed and wound anticlockwise as far
-/// as its caps are wanted. Empty if it is none of these. `radians`: in the unit of the file's angles. Throws FileError
-/// with the node's line.
+/// Returns the faces of a Cone, a Cylinder (both with 32 sides) or an Extrusion, oriented anticlockwise. They are
+/// closed if the node's caps are not switched off. Empty for another node. `radians`: the file's unit of angles in
+/// radians. Throws FileError with the node's line.
 std::optional<X3dFaces> facesOfX3dSolid(const FileBytes& file, const X3dNode& node, double radians);
 } // namespace core::io

@@ -6,21 +6,22 @@
 
 namespace core::io
 {
-/// Keeps the namespaces that prefixes stand for, as elements begin and end. A prefix that is not declared stands for
-/// none: names with it belong to an extension that the file forgot to declare, and are not read.
+/// Tracks the namespaces of prefixes while elements begin and end. An undeclared prefix has no namespace: such names
+/// belong to an extension that the file forgot to declare, and are not read.
 class XmlNamespaces
 {
 public:
-    /// Begins an element. `attributes`: pairs of name and value, null behind the last.
+    /// Begins an element. `pairs`: names and values of its attributes in turn, followed by null.
     void begin(const char** pairs);
     void end();
 
-    /// Returns "namespace|name" of an element's or an attribute's name; the name alone where it has no namespace.
-    /// Elements without a prefix have the default one, attributes none. The view lasts until the next call.
+    /// Returns "namespace|name" for the name of an element or an attribute; the name alone if it has no namespace.
+    /// Elements without a prefix are in the default namespace, such attributes in none. The view is valid until the
+    /// next call.
     std::string_view element(std::string_view name);
     std::string_view attribute(std::string_view name);
 
-    /// Returns the namespace that the prefix stands for; empty if none. It lasts until the element ends.
+    /// Returns the namespace of a prefix; empty if it has none. The view is valid until the element ends.
     std::string_view spaceOf(std::string_view prefix) const;
 
 private:

@@ -69,7 +69,7 @@ void XmlAttributes::refuse(FileFault fault, std::string_view token) const
     throw malformed(fault, errorWithToken({}, m_file, token));
 }
 
-/// No exception passes through the library: it is kept, and parsing ends.
+/// The callbacks for expat. An exception must not pass through expat: it is stored, and parsing stops.
 struct XmlReader::Callbacks
 {
     static void begin(void* self, const char* name, const char** pairs)
@@ -79,7 +79,8 @@ struct XmlReader::Callbacks
             if (++reader.m_depth > maxDepth)
                 reader.refuse(FileFault::XmlTooDeep);
             reader.m_namespaces.begin(pairs);
-            const std::string whole(reader.m_namespaces.element(name)); // the view would not outlast the attributes
+            // Copied, because the view becomes invalid when attributes are read.
+            const std::string whole(reader.m_namespaces.element(name));
             reader.m_begin(whole, XmlAttributes(reader.m_file, pairs, reader.m_namespaces));
         });
     }

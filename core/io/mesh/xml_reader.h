@@ -12,7 +12,8 @@ struct XML_ParserStruct;
 
 namespace core::io
 {
-/// The attributes of one element; views last as long as its begin() does. Names: "name", or "namespace|name".
+/// The attributes of one element. Views are valid until the callback returns. Names have the form "name" or
+/// "namespace|name".
 class XmlAttributes
 {
 public:
@@ -22,15 +23,16 @@ public:
         , m_namespaces(namespaces)
     {}
 
-    /// Without blanks around it; empty if there is none.
+    /// Returns the attribute's value without surrounding blanks; empty if there is none.
     std::string_view text(std::string_view name) const;
-    /// Throw FileError: NotANumber with the text, or Malformed with the name if there is none.
+    /// Returns the attribute's number. Throws FileError: NotANumber with the text, or Malformed with the name if there
+    /// is none.
     float number(std::string_view name) const;
     std::uint32_t whole(std::string_view name) const;
-    /// Empty if there is none.
+    /// Returns the attribute's number; nothing if there is none.
     std::optional<std::uint32_t> wholeIfAny(std::string_view name) const;
 
-    /// Returns the namespace that a prefix stands for here; empty if none.
+    /// Returns the namespace that a prefix has at this element; empty if none.
     std::string_view spaceOf(std::string_view prefix) const { return m_namespaces.spaceOf(prefix); }
 
     [[noreturn]] void refuse(FileErrorKind kind, std::string_view token) const;
@@ -42,9 +44,10 @@ private:
     XmlNamespaces& m_namespaces;
 };
 
-/// Strangers' XML, parsed piece by piece by a library (expat), in UTF-8 or UTF-16. There are no document types, so
-/// there are no entities but the five, and nothing outside is ever opened; elements lie at most 64 deep, and no tag is
-/// longer than 1 MiB. Names with a prefix that nothing declares have no namespace. Errors name the line.
+/// Parses XML from untrusted sources piece by piece, in UTF-8 or UTF-16, with the library expat. Document types are
+/// refused. So there are no entities except the five predefined ones, and no other file is ever opened. Elements may be
+/// nested 64 deep, and a tag may be 1 MiB long. Names with an undeclared prefix have no namespace. Errors have the
+/// line.
 class XmlReader
 {
 public:
@@ -52,10 +55,10 @@ public:
     using End = std::function<void(std::string_view name)>;
     using Text = std::function<void(std::string_view piece)>;
 
-    /// `text` gets what stands between tags, in UTF-8, piece by piece.
+    /// `text` receives the text between tags in UTF-8, piece by piece.
     XmlReader(const FileBytes& file, Begin begin, End end, Text text = {});
 
-    /// The last piece is empty. Throws FileError, and what the three functions throw.
+    /// Parses a piece; the last one is empty. Throws FileError, and whatever the callbacks throw.
     void take(std::string_view piece);
     /// Returns the line that is being parsed, from 1.
     std::uint64_t line() const;
@@ -72,7 +75,7 @@ private:
     Text m_text;
     std::unique_ptr<XML_ParserStruct, void (*)(XML_ParserStruct*)> m_parser;
     int m_depth = 0;
-    std::uint64_t m_given = 0; ///< bytes
+    std::uint64_t m_given = 0; ///< bytes passed to the parser so far
     std::exception_ptr m_problem;
 };
 } // namespace core::io

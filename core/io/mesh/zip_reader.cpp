@@ -17,7 +17,7 @@ std::uint64_t limitFor(std::size_t fileSize)
     return std::clamp(maxTimes * fileSize, alwaysTaken, maxUnpacked);
 }
 
-/// Returns the path with slashes, in lower case, and with the bytes that percent signs stand for.
+/// Returns the path in lower case with forward slashes, no leading slash, and decoded percent signs.
 std::string plainName(std::string_view name)
 {
     std::string plain;
@@ -51,7 +51,7 @@ zip* opened(const FileBytes& file)
     zip* const archive = zip_open_from_source(source, ZIP_RDONLY, nullptr);
     if (!archive) {
         zip_source_free(source);
-        throw cutOff(file); // the directory stands at the end
+        throw cutOff(file); // the directory is at the file's end
     }
     return archive;
 }

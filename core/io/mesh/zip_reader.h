@@ -12,9 +12,10 @@ struct zip;
 
 namespace core::io
 {
-/// A zip file in memory, unpacked by a library (libzip): its parts by name, in either case. All that is read of it may
-/// have a hundred times the file's size, at least 16 MiB and at most 4 GiB; what announces or has more throws
-/// FileError::UnpacksTooLarge. Each part takes 64 KiB of memory at a time, the directory some six times its own size.
+/// A zip file in memory, unpacked by the library libzip. Parts are found by name in upper or lower case. The total of
+/// unpacked bytes is limited to a hundred times the file's size, but at least 16 MiB and at most 4 GiB. A part that
+/// declares or contains more throws FileError::UnpacksTooLarge. Memory: 64 KiB while a part is read, and about six
+/// times the size of the directory.
 class ZipReader
 {
 public:
@@ -23,16 +24,15 @@ public:
     ZipReader(const ZipReader&) = delete;
     ZipReader& operator=(const ZipReader&) = delete;
 
-    /// Of its parts. Names are not checked: nobody may take them for paths.
+    /// Returns the number of parts. Their names are unchecked and must not be used as paths.
     std::size_t count() const;
     std::vector<std::string> names() const;
     bool has(const std::string& part) const;
-    /// Returns the name that `part` has in the package: in another case, with backslashes, or with percent signs.
+    /// Returns the name that `part` has in the package: it may differ in case, slashes and percent encoding.
     std::optional<std::string> find(const std::string& part) const;
 
-    /// `take` gets a piece after the other; the last one is empty. Throws FileError: Malformed with the part's name if
-    /// it is not there, or is encrypted or packed in a way that we do not take; CutOff if its bytes are not what they
-    /// were.
+    /// Passes the part to `take` piece by piece; the last piece is empty. Throws FileError: Malformed with the part's
+    /// name if it does not exist, is encrypted, or is packed in an unsupported way; CutOff if its data are damaged.
     using Take = std::function<void(std::string_view piece)>;
     void read(const std::string& part, const Take& take);
 

@@ -8,18 +8,19 @@ namespace core::io
 {
 namespace
 {
-constexpr int packing = 3; ///< of deflate's 1 to 9: at 6 a model takes three times as long, and is a tenth smaller
+/// Deflate level, 1 to 9; level 6 takes three times as long and makes a model a tenth smaller.
+constexpr int packing = 3;
 constexpr std::uint16_t firstDosDay = 0x21; ///< 1980-01-01
 } // namespace
 
-// All goes on in memory: what fails, fails for want of it.
+// Everything is done in memory, so that every failure is a lack of memory.
 ZipWriter::ZipWriter()
     : m_packed(zip_source_buffer_create(nullptr, 0, 0, nullptr), &zip_source_free)
     , m_zip(nullptr, &zip_discard)
 {
     if (!m_packed)
         throw std::bad_alloc();
-    zip_source_keep(m_packed.get()); // the archive frees it once
+    zip_source_keep(m_packed.get()); // keeps the buffer after the archive frees it once
     m_zip.reset(zip_open_from_source(m_packed.get(), ZIP_CREATE | ZIP_TRUNCATE, nullptr));
     if (!m_zip) {
         zip_source_free(m_packed.get());

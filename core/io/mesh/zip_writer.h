@@ -10,8 +10,7 @@ struct zip_source;
 
 namespace core::io
 {
-/// A zip file that is made in memory by a library (libzip). The same parts give the same bytes: all are of the first
-/// day that zip knows.
+/// Makes a zip file in memory with the library libzip. Equal parts give equal bytes: all have the date 1980-01-01.
 class ZipWriter
 {
 public:
@@ -22,13 +21,13 @@ public:
     ZipWriter(const ZipWriter&) = delete;
     ZipWriter& operator=(const ZipWriter&) = delete;
 
-    /// The bytes must stay until writeTo().
+    /// Adds a part. Precondition: the bytes stay valid until writeTo().
     void add(const char* name, std::string_view bytes, Packing packing);
-    /// Takes the source, which must be one of this archive's.
+    /// Adds a part and takes ownership of the source. Precondition: the source belongs to archive().
     void add(const char* name, zip_source* source, Packing packing);
     zip* archive() { return m_zip.get(); }
 
-    /// Ends it. Throws FileError.
+    /// Finishes the zip and writes it. Throws FileError.
     void writeTo(AtomicFile& out);
 
 private:
