@@ -9,7 +9,7 @@ namespace core
 /// An edge that is drawn: an outline in at least one view, or a crease.
 struct FeatureEdge
 {
-    Slot a, b; ///< vertices
+    Slot a, b; ///< indices of its vertices
     std::array<Slot, 2> faces;
     std::uint8_t outlineIn; ///< one bit for each DrawnSide: one of the faces faces the eye and the other does not
     bool isCrease;
@@ -17,7 +17,7 @@ struct FeatureEdge
 
 struct HalfEdge
 {
-    Slot a, b, face; ///< a < b
+    Slot a, b, face; ///< vertices, a < b, and the face
     friend auto operator<=>(const HalfEdge&, const HalfEdge&) = default;
 };
 
@@ -71,7 +71,7 @@ private:
     std::vector<std::uint8_t> m_facing;
     Marks m_marks;
     std::vector<Box> m_blocks;
-    std::vector<std::pair<Slot, Slot>> m_corners; ///< for each block the lowest and the highest vertex slot
+    std::vector<std::pair<Slot, Slot>> m_corners; ///< lowest and highest vertex slot of each block
     std::vector<double> m_volumes;                ///< volume contribution of each block in mm^3, times 6
     std::vector<HalfEdge> m_halfEdges;            ///< candidates for lines, ascending
     std::vector<FeatureEdge> m_edges;

@@ -11,7 +11,7 @@ namespace
 constexpr double boxMargin = 0.125;
 /// Smallest fraction of the grid that the model must fill; below it a smaller grid is made.
 constexpr double minRoomShare = 0.5;
-constexpr std::size_t maxChanged = 4; ///< if more than 1 / maxChanged of the faces change, a full scan is faster
+constexpr std::size_t maxChanged = 4; ///< a full scan is faster if more than 1 / maxChanged of the faces change
 
 std::vector<Slot> slotsOf(const std::vector<SlotSpan>& spans)
 {

@@ -32,9 +32,9 @@ struct DrawnImage
 
 struct DrawnView
 {
-    Eigen::AlignedBox2f box;         ///< of the model, in the view's plane, mm
-    std::vector<DrawnLine> outlines; ///< where the surface turns away from the eye
-    std::vector<DrawnLine> creases;  ///< where the surface bends by more than the crease angle
+    Eigen::AlignedBox2f box;         ///< bounding box of the model in the view's plane, mm
+    std::vector<DrawnLine> outlines; ///< lines where the surface turns away from the eye
+    std::vector<DrawnLine> creases;  ///< lines where the surface bends by more than the crease angle
     DrawnImage shaded;               ///< empty unless it was requested
 };
 
@@ -42,8 +42,8 @@ struct DrawnView
 struct LineDrawing
 {
     std::array<DrawnView, 3> views; ///< indexed by DrawnSide
-    Box box;                        ///< of the model, mm; empty if there is no model
-    double volume = 0;              ///< of the model, mm^3
+    Box box;                        ///< bounding box of the model, mm; empty if there is no model
+    double volume = 0;              ///< volume of the model, mm^3
     /// Pixel size of the hidden-line test, mm; a line that is partly hidden ends within two pixels of the exact place.
     float pixel = 0;
     bool hasCreases = true; ///< false: creases were omitted because there were too many
@@ -56,7 +56,7 @@ struct DrawingDetail
 {
     int pixels = 2048; ///< resolution of the hidden-line test along the model's longest side
     bool shaded = false;
-    std::size_t maxEdges = std::size_t(-1); ///< if more edges may be outlines or creases, creases are omitted
+    std::size_t maxEdges = std::size_t(-1); ///< limit on possible outlines and creases; beyond it creases are omitted
 };
 
 /// An edge is a crease if its faces meet at an angle of more than 40 degrees between their normals.

@@ -41,7 +41,7 @@ struct ThumbnailPoint
 {
     Eigen::Matrix3d turn; ///< rotation and scale
     Vec3 target;          ///< the point in the middle of the picture
-    double distance;      ///< from the eye to the target, scaled; 0: parallel projection
+    double distance;      ///< scaled distance from the eye to the target; 0: parallel projection
 };
 
 /// Smallest visible distance from the eye, as a fraction of the distance from the eye to the target.

@@ -15,7 +15,7 @@ namespace core
 struct SavedView
 {
     Vec3 target = Vec3::Zero();
-    double distance = 1;       ///< from the eye to the target, mm, above 0
+    double distance = 1;       ///< distance from the eye to the target, mm, above 0
     double yaw = 0, pitch = 0; ///< radians; yaw 0 and pitch 0 look along -Z, pitch above 0 looks down
     bool orthographic = false;
 };
@@ -33,10 +33,10 @@ struct WorkDone
 struct SavedReference
 {
     std::string side;           ///< "front", "back", "right", "left", "top" or "bottom"
-    std::filesystem::path path; ///< of the image file; absolute
+    std::filesystem::path path; ///< path of the image file; absolute
     double width = 100;         ///< width of the image, mm, above 0
     double x = 0, y = 0;        ///< centre of the image relative to the origin, mm, to the right and up
-    double opacity = 1;         ///< above 0, at most 1
+    double opacity = 1;         ///< opacity of the image, above 0, at most 1
     bool inFront = false;       ///< drawn over the model instead of behind it
 
     friend bool operator==(const SavedReference&, const SavedReference&) = default;

@@ -65,7 +65,7 @@ bool isInside(const VertexImage& image, const SlotCounts& counts)
 
 bool isInside(const EdgeImage& image, const SlotCounts& counts)
 {
-    const auto links = linksOf<8>(image.item); // in the order of edgeImage()
+    const auto links = linksOf<8>(image.item); // same order as in edgeImage()
     for (std::size_t i = 0; i < links.size(); i += 4)
         if (links[i] >= counts.faces || links[i + 1] >= counts.vertices || links[i + 2] >= 2 * counts.edges ||
             links[i + 3] >= 2 * counts.edges)

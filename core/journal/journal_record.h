@@ -29,7 +29,7 @@ struct JournalStep
 struct JournalDocument
 {
     std::string name, path;            ///< UTF-8; an empty path: the document has no file
-    DocumentMetadata metadata;         ///< without the frame, which is part of the mesh
+    DocumentMetadata metadata;         ///< metadata without the frame, which is part of the mesh
     bool changedBeyondHistory = false; ///< true: the document is unsaved regardless of the history's state
 };
 

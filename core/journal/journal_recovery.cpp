@@ -38,7 +38,7 @@ private:
     {
         return m_withMesh ? std::make_shared<MeshDelta>(std::move(image)) : nullptr;
     }
-    bool apply(StartRecord&) { return false; } // these three kinds occur only at the beginning
+    bool apply(StartRecord&) { return false; } // records of these three kinds occur only at the beginning
     bool apply(PartRecord&) { return false; }
     bool apply(BaseRecord&) { return false; }
     bool apply(ChangeRecord& record);

@@ -103,7 +103,7 @@ void JournalWriter::push(Entry entry)
         const std::lock_guard lock(m_mutex);
         if (m_isBroken)
             return;
-        // Not counting this change, which may be larger than the limit itself.
+        // The limit excludes this change, which alone may exceed it.
         isTooMuch = entry.bytes > 0 && m_waitingBytes > m_limits.waitingBytes;
         m_waitingBytes += entry.bytes;
         m_entries.push_back(std::move(entry));
@@ -200,7 +200,7 @@ void JournalWriter::beginFolder(std::function<void()> make)
     }
     {
         const std::lock_guard lock(m_mutex);
-        m_waits = false; // from now on after() waits for the records added before
+        m_waits = false; // after() now waits for the records added before
     }
     if (!isBroken() && m_callbacks.begun)
         m_callbacks.begun();

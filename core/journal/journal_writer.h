@@ -30,7 +30,7 @@ struct JournalLimits
 struct JournalCallbacks
 {
     std::function<void(const FileError&)> broken; ///< called once, when recording has stopped
-    /// Called once, when the disk is slower than promisedMs; `ms` is the time that it took.
+    /// Called once, when the disk is slower than promisedMs; `ms` is the time that the sync took.
     std::function<void(double ms)> late;
     /// Called by a deferred journal when its base is on disk; from then on the journal contains the whole document.
     std::function<void()> begun;

@@ -80,7 +80,7 @@ struct TargetVerdict
 
 struct CheckpointVerdict
 {
-    std::vector<FactVerdict> facts; ///< in the order of the checkpoint
+    std::vector<FactVerdict> facts; ///< one verdict for each fact, in the order of the checkpoint
     std::optional<TargetVerdict> target;
 
     bool isMet() const;

@@ -27,8 +27,8 @@ struct LessonText
 /// right, positive pitch from above.
 struct LessonView
 {
-    double yaw = 0;   ///< -180 to 180
-    double pitch = 0; ///< -90 to 90
+    double yaw = 0;   ///< degrees, -180 to 180
+    double pitch = 0; ///< degrees, -90 to 90
 
     friend bool operator==(const LessonView&, const LessonView&) = default;
 };

@@ -20,7 +20,7 @@ using LessonCue = std::variant<StrokeBegins, StrokeSample, StrokeEnds, ModelComm
 /// The teacher's brush as displayed during playback: at work, and between strokes. Model space, mm.
 struct GhostBrush
 {
-    Vec3 position = Vec3::Zero(); ///< of the brush, or the origin of its ray
+    Vec3 position = Vec3::Zero(); ///< position of the brush, or origin of its ray
     /// Direction of the ray. Missing: the brush is at the position, or on the surface near it.
     std::optional<Vec3> direction;
     /// Orientation of the model in the teacher's world, as on a turntable.
@@ -75,7 +75,7 @@ private:
     enum class Kind { Begin, Sample, End, Command };
     struct Moment
     {
-        double time; ///< s
+        double time; ///< seconds from the step's start
         Kind kind;
         std::size_t entry, sample;
     };

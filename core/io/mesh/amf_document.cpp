@@ -308,7 +308,8 @@ void AmfDocumentReader::takeColor()
         node.colors.setObject(color);
 }
 
-/// Reads metadata of slicers: whether the slicer wrote the file, and whether a volume is not solid.
+/// Reads metadata of slicers: whether a slicer wrote the file (then angles are in radians), and whether a volume is
+/// solid.
 void AmfDocumentReader::takeMetadata()
 {
     const std::string_view value = trimmed(m_text);

@@ -15,7 +15,7 @@ struct AmfInstance
 {
     std::string object; ///< id of the object or constellation
     std::uint64_t line = 0;
-    Eigen::Vector3d move = Eigen::Vector3d::Zero(); ///< in the document's unit
+    Eigen::Vector3d move = Eigen::Vector3d::Zero(); ///< translation in the document's unit
     Eigen::Vector3d rotation = Eigen::Vector3d::Zero();
     Eigen::Vector3d scale = Eigen::Vector3d::Ones(); ///< an extension of slicers; negative values mirror
 };
@@ -24,7 +24,7 @@ struct AmfInstance
 struct AmfNode
 {
     std::string id;    ///< empty: no instance can refer to it
-    TriangleMesh mesh; ///< in the document's unit; indices are in range
+    TriangleMesh mesh; ///< mesh in the document's unit; indices are in range
     std::size_t volumes = 0;
     bool isWhole = true; ///< false: a volume was left out
     std::vector<AmfInstance> instances;

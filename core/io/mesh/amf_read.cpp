@@ -144,7 +144,7 @@ public:
             AmfNode& node = m_document.nodes[i];
             node.mesh.colors = node.colors.of(node.mesh, m_document.materials);
             if (!node.isWhole)
-                removeUnusedVertices(node.mesh); // they would distort the model's size
+                removeUnusedVertices(node.mesh); // unused vertices would distort the model's size
             for (const AmfInstance& instance : node.instances) {
                 const auto found = ids.find(instance.object);
                 if (found == ids.end())
@@ -218,7 +218,7 @@ private:
     AmfDocument m_document;
     StopCheck m_stopCheck;
     MeshAssembly m_assembly;
-    /// For each node, the nodes that its instances refer to, in their order.
+    /// Nodes that the instances of each node refer to, in the order of the instances.
     std::vector<std::vector<std::size_t>> m_named;
     std::vector<Progress> m_progress; ///< state of each node in the search for cycles
     std::size_t m_copies = 0;

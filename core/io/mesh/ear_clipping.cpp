@@ -55,8 +55,8 @@ public:
 private:
     float seen(Slot corner, std::size_t k) const { return m_polygon.seen(corner, static_cast<int>(k)); }
 
-    /// Returns the row or column of a coordinate. It increases monotonically with x, so that every corner in a box is
-    /// in the box's cells.
+    /// Returns the row or column of a coordinate. It never decreases as x grows, so that every corner in a box is in
+    /// the box's cells.
     std::size_t step(float x, std::size_t k) const
     {
         const double part = m_size[k] > 0 ? (static_cast<double>(x) - static_cast<double>(m_min[k])) / m_size[k] : 0;
@@ -132,7 +132,7 @@ private:
     struct Waiting
     {
         Slot place;
-        std::uint32_t turn; ///< number of the place's latest enqueueing; an entry with an older number is void
+        std::uint32_t turn; ///< m_turns[place] when it was enqueued; the entry is void if that has changed
     };
 
     void enqueue(Slot place) { m_waiting.push_back({place, ++m_turns[place]}); }
@@ -178,7 +178,7 @@ private:
     FlatPolygon m_polygon;
     RingGrid m_grid;
     std::vector<Slot> m_next, m_previous; ///< neighbours of each place among the remaining places
-    std::vector<std::uint32_t> m_turns;   ///< how often each place was enqueued; `gone` if it was cut
+    std::vector<std::uint32_t> m_turns;   ///< number of times that each place was enqueued; `gone` if it was cut
     std::deque<Waiting> m_waiting;
     std::size_t m_left;
     Slot m_last = 0; ///< any remaining place

@@ -48,8 +48,8 @@ bool isText(std::string_view start, std::size_t strayOneIn = 64)
     return !text.empty() && static_cast<std::size_t>(strays) <= text.size() / strayOneIn;
 }
 
-/// Returns whether the bytes are UTF-16 in either byte order: they have a byte order mark, or every second of the first
-/// bytes is 0.
+/// Returns whether the bytes are UTF-16 in either byte order: they have a byte order mark, or every other byte at the
+/// beginning is 0.
 bool isUtf16(std::string_view start)
 {
     constexpr std::size_t looked = 32;

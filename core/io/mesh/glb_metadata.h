@@ -16,8 +16,8 @@ namespace core::io
 ///      "references": [{"side": "front", "path": "lion.jpg", "width": 120, "x": 0, "y": 50, "opacity": 0.6,
 ///                      "inFront": false}]}
 ///
-/// Empty metadata adds no extension. Coordinates are multiples of 2^-lattice mm; "brush" is a stroke of a stroke file
-/// without samples.
+/// Empty metadata adds no extension. Coordinates are multiples of 2^-lattice mm. "brush" is a stroke of a stroke file
+/// without samples. A model that is not at its file's origin also has "place": [x, y, z], mm (MeshFrame::place).
 void addMetadata(nlohmann::ordered_json& document, const DocumentMetadata& metadata);
 
 /// Reads the metadata from the start of a GLB. Ignores entries that addMetadata() would not have written.

@@ -171,7 +171,7 @@ private:
             return;
         const auto isSeam = [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; };
         const auto begin = m_mesh.triangles.begin() + static_cast<std::ptrdiff_t>(before);
-        // Degenerate triangles that connect strips.
+        // Strips are connected by degenerate triangles, which are removed here.
         m_mesh.triangles.erase(std::remove_if(begin, m_mesh.triangles.end(), isSeam),
                                m_mesh.triangles.end()); // Clang 14, which the fuzzers need, knows no ranges::remove_if
     }

@@ -15,7 +15,7 @@ namespace core::io
 /// The placement of a mesh in a scene.
 struct GltfPlace
 {
-    Eigen::Matrix4d transform; ///< from the mesh to the scene; not used for vertices bound to joints
+    Eigen::Matrix4d transform; ///< transform from the mesh to the scene; not used for vertices bound to joints
     /// Transforms from a skinned mesh to the scene, one for each joint; empty without a skin. Valid as long as the
     /// GltfScene exists.
     std::span<const Eigen::Matrix4d> joints;

@@ -29,7 +29,7 @@ public:
 private:
     struct Binding
     {
-        LargeBuffer<float> joints, weights; ///< four of each vertex
+        LargeBuffer<float> joints, weights; ///< four values for each vertex
     };
 
     std::span<const Eigen::Matrix4d> m_joints;

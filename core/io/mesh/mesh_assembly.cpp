@@ -16,7 +16,8 @@ constexpr std::size_t maxVertexCopies = 16, maxFaceCopies = 32, alwaysTaken = st
 
 void removeUnusedVertices(TriangleMesh& mesh)
 {
-    std::vector<Slot> places(mesh.points.size(), 0); // at first 1 for used vertices, later the new index of each vertex
+    // Initially 1 for used vertices, later the new index of each vertex.
+    std::vector<Slot> places(mesh.points.size(), 0);
     for (const Triangle& triangle : mesh.triangles)
         for (const Slot corner : triangle)
             places[corner] = 1;

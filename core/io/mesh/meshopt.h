@@ -53,7 +53,7 @@ private:
     std::string_view m_rest;
 };
 
-/// Unpack one mode each, and apply the filter; called by meshoptUnpacked().
+/// Steps of meshoptUnpacked(): the first three functions unpack one mode each, the last applies a filter.
 std::string meshoptAttributes(const FileBytes& file, const MeshoptView& view);
 std::string meshoptTriangles(const FileBytes& file, const MeshoptView& view);
 std::string meshoptIndices(const FileBytes& file, const MeshoptView& view);

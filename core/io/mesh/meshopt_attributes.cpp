@@ -141,7 +141,7 @@ private:
     MeshoptBytes m_bytes;
     bool m_isFirstVersion = false;
     std::array<std::uint8_t, maxStride> m_last{};         ///< the previous element
-    std::array<std::uint8_t, maxStride / 4> m_channels{}; ///< for each group of four bytes: how to combine deltas
+    std::array<std::uint8_t, maxStride / 4> m_channels{}; ///< way of combining the deltas of each group of four bytes
     /// Deltas of a block, indexed by byte and element.
     std::array<std::array<std::uint8_t, maxBlock>, maxStride> m_deltas{};
 };

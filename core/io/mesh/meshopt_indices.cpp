@@ -146,7 +146,7 @@ private:
     std::size_t m_count;
     MeshoptBytes m_bytes;
     IndexWriter m_writer;
-    /// M_next: the next unused index; m_last: the latest index written explicitly.
+    /// The next unused index, and the latest index that is explicit in the data.
     std::uint32_t m_next = 0, m_last = 0;
     Fifo<std::array<std::uint32_t, 2>> m_edges;
     Fifo<std::uint32_t> m_vertices;

@@ -33,9 +33,9 @@ struct PlyProperty
 struct PlyElement
 {
     std::string_view name;
-    std::uint64_t count = 0; ///< as declared; not yet checked against the file's size
+    std::uint64_t count = 0; ///< declared number of elements; not yet checked against the file's size
     std::vector<PlyProperty> properties;
-    const char* line = nullptr; ///< where the element is declared
+    const char* line = nullptr; ///< line that declares the element
 
     /// Returns the smallest size of one element in bytes.
     std::uint64_t minSize(PlyEncoding encoding) const;

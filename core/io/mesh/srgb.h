@@ -6,8 +6,8 @@
 
 namespace core::io
 {
-/// Convert between 8-bit sRGB and linear light from 0 to 1 (IEC 61966-2-1). An 8-bit value survives a conversion to
-/// light rounded to 16 bits and back.
+/// Converts 8-bit sRGB to linear light from 0 to 1 (IEC 61966-2-1); srgbFromLinear() is the inverse. An 8-bit value
+/// survives a conversion to light rounded to 16 bits and back.
 inline double linearFromSrgb(std::uint8_t srgb)
 {
     const double x = srgb / 255.0;

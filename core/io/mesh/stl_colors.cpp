@@ -39,7 +39,7 @@ std::vector<Rgb> stlColors(std::string_view header, std::span<const std::uint16_
     const std::optional<Rgb> whole = colorOfHeader(header);
     if (!whole && std::ranges::none_of(words, [](std::uint16_t word) { return (word & flag) != 0; }))
         return {};
-    // Then 0 does not mean black.
+    // If no triangle has a colour word, 0 does not mean black: every triangle has the header's colour.
     const bool isPlain = std::ranges::all_of(words, [](std::uint16_t word) { return word == 0; });
     const auto colorOf = [&](std::uint16_t word) {
         if (!whole)

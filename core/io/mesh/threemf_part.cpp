@@ -1,6 +1,6 @@
 // Sources: 3MF Consortium, Core Specification 1.3; Materials and Properties Extension 1.2 (colour groups); Production
-// Extension 1.1 (paths); Beam Lattice Extension 1.2. As required there, everything must be defined before it is
-// referenced.
+// Extension 1.1 (paths); Beam Lattice Extension 1.2. As the specification requires, an object must be defined
+// before it is referenced.
 #include "core/io/mesh/threemf_part.h"
 
 #include "core/io/mesh/mean_color.h"
@@ -14,9 +14,9 @@ namespace core::io
 {
 namespace
 {
+// firstCoreSpace was used before version 1.0 of the core specification.
 constexpr std::string_view coreSpace = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02|",
-                           // Used before version 1.0.
-    firstCoreSpace = "http://schemas.microsoft.com/3dmanufacturing/2013/01|",
+                           firstCoreSpace = "http://schemas.microsoft.com/3dmanufacturing/2013/01|",
                            materialSpace = "http://schemas.microsoft.com/3dmanufacturing/material/2015/02|",
                            productionSpace = "http://schemas.microsoft.com/3dmanufacturing/production/2015/06|",
                            pathAttribute = "http://schemas.microsoft.com/3dmanufacturing/production/2015/06|path",
@@ -63,7 +63,7 @@ void requireKnownExtensions(const XmlAttributes& attributes)
         rest.remove_prefix(prefix.size());
         std::string_view space = attributes.spaceOf(prefix);
         if (space.empty())
-            space = prefix; // some files have the namespace itself here
+            space = prefix; // some files contain the namespace instead of its prefix
         const bool isKnown =
             std::any_of(std::begin(knownSpaces), std::end(knownSpaces),
                         [space](std::string_view known) { return space == known.substr(0, known.size() - 1); });

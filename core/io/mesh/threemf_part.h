@@ -14,13 +14,13 @@ struct ThreeMfComponent
 {
     std::string part; ///< path of the part that contains the object; empty: the same part
     std::uint32_t object = 0;
-    /// For column vectors; to the unit of the part that contains the reference.
+    /// Transform of column vectors to the unit of the part that contains the reference.
     Eigen::Matrix4d transform = Eigen::Matrix4d::Identity();
 };
 
 struct ThreeMfObject
 {
-    TriangleMesh mesh; ///< in the part's unit; indices are in range
+    TriangleMesh mesh; ///< mesh in the part's unit; indices are in range
     std::vector<ThreeMfComponent> components;
     bool isSolid = true;    ///< false: a support, a solid support, or another object that is not part of the model
     std::string otherShape; ///< extension that defines this object's shape in a way that is not supported, or empty

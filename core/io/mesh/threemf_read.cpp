@@ -66,7 +66,7 @@ public:
             if (object == objects.end())
                 continue;
             leaveOut(parts, object->second.mesh.triangles);
-            removeUnusedVertices(object->second.mesh); // they would distort the model's size
+            removeUnusedVertices(object->second.mesh); // unused vertices would distort the model's size
         }
         const Eigen::Matrix4d unit =
             Eigen::Vector4d(root.millimetres, root.millimetres, root.millimetres, 1).asDiagonal();

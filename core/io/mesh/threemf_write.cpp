@@ -158,7 +158,7 @@ private:
     const TriangleMesh& m_mesh;
     std::vector<std::uint32_t> m_colors; ///< each colour once, sorted
     std::size_t m_next = 0;              ///< index of the next element
-    std::string m_text;                  ///< not yet read from m_taken on
+    std::string m_text;                  ///< text from m_taken on has not been read yet
     std::size_t m_taken = 0;
 };
 

@@ -173,8 +173,8 @@ private:
         return same;
     }
 
-    /// For 64 consecutive points: a bit for each that is the first of its kind, and the number of first points before
-    /// them.
+    /// Information about 64 consecutive points: a bit for each that is the first of its kind, and the number of first
+    /// points before them.
     static constexpr std::size_t firstOnesSize = 64;
     struct FirstOnes
     {

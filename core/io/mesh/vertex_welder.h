@@ -12,8 +12,9 @@ namespace core::io
 /// The result of merging equal points (-0 = 0).
 struct WeldedPoints
 {
-    LargeBuffer<Slot> numbers; ///< for each point: index of its distinct point, in order of first appearance
-    std::vector<Slot> firsts;  ///< for each distinct point: index of the first point that equals it
+    /// Index of each point's distinct point; distinct points are in order of first appearance.
+    LargeBuffer<Slot> numbers;
+    std::vector<Slot> firsts; ///< index of the first point that equals each distinct point
 };
 
 /// Writes the points [begin, begin + into.size()) to `into`. It is called once for each range, on all cores, in any

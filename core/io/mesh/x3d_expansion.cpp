@@ -1,8 +1,8 @@
 // Sources: Web3D Consortium, ISO/IEC 19775-1: 10 (grouping), 23 (navigation: Billboard, Collision, LOD), 9 (networking:
-// Anchor), 32 (CAD), 35 (layering). The expansion avoids errors of Assimp 5.2 to 6.0. It loses its position in the
-// scene at a group that is empty or used again. It ignores ccw, and skips Collision, LOD, Anchor and others with their
-// children. Its cones and cylinders are not closed, and the caps of its extrusions differ in orientation. It shares the
-// names of an inlined file with the file around it.
+// Anchor), 32 (CAD), 35 (layering). The expansion avoids errors of Assimp 5.2 to 6.0. Assimp loses its
+// position in the scene at a group that is empty or used again. Assimp ignores ccw, and skips Collision, LOD, Anchor
+// and others with their children. Its cones and cylinders are not closed, and the caps of its extrusions differ in
+// orientation. All inlined files share one scope of names.
 #include "core/io/mesh/x3d_expansion.h"
 
 #include "core/io/mesh/number_parsing.h"
@@ -22,7 +22,8 @@ namespace
 {
 constexpr std::size_t maxNodes = std::size_t(1) << 18;
 constexpr std::size_t maxDepth = 256; ///< nested groups, as deep as XML elements may be, including those nested by USE
-constexpr std::size_t leastText = std::size_t(1) << 26; ///< bytes of text that may be written for any file
+/// Bytes of text that may be written for any file, in addition to 16 times its size.
+constexpr std::size_t leastText = std::size_t(1) << 26;
 
 /// Groups whose children belong to the scene.
 constexpr std::array<std::string_view, 12> groups{"Group",     "StaticGroup", "Collision", "Anchor",
@@ -214,7 +215,7 @@ public:
         m_text += '"';
     }
 
-    /// Gives a node that has no counterpart in the file a name.
+    /// Writes a DEF attribute with a new, unique name.
     void addName() { m_text += " DEF=\"" + m_names + std::to_string(m_nextName++) + "\""; }
 
     static std::string escaped(std::string_view text)
@@ -297,7 +298,7 @@ private:
     void add(const X3dNode& node)
     {
         const X3dNode& meant = node.meant();
-        if (node.text("containerField") == "proxy") // of a Collision: the shape for collisions, which is not visible
+        if (node.text("containerField") == "proxy") // a Collision's shape for collisions, which is not visible
             return;
         if (meant.isFalse("visible") && !hidesEach(m_document, meant))
             return;

@@ -239,8 +239,9 @@ void addColors(const FileBytes& file, const X3dNode& node, const std::vector<Fac
         }
 }
 
-/// Renumbers the faces' points if they use less than half of `count` points, and returns the used ones. Returns nothing
-/// otherwise. Cost: linear in the faces only, because many sets may share a large list of points.
+/// Renumbers the faces' points if they use less than half of `count` points, and returns the used points. Otherwise
+/// returns an empty list and changes nothing. Cost: linear in the faces only, because many sets may share a large list
+/// of points.
 std::vector<Index> keepUsed(std::vector<Face>& faces, std::size_t count)
 {
     std::unordered_map<Index, Index> own;

@@ -20,7 +20,7 @@ ZipWriter::ZipWriter()
 {
     if (!m_packed)
         throw std::bad_alloc();
-    zip_source_keep(m_packed.get()); // keeps the buffer after the archive frees it once
+    zip_source_keep(m_packed.get()); // a second reference, because the archive releases one
     m_zip.reset(zip_open_from_source(m_packed.get(), ZIP_CREATE | ZIP_TRUNCATE, nullptr));
     if (!m_zip) {
         zip_source_free(m_packed.get());

@@ -84,19 +84,19 @@ struct StrokeFileError : std::runtime_error
     std::optional<std::size_t> sample; ///< index of the sample at fault within its stroke, from 0
     std::size_t line = 0;              ///< counted from 1; 0: unknown
     std::size_t byte = 0;              ///< counted from 1; 0: unknown
-    std::optional<double> min, max;    ///< for OutOfRange: the allowed range, if there is one
-    bool orZero = false;               ///< for OutOfRange: 0 is allowed, too
+    std::optional<double> min, max;    ///< allowed range, if the kind is OutOfRange and there is a range
+    bool orZero = false;               ///< true if 0 is allowed in addition to the range
     /// Keywords that the key allows, if the kind is UnknownValue; empty if any text is allowed.
     std::vector<std::string> words;
-    std::optional<Value> wanted;   ///< for WrongType: the expected type
-    std::optional<double> version; ///< for NotStrokes: the file's version, if that is the fault
-    int systemError = 0;           ///< for CannotRead: errno, or 0 if unknown
+    std::optional<Value> wanted;   ///< expected type, if the kind is WrongType
+    std::optional<double> version; ///< version of the file, if the kind is NotStrokes because of it
+    int systemError = 0;           ///< errno, if the kind is CannotRead; 0 if unknown
 };
 
 struct FileCommand
 {
     ModelCommand command;
-    std::string file; ///< for Insert: path of its model, which the file's player must load into `command`
+    std::string file; ///< path of an Insert's model, which the file's player must load into `command`
 };
 using FileEntry = std::variant<Stroke, FileCommand>;
 
