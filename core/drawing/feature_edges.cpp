@@ -1,6 +1,6 @@
-// Finds the edges that are lines of a drawing without storing the mesh's connectivity. Both vertices of an outline edge
-// have faces towards the eye and faces away from it. Both vertices of a crease have a normal far from that of one of
-// their faces. Only the faces at such edges are paired.
+// Finds the edges that are lines of a drawing without storing the mesh's connectivity. An edge can be an
+// outline only if both of its vertices have faces towards the eye and faces away from it. An edge can be a crease only
+// if the normals of both vertices differ much from the normal of a face. Only the faces at such edges are paired.
 #include "core/drawing/feature_edges.h"
 
 #include "core/drawing/depth_image.h"

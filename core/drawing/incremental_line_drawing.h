@@ -14,7 +14,7 @@ public:
     /// creases, creases are omitted.
     IncrementalLineDrawing(int pixels, std::size_t maxEdges) : m_pixels(pixels), m_scan(maxEdges) {}
 
-    /// Applies a patch. Patches must come from one mesh, in order, the first one whole.
+    /// Applies a patch. All patches must be from one mesh and in order; the first must be of the whole mesh.
     void apply(const MeshPatch& patch);
 
     /// Returns the model after all applied patches.

@@ -1,6 +1,6 @@
 // Steps: place the vertices -> turn faces towards the eye -> draw a depth image finer than the picture -> light each
-// sample -> average the samples of a pixel. A vertex normal is the mean of its faces' normals; a face that meets the
-// mean at a crease uses its own normal.
+// sample -> average the samples of a pixel. A vertex normal is the mean of its faces' normals; a face whose
+// normal differs from the mean by more than the crease angle uses its own.
 
 #include "core/drawing/model_thumbnail.h"
 

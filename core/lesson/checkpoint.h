@@ -87,9 +87,9 @@ struct CheckpointVerdict
 };
 
 /// Evaluates a checkpoint on a model (mm, Y up). `target`: the shape if the checkpoint has a target, else null.
-/// Precondition: with a target, both meshes have at least one face. Neither is moved to fit the other. Distances are
-/// measured at the corners. The result is the same on any machine; if it is cancelled, the result is not usable. Cost:
-/// checkMesh() if there are facts, and with a target 2 to 50 us for each corner of both meshes; uses all cores.
+/// Precondition: with a target, both meshes have at least one face. Neither mesh is moved to fit the other. Distances
+/// are measured at the corners. The result is the same on any machine; if it is cancelled, the result is not usable.
+/// Cost: checkMesh() if there are facts, and with a target 2 to 50 us for each corner of both meshes; uses all cores.
 CheckpointVerdict evaluate(const Checkpoint& checkpoint, const TriangleMesh& model, const TriangleMesh* target,
                            const JobControl& control = {});
 } // namespace core

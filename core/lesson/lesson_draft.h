@@ -20,7 +20,7 @@ public:
     /// Returns a number that grows with each change.
     std::uint64_t revision() const { return m_revision; }
 
-    // Texts: one of only white space removes the language.
+    // A text of only white space removes the language.
     void setTitle(const std::string& language, std::string_view words);
     void setSummary(const std::string& language, std::string_view words);
     void setStepTitle(std::size_t step, const std::string& language, std::string_view words);

@@ -89,8 +89,8 @@ private:
     std::shared_ptr<const Lesson> m_lesson;
     std::size_t m_step = 0;
     std::vector<Moment> m_moments; ///< cues of the step with their times, in order of time
-    std::size_t m_next = 0;        ///< index of the first moment that is not done
-    std::size_t m_end = 0;         ///< index of the first moment that is not to be played
+    std::size_t m_next = 0;        ///< index of the next moment to be played
+    std::size_t m_end = 0;         ///< index of the moment at which playing stops
     double m_duration = 0, m_time = 0, m_speed = 1;
     bool m_isPlaying = false;
 };

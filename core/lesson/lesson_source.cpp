@@ -95,7 +95,7 @@ struct Packed
     std::string bytes;
     io::FileBytes file{path, bytes};
     io::ZipReader package;
-    std::optional<std::string> folder; ///< ends with "/"; an empty text: the top level of the zip
+    std::optional<std::string> folder; ///< the lesson's folder in the zip, with a final "/"; "": the top level
 };
 } // namespace
 

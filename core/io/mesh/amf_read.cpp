@@ -51,8 +51,8 @@ bool isNamedAmf(std::string_view name)
                       [](char wanted, char c) { return wanted == (c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c); });
 }
 
-/// Returns the zip entries that are AMF: those with a matching name and content, or else those with matching content.
-/// Ignores macOS metadata folders, and all entries after the first hundred.
+/// Returns the zip entries that are AMF: XML with the extension .amf, or, if there is none, XML whose first bytes
+/// contain "amf". Ignores macOS metadata folders, and all entries after the first hundred.
 std::vector<std::string> modelsIn(const FileBytes& file, ZipReader& package)
 {
     constexpr std::size_t maxEntries = 100;

@@ -1,4 +1,4 @@
-// Source: Khronos, glTF 2.0 specification, sections 3.6 (accessors, sparse ones) and 4 (GLB).
+// Source: Khronos, glTF 2.0 specification, sections 3.6 (accessors and sparse accessors) and 4 (GLB).
 #include "core/io/mesh/gltf_document.h"
 
 #include "core/io/mesh/binary.h"

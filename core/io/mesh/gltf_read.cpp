@@ -18,8 +18,8 @@ namespace
 {
 using Json = GltfDocument::Json;
 
-/// Largest numbers of vertices and triangles for each byte of the file, since a scene may use a mesh many times; and
-/// the number of vertices that is always allowed.
+/// Largest numbers of vertices and triangles for each byte of the file, since a scene may use a mesh many times.
+/// `alwaysTaken` vertices and twice as many triangles are always allowed.
 constexpr std::size_t maxCopies = 16, maxFaceCopies = 32, alwaysTaken = std::size_t(1) << 20;
 constexpr double millimetres = 1000;
 constexpr std::size_t chunkSize = 1 << 15;

@@ -9,8 +9,8 @@ namespace core::io
 {
 namespace
 {
-/// Largest numbers of vertices and triangles for each byte of the file; and the number of vertices that is always
-/// allowed.
+/// Largest numbers of vertices and triangles for each byte of the file. `alwaysTaken` vertices and twice as many
+/// triangles are always allowed.
 constexpr std::size_t maxVertexCopies = 16, maxFaceCopies = 32, alwaysTaken = std::size_t(1) << 20;
 } // namespace
 

@@ -96,7 +96,7 @@ private:
 
     std::uint32_t explicitIndex() { return m_last += withoutZigzag(m_bytes.varint()); }
 
-    /// Reads a triangle that shares an earlier edge. `what`: code of the source of its third corner.
+    /// Reads a triangle that shares an earlier edge. `what`: a code for where its third corner comes from.
     void readAtEdge(std::size_t edge, unsigned what)
     {
         const auto [a, b] = required(m_edges.at(edge));
@@ -112,7 +112,8 @@ private:
         add(a, b, c);
     }
 
-    /// Reads a triangle that shares no edge. `pair`: codes of the sources of its second and third corner.
+    /// Reads a triangle that shares no edge. `pair`: two 4-bit codes for where its second and third
+    /// corner come from.
     void readAlone(unsigned code, unsigned pair)
     {
         if (code >= 0xfe && pair == 0)

@@ -148,7 +148,7 @@ private:
     TextScanner m_text;
     StopCheck m_stopCheck;
     TriangleMesh m_mesh;
-    std::vector<RawColor> m_colors; ///< values in the file; shorter than the points until the next coloured vertex
+    std::vector<RawColor> m_colors; ///< values as in the file; uncoloured vertices at the end are missing
     Polygons m_faces;
     ReadRemarks m_remarks{.objects = 0};
     std::int64_t m_largest = -1;

@@ -262,9 +262,9 @@ private:
     Layout m_lines;
     bool m_hasColors = false, m_hasTexture = false;
     bool m_linesAreShared = false; ///< the line of the first vertex contains a further vertex
-    std::size_t m_coordinates = 3; ///< numbers of a vertex before its colour: 3, or 6 with a normal
+    std::size_t m_coordinates = 3; ///< count of numbers before a vertex's colour: 3, or 6 with a normal
     TriangleMesh m_mesh;
-    std::vector<RawColor> m_colors; ///< values in the file; shorter than the points until the next coloured vertex
+    std::vector<RawColor> m_colors; ///< values as in the file; uncoloured vertices at the end are missing
     bool m_hasFractions = false;
     float m_largest = 0;
     Polygons m_faces;

@@ -298,7 +298,7 @@ private:
                 ReadRemarks remarks;
                 const std::vector<Triangle> cut = faces.triangles(m_mesh.points, StopCheck(m_file.stop), remarks);
                 if (cut.size() != (end - begin) * trianglesEach)
-                    areRows = false; // corners were left out
+                    areRows = false; // repeated corners were left out
                 else
                     std::ranges::copy(cut, triangles.begin() + static_cast<std::ptrdiff_t>(begin * trianglesEach));
             });

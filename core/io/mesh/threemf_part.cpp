@@ -83,8 +83,8 @@ std::string_view coreName(std::string_view name)
     return {};
 }
 
-/// Returns whether the object's type is part of the model, unlike supports. Throws if the specification does not have
-/// the type.
+/// Returns whether an object of this type is part of the model; supports are not. Throws if the specification does not
+/// have the type.
 bool isSolidType(std::string_view type, const XmlAttributes& attributes)
 {
     if (type.empty() || type == "model" || type == "surface")

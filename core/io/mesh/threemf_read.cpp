@@ -159,7 +159,8 @@ private:
     /// Removes the triangles of parts that are not solid.
     void leaveOut(const std::vector<ThreeMfSlicerParts::Triangles>& parts, std::vector<Triangle>& triangles)
     {
-        std::vector<int> changes(triangles.size() + 1, 0); // change in the number of such parts at each triangle
+        std::vector<int> changes(triangles.size() + 1,
+                                 0); // at each triangle: change in the number of parts that contain it
         for (const ThreeMfSlicerParts::Triangles& part : parts) {
             m_stopCheck();
             if (part.first > part.last || part.first >= triangles.size())

@@ -33,7 +33,8 @@ constexpr std::array<std::string_view, 2> transforms{"Transform", "CADPart"};
 /// The attributes that place a group, and their number of values: three, or four for an axis with an angle.
 constexpr std::array<std::pair<std::string_view, std::size_t>, 5> placing{
     {{"center", 3}, {"rotation", 4}, {"scale", 3}, {"scaleOrientation", 4}, {"translation", 3}}};
-/// An attribute that shapes a primitive. The primitive is copied, and its reader makes the surface.
+/// A numeric attribute of a primitive. Primitives are copied to the output, and the program that reads it makes their
+/// surfaces.
 struct Shaping
 {
     std::string_view node, attribute;

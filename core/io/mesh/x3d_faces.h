@@ -12,7 +12,7 @@ struct X3dFaces
 {
     std::string coordIndex;     ///< vertex indices with -1 after each face
     std::string points;         ///< own points; empty: the points of the node's Coordinate are used
-    std::vector<double> colors; ///< one colour for each point; may be empty
+    std::vector<double> colors; ///< colours of the points, colorNumbers values each; may be empty
     int colorNumbers = 3;       ///< numbers of each colour: 3 or 4
 };
 

@@ -51,7 +51,7 @@ zip* opened(const FileBytes& file)
     zip* const archive = zip_open_from_source(source, ZIP_RDONLY, nullptr);
     if (!archive) {
         zip_source_free(source);
-        throw cutOff(file); // the directory is at the file's end
+        throw cutOff(file); // the zip directory is at the file's end, so the file was cut off
     }
     return archive;
 }
