@@ -106,8 +106,8 @@ private:
         }
     }
 
-    /// Adds deltas to four bytes of each element, as integers of 1, 2 or 4 bytes. `size`: number of elements; `into`:
-    /// the first one.
+    /// Applies the deltas of four bytes to `size` elements; `into` is the first. Bytes and 16-bit integers are added,
+    /// 32-bit integers are combined by exclusive or.
     void addDeltas(std::size_t channel, std::size_t size, char* into)
     {
         const std::uint8_t how = m_channels[channel];
