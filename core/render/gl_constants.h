@@ -1,7 +1,7 @@
 #pragma once
 
-/// What OpenGL calls its own things, for templates over a table of its functions: core includes none of its headers and
-/// links none of its libraries.
+/// Values of OpenGL's constants, for templates that take a table of OpenGL functions. core includes no OpenGL header
+/// and links no OpenGL library.
 namespace core::gl
 {
 inline constexpr unsigned int triangles = 0x0004;

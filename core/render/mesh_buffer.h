@@ -10,13 +10,13 @@
 
 namespace core
 {
-/// The clay's vertices and triangles in OpenGL, slot by slot as patches give them, for each room that draws clay. No
-/// copy is kept on the CPU. The context that was current at create() must be current at every call. `Gl`: a room's
-/// table of OpenGL's functions, of version 3.3 core or more, under their own names.
+/// Vertices and triangles of the mesh in OpenGL buffers, indexed by slot, for one viewer. No copy is kept on the CPU.
+/// `Gl`: the viewer's table of OpenGL functions, version 3.3 core or later, under their own names. Thread: the OpenGL
+/// context that was current at create() must be current at every call.
 template <class Gl> class MeshBuffer
 {
 public:
-    /// Bytes sent since create(), and how often a whole patch came or a buffer had to grow.
+    /// Statistics since create(): bytes sent, uploads of a whole mesh, and times that a buffer had to grow.
     struct Counters
     {
         std::uint64_t bytes = 0, wholeUploads = 0, growths = 0;
@@ -25,18 +25,19 @@ public:
     void create(Gl* gl);
     void destroy();
 
-    /// Cost: one glBufferSubData a span. Past the capacity, which has half as much again in reserve, the buffer's
-    /// contents are copied within the GPU once.
+    /// Uploads the changed slots. Cost: one glBufferSubData per span. A buffer that is too small is replaced by one 1.5
+    /// times the needed size, and its contents are copied within the GPU.
     void apply(const MeshPatch& patch);
 
-    /// Marks the vertices of a footprint, in place of those before; null: none. A whole patch takes the marks away.
+    /// Marks the vertices of a footprint and removes earlier marks; null: marks none. A whole patch removes the marks.
     void tint(const Footprint* footprint);
-    /// Colours vertices by shades (see PrintScale), likewise; where there are none they keep their own.
+    /// Colours the vertices in `shades` by their weight (see PrintScale) and restores the vertices shaded before. Other
+    /// vertices keep their own colour. null: none.
     void shade(const Footprint* shades);
     bool isShaded() const { return m_isShaded; }
 
-    /// Every face slot; free ones (0,0,0) cover no pixel. Attributes: 0 position, 1 normal and mask, 2 colour and
-    /// curvature, 3 the footprint's weight, 4 the shade, 5 the sharp edge.
+    /// Draws every face slot; a free slot has indices (0,0,0) and covers no pixel. Attributes: 0 position, 1 normal and
+    /// mask, 2 colour and curvature, 3 footprint weight, 4 shade, 5 sharp edge.
     void draw() const;
 
     bool empty() const { return m_faceSlots == 0; }
@@ -54,7 +55,7 @@ private:
         std::size_t capacity = 0; ///< bytes
     };
 
-    /// Half as much again: strokes refine, and a copy a thousand strokes is nothing.
+    /// Returns the capacity for a needed size: 1.5 times as much, so that refining strokes rarely force a copy.
     static constexpr std::size_t withReserve(std::size_t bytes) { return bytes + bytes / 2; }
 
     void allocate(Buffer& buffer, std::size_t bytes);

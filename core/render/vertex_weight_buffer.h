@@ -9,8 +9,8 @@
 
 namespace core
 {
-/// One byte a vertex slot in OpenGL: the weight of a footprint, 0 outside. The context that was current at create()
-/// must be current at every call. `Gl`: as MeshBuffer's.
+/// One byte per vertex slot in an OpenGL buffer: the weight of a footprint, 0 outside it. `Gl`: as for MeshBuffer.
+/// Thread: the OpenGL context that was current at create() must be current at every call.
 template <class Gl> class VertexWeightBuffer
 {
 public:
@@ -18,24 +18,24 @@ public:
     void destroy();
 
     unsigned int id() const { return m_id; }
-    /// For so many slots, nothing tinted.
+    /// Resizes to this number of slots, all with weight 0.
     void clear(std::size_t slots);
     void grow(std::size_t slots);
-    /// In place of what was tinted before; null: nothing. Slots that there are not are left out. Cost: the pages of
-    /// slots that either footprint lies in.
+    /// Replaces the weights by those of a footprint; null: all 0. Slots beyond the buffer are ignored. Cost: uploads
+    /// the pages of 1024 slots that the old or the new footprint touches.
     void show(const Footprint* footprint);
 
 private:
-    static constexpr std::size_t page = 1024; ///< slots; one call sends it
+    static constexpr std::size_t page = 1024; ///< slots per page; touched pages are uploaded whole
 
     void uploadAll();
     void uploadTouched();
 
     Gl* m_gl = nullptr;
     unsigned int m_id = 0;
-    std::vector<std::uint8_t> m_weights; ///< as they are in the buffer
+    std::vector<std::uint8_t> m_weights; ///< copy of the buffer's contents
     std::vector<Slot> m_tinted;
-    std::vector<bool> m_touched; ///< pages
+    std::vector<bool> m_touched; ///< one flag per page: changed since the last upload
 };
 
 template <class Gl> void VertexWeightBuffer<Gl>::create(Gl* gl)
@@ -89,7 +89,7 @@ template <class Gl> void VertexWeightBuffer<Gl>::uploadAll()
                        gl::dynamicDraw);
 }
 
-/// Pages that lie side by side go at once.
+/// Uploads the touched pages. Adjacent pages are sent in one call.
 template <class Gl> void VertexWeightBuffer<Gl>::uploadTouched()
 {
     m_gl->glBindBuffer(gl::copyWriteBuffer, m_id);

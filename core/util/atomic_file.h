@@ -9,9 +9,10 @@
 
 namespace core
 {
-/// Writes a file so that at each moment the path holds the whole old file or the whole new one, after a power cut too.
-/// Until commit() nothing is seen under the path; without it nothing remains. Through a link the file it points to is
-/// replaced, or made if it is not there; its permissions stay. Each member throws FileError.
+/// Replaces a file atomically: even after a power cut, the path has either the whole old content or the whole new one.
+/// The new content is invisible until commit(); destruction without commit() discards it. A symbolic link is followed:
+/// its target is replaced, or created if missing. Permissions of an existing file are kept. Throws FileError from each
+/// member.
 class AtomicFile
 {
 public:
@@ -20,13 +21,14 @@ public:
     AtomicFile(const AtomicFile&) = delete;
     AtomicFile& operator=(const AtomicFile&) = delete;
 
-    /// Buffered.
+    /// Appends bytes to a buffer of 1 MiB, which is written to the file when full.
     void write(std::string_view bytes);
-    /// What was written so far is on disk, though nothing is seen of it.
+    /// Forces everything written so far to disk. The target path still shows the old content.
     void sync();
     void commit();
 
-    const std::filesystem::path& path() const { return m_path; } ///< as asked
+    /// Returns the path as passed to the constructor, with links not followed.
+    const std::filesystem::path& path() const { return m_path; }
 
 private:
     void openTemporary();
@@ -35,23 +37,23 @@ private:
     void giveTemporaryName();
     [[noreturn]] void fail(int systemError) const;
 
-    std::filesystem::path m_path;   ///< as asked, for errors
-    std::filesystem::path m_target; ///< with links followed
-    std::string m_temporary;        ///< empty while the file has no name
+    std::filesystem::path m_path;   ///< path as passed to the constructor, for errors
+    std::filesystem::path m_target; ///< m_path with symbolic links followed
+    std::string m_temporary;        ///< name of the temporary file; empty while it has none (O_TMPFILE)
     std::string m_buffer;
     int m_descriptor = -1;
 };
 
-/// Gives a folder another name beside it, which outlives a power cut. False if something has that name already; else
-/// throws FileError.
+/// Renames a folder within its parent folder, durably: the new name survives a power cut. Returns false if the new name
+/// is taken. Throws FileError on any other failure.
 bool renameFolder(const std::filesystem::path& from, const std::filesystem::path& to);
 
-/// A folder's names outlive a power cut, too. One that cannot be synced is no error.
+/// Syncs a folder, so that renames and new files in it survive a power cut. Failure is ignored.
 void syncFolder(const std::filesystem::path& folder);
 
-/// Of what the system says when writing fails.
+/// Maps errno after a failed write to an error kind.
 FileErrorKind kindOfWriteError(int systemError);
 
-/// Throws a FileError if there is a problem.
+/// Throws a FileError if `problem` is set.
 void checkWritten(const std::error_code& problem, const std::filesystem::path& path);
 } // namespace core

@@ -12,7 +12,7 @@ namespace
 {
 constexpr std::size_t bufferSize = 1 << 20;
 
-/// A name beside the target that nobody else uses: of this process and this moment, and created exclusively.
+/// Returns a name beside the target that is unique to this process and call. The caller creates the file exclusively.
 std::string temporaryName(const std::filesystem::path& target)
 {
     static std::atomic<unsigned> counter{0};
@@ -25,10 +25,10 @@ std::filesystem::path folderOf(const std::filesystem::path& target)
     const std::filesystem::path folder = target.parent_path();
     return folder.empty() ? "." : folder;
 }
-/// Returns the path at which a chain of links ends, whether anything is there or not.
+/// Returns the path at which a chain of symbolic links ends. The path need not exist.
 std::filesystem::path endOfLinks(std::filesystem::path path, std::error_code& error)
 {
-    constexpr int longest = 40; // the system's own limit
+    constexpr int longest = 40; // limit of the system on a chain of links
     for (int i = 0; std::filesystem::is_symlink(path, error); ++i) {
         const std::filesystem::path next = std::filesystem::read_symlink(path, error);
         if (i == longest)
@@ -37,7 +37,7 @@ std::filesystem::path endOfLinks(std::filesystem::path path, std::error_code& er
             return path;
         path = next.is_absolute() ? next : path.parent_path() / next;
     }
-    error.clear(); // nothing there is no problem
+    error.clear(); // a missing file is no error: it will be created
     return path;
 }
 } // namespace
@@ -78,7 +78,7 @@ void checkWritten(const std::error_code& problem, const std::filesystem::path& p
     throw FileError(kindOfWriteError(problem.value()), path, problem.value());
 }
 
-/// An empty folder of that name may be replaced: nothing is lost by it.
+/// An empty folder that already has the new name is replaced: no data is lost.
 bool renameFolder(const std::filesystem::path& from, const std::filesystem::path& to)
 {
     if (::rename(from.c_str(), to.c_str()) == 0) {
@@ -107,11 +107,12 @@ AtomicFile::AtomicFile(const std::filesystem::path& path) : m_path(path), m_targ
     openTemporary();
     if (exists)
         static_cast<void>(
-            ::fchmod(m_descriptor, status.st_mode & 07777)); // a file system without modes is no reason to fail
+            ::fchmod(m_descriptor, status.st_mode & 07777)); // best effort: some file systems have no modes
     m_buffer.reserve(bufferSize);
 }
 
-/// At best the file has no name until it is complete: then not even a killed program leaves something behind.
+/// Opens the temporary file, without a name where O_TMPFILE is supported: then even a killed program leaves nothing
+/// behind.
 void AtomicFile::openTemporary()
 {
 #ifdef O_TMPFILE

@@ -8,7 +8,7 @@
 
 namespace core
 {
-/// Union and find over [0, count), path halving; a set's root is its lowest member.
+/// Union-find over [0, count) with path halving. The root of a set is its lowest member.
 class DisjointSets
 {
 public:

@@ -7,100 +7,103 @@
 
 namespace core
 {
-/// What is wrong with a file. The words for people are made elsewhere; each kind says what data comes with it beyond
-/// the path.
+/// Kinds of file error. The user interface makes the messages (ui/util/error_messages.h). The comment of a kind names
+/// the fields of FileError that it sets beyond the path.
 enum class FileErrorKind {
-    // Reading
+    // Errors of reading
     NotFound,
     NotReadable,          ///< systemError, if known
-    NotAFile,             ///< a folder, device or pipe; also when writing
+    NotAFile,             ///< a folder, device or pipe; also an error of writing
     FolderNotReadable,    ///< systemError, if known
-    NoModel,              ///< a folder in which no file is named like a model
-    Empty,                ///< no byte in it
-    TooLarge,             ///< expected: the largest size in bytes that is read; found: its size
-    UnknownFormat,        ///< token: the ending, without dot
-    NotWhatItsEndingSays, ///< token: what the content looks like ("ply", "stl", "obj", "png", ...), or empty
-    Utf16,                ///< text in UTF-16, where only UTF-8 is read
-    CutOff,               ///< place: where something is missing, often the file's end; expected, found: sizes, if known
-    CountMismatch,        ///< place, expected: elements announced; found: elements that the file has room for
-    Malformed,            ///< place, fault; token: what is found there or what is wrong, or empty
-    NotANumber,           ///< place, token: the word that is not a number, or is infinite or NaN; empty in binary files
-    IndexOutOfRange,      ///< place, token: the index as written, expected: number of vertices
-    OutsideFolder,        ///< token: another file that it names, which is not in its folder
-    UnpacksTooLarge,      ///< expected: the most bytes that are unpacked of a file of its size
-    TooManyElements,      ///< place, token: what ("vertices", "faces", "corners"), expected: the most that is taken
-    ReaderRefused,        ///< an external reader; token: what it says, or empty
-    ReaderDied,           ///< an external reader broke off
-    ReaderTooSlow,        ///< an external reader was ended; expected: seconds that it had
-    ReaderOutOfMemory,    ///< an external reader; expected: bytes that it had
-    NoFaces,              ///< nothing to sculpt; expected: a slicer's parts that were left out
-    // Writing; nothing has changed on disk
-    NotWritten,  ///< a format that is only read; token: the ending
-    TooFar,      ///< where the model's file has it, 32 bits are too few for the model's detail
-    NoFolder,    ///< the folder that the file would be in is not there
-    NotWritable, ///< not permitted; systemError
-    DiskFull,    ///< systemError
-    WriteFailed  ///< systemError
+    NoModel,              ///< a folder without any file whose name is that of a model
+    Empty,                ///< a file of 0 bytes
+    TooLarge,             ///< expected: the largest size in bytes that is read; found: the file's size in bytes
+    UnknownFormat,        ///< token: the file name's extension, without dot
+    NotWhatItsEndingSays, ///< token: format that the content looks like ("ply", "stl", "obj", "png", ...), or empty
+    Utf16,                ///< text in UTF-16; only UTF-8 is read
+    /// place: where data is missing, often the file's end; expected, found: sizes in bytes, if known
+    CutOff,
+    CountMismatch,   ///< place, expected: elements announced; found: elements that the file has room for
+    Malformed,       ///< place, fault; token: the text found there or the thing at fault, or empty
+    NotANumber,      ///< place; token: the text that is not a finite number, empty in binary files
+    IndexOutOfRange, ///< place; token: the index as written; expected: number of vertices
+    OutsideFolder,   ///< token: another file that this file refers to, outside its folder
+    UnpacksTooLarge, ///< expected: largest number of bytes that a file of this size may unpack to
+    /// place; token: "vertices", "faces" or "corners"; expected: the largest number that is read
+    TooManyElements,
+    ReaderRefused,     ///< an external reader refused the file; token: its message, or empty
+    ReaderDied,        ///< an external reader crashed
+    ReaderTooSlow,     ///< an external reader was killed; expected: its time limit, seconds
+    ReaderOutOfMemory, ///< an external reader ran out of memory; expected: its limit in bytes
+    NoFaces,           ///< the file has no faces to sculpt; expected: number of slicer's parts that were left out
+    // Errors of writing; nothing has changed on disk
+    NotWritten,  ///< a format that can only be read; token: the extension, without dot
+    TooFar,      ///< the model is so far from the origin that 32-bit floats cannot represent its detail
+    NoFolder,    ///< the parent folder does not exist
+    NotWritable, ///< not permitted; sets systemError
+    DiskFull,    ///< sets systemError
+    WriteFailed  ///< any other failure; sets systemError
 };
 
-/// The fault of a file that is Malformed. Up to LengthUnit each value says what was expected at the place, and the
-/// token is what was found instead, empty if nothing was; from Missing on the token is the thing that is at fault.
+/// Detail of a Malformed file. Up to LengthUnit, a value names what was expected at the place; the token is the text
+/// found instead, or empty. From Missing on, a value names what is wrong with the token.
 enum class FileFault {
     None,
-    Keyword,         ///< wanted: the word
+    Keyword,         ///< a keyword; `wanted` is the one expected
     Number,          ///< a decimal number
     WholeNumber,     ///< a decimal number without a fraction
-    Count,           ///< a whole number, not negative
-    VertexNumbers,   ///< 3 or 4 numbers of a vertex, and 3 of a colour or none
-    VertexIndex,     ///< the number of a vertex
+    Count,           ///< a non-negative whole number
+    VertexNumbers,   ///< 3 or 4 coordinates of a vertex, with 3 colour components or none
+    VertexIndex,     ///< index of a vertex
     PlyEncoding,     ///< ascii, binary_little_endian or binary_big_endian
-    NumberType,      ///< the name of a type
-    WholeNumberType, ///< the name of a type of whole numbers
-    Name,            ///< of an element or a property
-    ElementFirst,    ///< a property follows no element
+    NumberType,      ///< name of a number type
+    WholeNumberType, ///< name of an integer type
+    Name,            ///< name of an element or a property
+    ElementFirst,    ///< an element; found a property before the first one
     Coordinates,     ///< the properties x, y and z
-    Json,            ///< it does not parse
-    JsonChunk,       ///< a GLB's first chunk is not JSON
-    Base64,          ///< data within a URI
-    LengthUnit,      ///< one of those that 3MF and AMF have
-    Missing,         ///< it is not there, though something needs it
-    Repeated,        ///< it comes a second time
-    NotAList,        ///< JSON of another type
-    NotAnObject,     ///< JSON of another type
-    NotAnIndex,      ///< JSON that is no whole number from 0 on
-    NotNumbers,      ///< not so many numbers, or no numbers at all
-    BeyondItsData,   ///< it has fewer bytes than are to be read of it
-    WrongAccessor,   ///< its type or count is none that can be used for what names it
-    TooDeep,         ///< it is nested too deeply, or holds itself
-    NeedsExtension,  ///< without which the shape is not known; expected: bytes of a file that needs Draco
+    Json,            ///< valid JSON
+    JsonChunk,       ///< a first GLB chunk of type JSON
+    Base64,          ///< base64 data within a URI
+    LengthUnit,      ///< a unit of length known to 3MF or AMF
+    Missing,         ///< the token is referred to, but does not exist in the file
+    Repeated,        ///< the token occurs twice
+    NotAList,        ///< JSON value of another type than list
+    NotAnObject,     ///< JSON value of another type than object
+    NotAnIndex,      ///< JSON value that is no whole number from 0 up
+    NotNumbers,      ///< JSON or X3D value that is not numbers, or has the wrong count of them
+    BeyondItsData,   ///< the token needs more bytes than its data has
+    WrongAccessor,   ///< the type or count of a glTF accessor does not fit the token that uses it
+    TooDeep,         ///< nested too deeply, or contains itself
+    /// an extension that the shape depends on and that is not supported; expected: bytes of a file that needs Draco
+    NeedsExtension,
     OldGltf,         ///< glTF of a version before 2
     CompressedCut,   ///< compressed data that ends too early
-    CompressedWrong, ///< compressed data that is not packed as it should be
+    CompressedWrong, ///< compressed data that is corrupt
     OldFbx,          ///< FBX of a version before 7.1
-    OutsidePackage,  ///< a path that leads out of it
-    NotInPackage,    ///< a part of that name
-    NoModelPart,     ///< the package's list of relationships names none
-    PackedOtherwise, ///< encrypted, or packed by a method that is not read
+    OutsidePackage,  ///< a path that leads out of the package
+    NotInPackage,    ///< the package has no part of this name
+    NoModelPart,     ///< the package's relationships name no model part
+    PackedOtherwise, ///< encrypted, or compressed by an unsupported method
     XmlSyntax,
-    XmlDocumentType, ///< which no XML may have that is read
+    XmlDocumentType, ///< a document type declaration, which is refused for safety
     XmlTooDeep,
     XmlLongTag
 };
 
-/// Where in a file.
+/// A position in a file.
 struct FilePlace
 {
     enum class Unit { None, Line, Byte };
     Unit unit = Unit::None;
-    std::uint64_t number = 0; ///< lines from 1, bytes from 0
+    std::uint64_t number = 0; ///< line number from 1, or byte offset from 0
 
     friend bool operator==(const FilePlace&, const FilePlace&) = default;
 };
 
-/// What readers and writers of files throw.
+/// Thrown by readers and writers of files.
 struct FileError : std::runtime_error
 {
-    /// `systemProblem`: errno, or 0.
+    /// `systemProblem`: errno, or 0 if the system reported none.
     FileError(FileErrorKind errorKind, std::filesystem::path filePath, int systemProblem = 0)
         : std::runtime_error("file error")
         , kind(errorKind)
@@ -111,9 +114,9 @@ struct FileError : std::runtime_error
     FileErrorKind kind;
     std::filesystem::path path;
     FilePlace place;
-    std::string token; ///< at most 40 bytes, or 200 of ReaderRefused, printable ASCII
+    std::string token; ///< printable ASCII, at most 40 bytes; at most 200 bytes if kind is ReaderRefused
     FileFault fault = FileFault::None;
-    std::string wanted; ///< a word of the format, where the fault asks for one
+    std::string wanted; ///< keyword that was expected, if fault is Keyword
     std::uint64_t expected = 0;
     std::uint64_t found = 0;
     int systemError;

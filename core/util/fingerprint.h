@@ -8,7 +8,7 @@
 
 namespace core
 {
-/// Tells whether a file is still what it was: FNV-1a of 64 bits. No protection against malice.
+/// Detects changes to a file: a 64-bit FNV-1a hash. Not cryptographic.
 class Fingerprint
 {
 public:
@@ -22,7 +22,7 @@ public:
         for (int shift = 0; shift < 32; shift += 8)
             add(std::array{static_cast<std::uint8_t>(word >> shift)});
     }
-    /// 16 hex digits.
+    /// Returns the hash as 16 hexadecimal digits.
     std::string text() const
     {
         std::string digits;

@@ -5,11 +5,12 @@
 
 namespace core
 {
-/// Progress and cancellation of a long job. A job that was cancelled has changed nothing.
+/// Progress and cancellation of a long job. A cancelled job leaves its input unchanged.
 struct JobControl
 {
     std::stop_token stop;
-    std::function<void(double share)> progress; ///< 0 to 1, growing; called on the job's thread; may be empty
+    /// Reports progress from 0 to 1, ascending. May be empty. Thread: the job's.
+    std::function<void(double share)> progress;
 
     bool isCancelled() const { return stop.stop_requested(); }
     void reportProgress(double share) const
@@ -17,7 +18,7 @@ struct JobControl
         if (progress)
             progress(share);
     }
-    /// For a part of the job that takes it from one share to another.
+    /// Returns a control for a part of the job, whose progress 0 to 1 is mapped to [from, to].
     JobControl part(double from, double to) const
     {
         if (!progress)

@@ -9,14 +9,14 @@
 
 namespace core
 {
-/// Throws std::bad_alloc. From some megabytes on it lies in the system's large pages, where there are any: to touch new
-/// memory page by page costs more than to fill it.
+/// Allocates memory, in large pages of the system where possible and `bytes` is at least 4 MiB. Touching new memory
+/// page by page costs more than filling it. Throws std::bad_alloc.
 std::unique_ptr<std::byte, void (*)(void*)> allocateLarge(std::size_t bytes);
 
-/// Asks for large pages there, as far as they fit in and nothing has touched it yet.
+/// Asks the system for large pages in memory that has not been touched yet. No effect below 4 MiB or where unsupported.
 void adviseLargePages(void* memory, std::size_t bytes);
 
-/// As resize(), but what it must allocate is asked for in large pages.
+/// Resizes as std::vector::resize(), but asks for large pages for memory that it must allocate.
 template <typename Element> void resizeInLargePages(std::vector<Element>& elements, std::size_t size)
 {
     if (size > elements.capacity()) {
@@ -26,7 +26,7 @@ template <typename Element> void resizeInLargePages(std::vector<Element>& elemen
     elements.resize(size);
 }
 
-/// So many numbers, of any value until they are written.
+/// A fixed-size array of numbers, not initialised, in large pages where possible.
 template <typename Number> class LargeBuffer
 {
     static_assert(std::is_trivially_copyable_v<Number> && std::is_trivially_destructible_v<Number>);

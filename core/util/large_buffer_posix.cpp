@@ -8,7 +8,7 @@ namespace core
 {
 namespace
 {
-constexpr std::size_t pageSize = std::size_t(1) << 21; ///< a large page of the common processors
+constexpr std::size_t pageSize = std::size_t(1) << 21; ///< large page size of common processors: 2 MiB
 constexpr std::size_t worthPages = 2 * pageSize;
 } // namespace
 
@@ -28,7 +28,7 @@ void adviseLargePages(void* memory, std::size_t bytes)
 #ifdef MADV_HUGEPAGE
     void* first = memory;
     if (bytes >= worthPages && std::align(pageSize, pageSize, first, bytes))
-        ::madvise(first, bytes, MADV_HUGEPAGE); // the system may do otherwise
+        ::madvise(first, bytes, MADV_HUGEPAGE); // only a hint: the system may ignore it
 #endif
 }
 } // namespace core

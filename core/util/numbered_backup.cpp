@@ -26,9 +26,9 @@ NumberedBackup::NumberedBackup(const fs::path& file, int versions) : m_versions(
     if (versions < 1 || !fs::is_regular_file(m_file, problem))
         return;
     fs::path waiting = m_file.parent_path() / ("." + m_file.filename().string() + "~kept");
-    fs::remove(waiting, problem); // of a program that ended meanwhile
+    fs::remove(waiting, problem); // left by a program that crashed before commit()
     fs::create_hard_link(m_file, waiting, problem);
-    if (problem) { // not every file system has them
+    if (problem) { // not every file system has hard links
         problem.clear();
         fs::copy_file(m_file, waiting, problem);
     }

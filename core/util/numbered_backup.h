@@ -4,25 +4,26 @@
 
 namespace core
 {
-/// What a file holds before it is written anew stays beside it: "vase.glb" as "vase.glb~1", the version before that as
-/// "vase.glb~2", and so on. Until commit() these are what they were; without it they stay so, though the program ends.
+/// Keeps earlier versions of a file beside it: "vase.glb~1" is the content before the last write, "vase.glb~2" the one
+/// before that, and so on. The backups change only in commit(); if it is never called, even after a crash, they stay
+/// unchanged.
 class NumberedBackup
 {
 public:
-    /// Of a file that is about to be replaced by AtomicFile; one that is not there is not kept. Throws FileError.
+    /// Saves the content of a file that AtomicFile is about to replace. A missing file is ignored. Throws FileError.
     NumberedBackup(const std::filesystem::path& file, int versions);
     ~NumberedBackup();
     NumberedBackup(const NumberedBackup&) = delete;
     NumberedBackup& operator=(const NumberedBackup&) = delete;
 
-    /// The file was written. The oldest version goes. Throws FileError.
+    /// Renumbers the backups and deletes the oldest. Precondition: the new file has been written. Throws FileError.
     void commit();
 
     static std::filesystem::path nameOf(const std::filesystem::path& file, int version); ///< 1: the latest
 
 private:
     std::filesystem::path m_file;
-    std::filesystem::path m_pending; ///< empty: there is nothing to keep
+    std::filesystem::path m_pending; ///< hidden copy or link of the old content; empty: nothing to keep
     int m_versions;
 };
 } // namespace core

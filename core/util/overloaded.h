@@ -2,7 +2,7 @@
 
 namespace core
 {
-/// Functions for the alternatives of a variant, as one: for std::visit.
+/// Combines one function for each alternative of a variant into one visitor for std::visit.
 template <class... T> struct Overloaded : T...
 {
     using T::operator()...;

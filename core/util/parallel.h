@@ -18,12 +18,12 @@ inline std::size_t chunksOf(std::size_t count, std::size_t chunkSize)
     return (count + chunkSize - 1) / chunkSize;
 }
 
-/// Fewer chunks than this are not worth waking another core for: they are done as one.
+/// Smallest number of chunks that is shared among threads. Fewer are not worth waking another core: they run as one.
 constexpr std::size_t minChunks = 4;
 
-/// Calls work(chunk, begin, end) for each chunk of [0, count), on all cores and in any order. Chunks are fixed by
-/// index: who keeps a result for each chunk and joins them in order gets the same on any machine. The first exception
-/// is passed on.
+/// Calls work(chunk, begin, end) for each chunk of [0, count), on all cores and in any order. Chunk limits do not
+/// depend on the number of threads: results stored by chunk and joined in order are the same on any machine. Rethrows
+/// the first exception.
 template <typename Work> void forEachChunk(std::size_t count, std::size_t chunkSize, Work work)
 {
     const std::size_t chunks = chunksOf(count, chunkSize);
@@ -49,8 +49,8 @@ template <typename Work> void forEachChunk(std::size_t count, std::size_t chunkS
         std::rethrow_exception(failure);
 }
 
-/// What work(begin, end, part) adds to `part` for each chunk of [0, count), on all cores: one after the other in their
-/// order.
+/// Calls work(begin, end, part) for each chunk of [0, count) on all cores; each call appends to its own `part`. Returns
+/// the parts joined in the order of the chunks.
 template <typename Part, typename Work> Part joinChunks(std::size_t count, std::size_t chunkSize, Work work)
 {
     std::vector<Part> parts(std::max<std::size_t>(1, chunksOf(count, chunkSize)));

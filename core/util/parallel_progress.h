@@ -5,8 +5,8 @@
 
 namespace core
 {
-/// forEachChunk() a part at a time, in the order of the parts: progress is reported between them, on the calling
-/// thread. What is left when it is stopped is not done.
+/// Runs forEachChunk() on one part of [0, count) after the other. Reports progress between the parts, on the calling
+/// thread. Skips the remaining work when cancelled.
 template <typename Work>
 void forEachChunkWithProgress(std::size_t count, std::size_t chunkSize, const JobControl& control, Work work)
 {

@@ -4,12 +4,12 @@
 
 namespace core
 {
-/// Adds the wall time of its scope to a phase, less what another phase took inside it.
+/// Adds the wall time of its scope to a phase's total, minus the time that a phase inside the scope counts for itself.
 class PhaseTimer
 {
 public:
     explicit PhaseTimer(double& milliseconds) : m_milliseconds(milliseconds) {}
-    /// `inner`: a running total of milliseconds that counts elsewhere.
+    /// `inner`: running total of milliseconds of a phase inside this scope; its increase is subtracted.
     PhaseTimer(double& milliseconds, const double& inner)
         : m_milliseconds(milliseconds)
         , m_inner(&inner)

@@ -8,7 +8,7 @@
 
 namespace core
 {
-/// By `code`, ascending; equal codes keep their order. Time grows with the number, memory doubles meanwhile: for many
+/// Sorts by `code`, ascending and stable. Cost: linear time, and a temporary copy of the values; pays off for many
 /// values.
 template <typename Value> void radixSort(std::vector<Value>& values, std::uint64_t Value::*code)
 {
@@ -25,7 +25,7 @@ template <typename Value> void radixSort(std::vector<Value>& values, std::uint64
     for (int digit = 0; digit < digits; ++digit) {
         std::array<std::size_t, radix>& places = counts[static_cast<std::size_t>(digit)];
         if (values.empty() || places[digitOf(values[0], digit)] == values.size())
-            continue; // all have the same there
+            continue; // all values have the same digit
         for (std::size_t sum = 0; std::size_t & place : places)
             sum += std::exchange(place, sum);
         for (const Value& value : values)

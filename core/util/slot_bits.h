@@ -6,7 +6,7 @@
 
 namespace core
 {
-/// A set of slots, asked far more often than changed: a bit for each slot up to the largest that was ever in it.
+/// A set of slots that is queried far more often than changed. One bit for each slot up to the largest ever added.
 class SlotBits
 {
 public:

@@ -7,7 +7,7 @@ namespace core
 {
 namespace
 {
-constexpr Slot nearWords = 8; ///< "near" is a page of 8 words, 512 slots, to either side
+constexpr Slot nearWords = 8; ///< search distance around the hint to either side, in words of 64 slots: 512 slots
 }
 
 Slot SlotMap::take(Slot hint)
@@ -60,7 +60,7 @@ void SlotMap::setFree(Slot slot, bool free)
 void SlotMap::resize(Slot size)
 {
     for (Slot slot = size; slot < m_size; ++slot)
-        setFree(slot, false); // a slot that is gone is not free
+        setFree(slot, false); // slots beyond the new size do not count as free
     if (size < m_size) {
         m_size = size;
         return;

@@ -8,34 +8,35 @@
 
 namespace core
 {
-/// Which slots of an element array are free. The state is nothing but that: where the next element goes follows from
-/// the free slots and a hint alone, so restoring elements restores the allocator, bit for bit.
+/// The free slots of an element array. Has no other state: the place of the next element follows from the free slots
+/// and a hint alone. Restoring elements therefore restores the allocator bit for bit.
 class SlotMap
 {
 public:
-    Slot size() const { return m_size; } ///< slots in use or free; the arrays have this length
+    Slot size() const { return m_size; } ///< number of slots in use or free, which is the length of the arrays
     Slot free() const { return m_free; }
     Slot live() const { return m_size - m_free; }
     bool isFree(Slot slot) const { return (m_words[slot / 64] >> (slot % 64)) & 1; }
 
-    /// A free slot near `hint`; failing that, when an eighth of all slots is free, the lowest of them; else a new one
-    /// at the end (then size() has grown by one).
+    /// Takes a free slot: one near `hint` if there is one; else the lowest free slot, if an eighth of all slots is
+    /// free; else a new slot at the end, which makes size() grow by one.
     Slot take(Slot hint);
     void setFree(Slot slot, bool free);
-    /// New slots are free.
+    /// Grows or shrinks the array. New slots are free.
     void resize(Slot size);
     void reserve(Slot capacity);
 
 private:
     Slot takeFromWord(Slot word);
 
-    std::vector<std::uint64_t> m_words;   ///< a bit a slot, 1 = free
-    std::vector<std::uint64_t> m_summary; ///< a bit a word, 1 = has a free slot
+    std::vector<std::uint64_t> m_words;   ///< 1 bit per slot, 1 = free
+    std::vector<std::uint64_t> m_summary; ///< 1 bit per word of m_words, 1 = the word has a free slot
     Slot m_size = 0;
     Slot m_free = 0;
 };
 
-/// The slots in use, ascending: a range, and its own iterator. Slots that are appended meanwhile are left out.
+/// A range of the slots in use, ascending, which is also its own iterator. Slots appended during the iteration are
+/// skipped.
 class LiveSlots
 {
 public:

@@ -8,7 +8,7 @@ namespace core
 {
 namespace
 {
-/// Fewer are sorted by comparing.
+/// Smallest number of slots that is sorted by radix; fewer are sorted by comparison.
 constexpr std::size_t minForRadixSort = 64;
 constexpr int digitBits = 8, digits = 4;
 constexpr std::size_t digitValues = std::size_t(1) << digitBits;
@@ -18,8 +18,8 @@ std::size_t digit(Slot slot, int d)
     return slot >> (d * digitBits) & (digitValues - 1);
 }
 
-/// By digits, the lowest first (Knuth, volume 3, section 5.2.5): slots under a brush lie close together and share the
-/// high ones.
+/// Radix sort by digits, lowest first (Knuth, volume 3, section 5.2.5). Slots under a brush share their high digits,
+/// which are then skipped.
 void sortByDigits(std::vector<Slot>& slots, std::vector<Slot>& other)
 {
     std::array<std::array<Slot, digitValues>, digits> counts = {};
@@ -30,7 +30,7 @@ void sortByDigits(std::vector<Slot>& slots, std::vector<Slot>& other)
     other.resize(slots.size());
     for (int d = 0; d < digits; ++d) {
         if (counts[d][digit(slots.front(), d)] == slots.size())
-            continue; // all have the same
+            continue; // all slots have the same digit
         Slot begin = 0;
         for (Slot& count : counts[d])
             begin = std::exchange(count, begin) + begin;

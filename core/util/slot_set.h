@@ -7,9 +7,9 @@
 
 namespace core
 {
-/// A small set out of a large range of slots, in the order of adding: O(1) to ask and to add, O(set) to clear. A bit
-/// for each slot up to the largest that was ever in it: those under a brush lie close together, so that what is asked
-/// is mostly in the nearest cache.
+/// A small set of slots from a large range, in the order of adding. Cost: O(1) to query and add, O(set) to clear.
+/// Memory: one bit for each slot up to the largest ever added. Slots under a brush are close together, so queries
+/// mostly hit the nearest cache.
 class SlotSet
 {
 public:
@@ -19,7 +19,7 @@ public:
             m_bits[slot / 64] = 0;
         m_slots.clear();
     }
-    /// Returns whether it is new.
+    /// Returns true if the slot was not in the set.
     bool add(Slot slot)
     {
         if (slot / 64 >= m_bits.size())
@@ -33,10 +33,10 @@ public:
         return true;
     }
     bool contains(Slot slot) const { return slot / 64 < m_bits.size() && (m_bits[slot / 64] >> (slot % 64) & 1) != 0; }
-    /// In the order of adding, or as sort() left them.
+    /// Returns the slots in the order of adding, or ascending after sort().
     const std::vector<Slot>& slots() const { return m_slots; }
     std::size_t size() const { return m_slots.size(); }
-    /// Ascending. O(set).
+    /// Sorts the slots in ascending order. Cost: O(set).
     void sort();
 
 private:

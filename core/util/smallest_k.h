@@ -6,7 +6,7 @@
 
 namespace core
 {
-/// Counts items, and keeps the smallest few, in bounded memory.
+/// Counts items and keeps the smallest `capacity` of them in bounded memory.
 template <typename Item> class SmallestK
 {
 public:
@@ -17,7 +17,7 @@ public:
         ++m_count;
         keep(item);
     }
-    /// Counts items that are not added one by one. The caller keeps the ones that may be among the smallest.
+    /// Counts items that are not added one by one. The caller must keep() those that may be among the smallest.
     void count(std::uint64_t items) { m_count += items; }
     void keep(const Item& item)
     {
@@ -38,7 +38,7 @@ public:
 
     std::size_t capacity() const { return m_capacity; }
     std::uint64_t count() const { return m_count; }
-    /// Ascending, each once.
+    /// Returns the smallest items, ascending and without duplicates. The object is empty afterwards.
     std::vector<Item> take()
     {
         std::sort(m_items.begin(), m_items.end());

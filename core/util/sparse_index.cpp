@@ -7,7 +7,8 @@ namespace core
 {
 namespace
 {
-/// 32 MB: as much as malloc always takes from fresh pages, which cost nothing before they are touched.
+/// Smallest capacity: 32 MiB. malloc always takes this much from fresh pages, which cost nothing until they are
+/// touched.
 constexpr Slot minCapacity = 1u << 23;
 } // namespace
 

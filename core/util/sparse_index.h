@@ -7,7 +7,7 @@
 
 namespace core
 {
-/// A small set out of a large range of slots that knows where each stands in it. Costs are those of SlotSet.
+/// A small set of slots from a large range, with the position of each slot in the set. Costs are those of SlotSet.
 class SparseIndex
 {
 public:
@@ -22,11 +22,11 @@ public:
         return m_position[slot];
     }
     bool contains(Slot slot) const { return m_set.contains(slot); }
-    /// Its position, or noSlot.
+    /// Returns the slot's position, or noSlot if it is not in the set.
     Slot find(Slot slot) const { return contains(slot) ? m_position[slot] : noSlot; }
     /// Precondition: contains(slot).
     Slot position(Slot slot) const { return m_position[slot]; }
-    /// In the order of adding.
+    /// Returns the slots in the order of adding.
     const std::vector<Slot>& slots() const { return m_set.slots(); }
     std::size_t size() const { return m_set.size(); }
 
@@ -38,7 +38,8 @@ private:
         void operator()(Slot* memory) const { std::free(memory); }
     };
     SlotSet m_set;
-    /// Never initialised, and only that of members is read: no page is touched before it is used.
+    /// Position of each slot, uninitialised except for members of the set. A memory page is not touched before it is
+    /// used.
     std::unique_ptr<Slot[], Free> m_position;
     Slot m_capacity = 0;
 };

@@ -10,10 +10,11 @@
 namespace core
 {
 #ifdef __linux__
-/// Without SCHED_BATCH a thread that wakes preempts one that has run for long, as the sculpting thread has: sched(7).
+/// Sets SCHED_BATCH, without which a waking thread preempts one that has run for long, such as the sculpting thread:
+/// sched(7).
 void lowerThreadPriority(ThreadPriority priority)
 {
-    constexpr int idleNice = 10; // a tenth of the share at nice 0
+    constexpr int idleNice = 10; // a tenth of the processor share at nice 0
     const sched_param none{};
     ::sched_setscheduler(0, SCHED_BATCH, &none);
     if (priority == ThreadPriority::Idle)

@@ -7,12 +7,13 @@ namespace core
 {
 namespace
 {
-/// A dab comes back with more work so soon: to sleep and be woken costs about as much as what there is to do.
+/// Time that threads wait actively before they sleep. A dab submits more work this soon, and waking a thread costs
+/// about as much as the work itself.
 constexpr std::chrono::microseconds staysAwake(300);
 
 thread_local bool insideOfWork = false;
 
-/// Returns when it is so, or after a while all the same.
+/// Waits actively until the condition is true, or at most for `staysAwake`.
 template <typename Condition> void waitAwake(Condition isSo)
 {
     const auto end = std::chrono::steady_clock::now() + staysAwake;
@@ -24,7 +25,7 @@ template <typename Condition> void waitAwake(Condition isSo)
 WorkerPool& WorkerPool::shared()
 {
     static auto* const pool =
-        new WorkerPool; // never destroyed: threads that outlive main() may still work while exit() runs
+        new WorkerPool; // never destroyed: threads that outlive main() may still use it while exit() runs
     return *pool;
 }
 
@@ -58,7 +59,7 @@ void WorkerPool::run(const std::function<void()>& work, std::size_t helpers)
     m_work = nullptr;
 }
 
-/// Lets helpers begin.
+/// Gives the work to helpers and wakes them. Starts the threads on first use.
 void WorkerPool::start(const std::function<void()>& work, std::size_t helpers)
 {
     if (m_threadCount == 0)
@@ -88,7 +89,7 @@ void WorkerPool::serve()
     while (!m_stopping) {
         waitAwake([this] { return m_wanted > 0; });
         m_wanted.wait(0);
-        ++m_running; // before it is wanted: who calls sees it in time
+        ++m_running; // counted before m_wanted is checked, so that run() never misses a helper that is about to begin
         if (!m_stopping && claim())
             (*m_work)();
         --m_running;
@@ -96,7 +97,7 @@ void WorkerPool::serve()
     }
 }
 
-/// Whether one more helper was wanted.
+/// Takes one of the wanted helper places for this thread. Returns false if none is left.
 bool WorkerPool::claim()
 {
     std::uint32_t wanted = m_wanted;

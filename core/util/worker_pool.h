@@ -10,27 +10,27 @@
 
 namespace core
 {
-/// Threads that wait for work: a fork and join costs some microseconds, not the tens that starting threads does.
-/// Thread-safe.
+/// A pool of threads that wait for work. Starting work on them and waiting for its end takes some microseconds;
+/// starting new threads takes tens. Thread: any.
 ///
-/// Not oneTBB: it has no setting for how long helpers stay awake after their work. With 100 microseconds large dabs
-/// take 10 % less time than with helpers that sleep at once.
+/// oneTBB is not used because it cannot set how long helpers stay awake after their work. Large dabs took 10 % less
+/// time with helpers that stay awake for 100 microseconds than with helpers that sleep at once.
 class WorkerPool
 {
 public:
     WorkerPool() = default;
     ~WorkerPool();
 
-    /// The process's one pool. It starts its threads, one less than there are cores, when they are first needed.
+    /// Returns the process's only pool. Its threads, one fewer than there are cores, start when they are first needed.
     static WorkerPool& shared();
 
-    /// Calls `work` on this thread and, at the same time, on up to `helpers` others; returns when all calls have.
-    /// `work` must do the whole of it if called once: while another caller has the pool, and inside of `work`, there
-    /// are no helpers. `work` must not throw.
+    /// Calls `work` on this thread and at the same time on up to `helpers` others. Returns when all calls have
+    /// returned. Precondition: a single call of `work` does all of the work, because there are no helpers while another
+    /// caller uses the pool, or in a nested run(). `work` must not throw.
     void run(const std::function<void()>& work, std::size_t helpers);
 
-    /// For tests of determinism: threads in all, the caller's included; 0: as many as there are cores. Not while run()
-    /// runs.
+    /// Sets the number of threads including the caller's, for tests of determinism; 0: as many as cores. Must not be
+    /// called during run().
     void setThreads(std::size_t threads);
 
 private:
@@ -39,12 +39,14 @@ private:
     void serve();
     bool claim();
 
-    std::mutex m_caller; ///< held by the caller that has the pool: it alone writes what follows, but the counts
+    /// Locked by the caller that uses the pool. Only that caller writes the members below, except m_wanted and
+    /// m_running.
+    std::mutex m_caller;
     const std::function<void()>* m_work = nullptr; ///< read by helpers while they run
     std::size_t m_threadCount = 0;
     std::vector<std::thread> m_threads;
-    std::atomic<std::uint32_t> m_wanted{0};  ///< helpers that may still begin
-    std::atomic<std::uint32_t> m_running{0}; ///< helpers that have begun, or are about to ask whether they may
+    std::atomic<std::uint32_t> m_wanted{0};  ///< number of helpers that may still begin
+    std::atomic<std::uint32_t> m_running{0}; ///< number of helpers that have begun, or are about to check m_wanted
     std::atomic<bool> m_stopping{false};
 };
 } // namespace core
