@@ -32,7 +32,7 @@ void BlockedEdges::keep(Slot v0, Slot v1)
     m_edges[keyOf(v0, v1)] = m_present;
 }
 
-/// Sums the changes of the vertices around the edge, and of the corners of the faces in the way.
+/// Sums the stamps of the vertices around the edge and of the corners of the faces in the way.
 std::uint64_t BlockedEdges::changesAround(const Obstacle& obstacle, Slot v0, Slot v1) const
 {
     std::uint64_t changes = 0;

@@ -6,16 +6,17 @@ namespace core
 {
 namespace
 {
-/// Visits without a success, for each vertex.
+/// Visits without a removed vertex, per vertex, after which the search ends.
 constexpr std::size_t vainVisits = 400;
-/// Faces that all checks together may look at, and what else a check costs, in faces.
+/// Limit on the faces that all checks together visit, and the fixed cost of one check, counted in faces.
 constexpr std::size_t mostFacesVisited = 25'000'000, facesPerCheck = 10;
-/// Limits of a vertex's way: the first tolerance, and a larger one after so many vain visits for each vertex.
+/// Limits of m_tolerance: the first value, the largest, and the factor by which it grows after `vainVisitsAtTolerance`
+/// visits per vertex without a removal.
 constexpr double firstTolerance = 0.02, mostTolerance = 1, growth = 1.5;
 constexpr std::size_t vainVisitsAtTolerance = 20;
 } // namespace
 
-/// Notes where the vertices are, and how large their shells.
+/// Stores the position of each vertex and the size of its connected component.
 void CoarseSearch::measure()
 {
     m_homes.assign(m_mesh.slots().vertices, Vec3::Zero());
@@ -86,7 +87,7 @@ void CoarseSearch::visit(Slot v)
     move(v);
 }
 
-/// Collapses one of the vertex's edges, to the other end.
+/// Collapses one of the vertex's edges to its other end. Returns false if no such collapse is sound.
 bool CoarseSearch::remove(Slot v)
 {
     Slot h = m_mesh.outgoing(v);
@@ -131,7 +132,7 @@ void CoarseSearch::move(Slot v)
         attempt([&] { m_mesh.setPoint(v, m_mesh.lattice().snap(to)); });
 }
 
-/// Returns a number from -1 to 1.
+/// Returns a random number from -1 to 1.
 double CoarseSearch::random()
 {
     return static_cast<double>(m_random()) / 2147483648.0 - 1;

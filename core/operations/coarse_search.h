@@ -7,14 +7,15 @@
 
 namespace core
 {
-/// A random search for surfaces with fewer vertices, for meshes of which no edge can collapse any more: vertices
-/// wander and edges flip, as far as the surface stays sound, until one collapses again. The form is kept only roughly.
-/// Bjoerner and Lutz 2000 find small triangulations by such flips ("Simplicial manifolds, bistellar flips and a
-/// 16-vertex triangulation of the Poincare homology 3-sphere"); here each step is checked in space, too.
+/// A random search for surfaces with fewer vertices, for meshes in which no edge can collapse any more. Moves vertices
+/// and flips edges at random, as far as the surface stays sound, until an edge can collapse. The shape is kept only
+/// roughly. Bjoerner and Lutz 2000 find small triangulations by such flips ("Simplicial manifolds, bistellar flips and
+/// a 16-vertex triangulation of the Poincare homology 3-sphere"); unlike theirs, each step here is also checked for
+/// intersections in space.
 class CoarseSearch
 {
 public:
-    /// The mesh's stroke is open. Lasting references.
+    /// All references must outlive this object. Precondition: a stroke of the mesh is open.
     CoarseSearch(VerifiedMesh& surface, std::size_t triangles, const JobControl& control)
         : m_surface(surface)
         , m_mesh(surface.mesh())
@@ -22,8 +23,8 @@ public:
         , m_control(control)
     {}
 
-    /// Ends at `triangles`, or when so many steps have found nothing (a few hundred for each vertex), or after a
-    /// bounded number of steps, which take 10 to 30 s. The outcome is the same on any machine.
+    /// Runs until the mesh has at most `triangles` faces, until some hundred visits per vertex in a row have removed
+    /// nothing, or until a bounded amount of work, which takes 10 to 30 s. The result is the same on any machine.
     void run();
 
 private:
@@ -41,11 +42,12 @@ private:
     Mesh& m_mesh;
     std::size_t m_target;
     const JobControl& m_control;
-    std::vector<Vec3> m_homes;   ///< by vertex: its place at the beginning
-    std::vector<double> m_sizes; ///< by vertex: longest side of its shell, at the beginning
-    double m_tolerance = 0;      ///< of the distance from a vertex's home, in sizes of its shell
+    std::vector<Vec3> m_homes; ///< position of each vertex at the beginning, by vertex slot, mm
+    /// longest side of the bounding box of the vertex's connected component at the beginning, by vertex slot, mm
+    std::vector<double> m_sizes;
+    double m_tolerance = 0; ///< largest distance of a vertex from its initial position, as a fraction of m_sizes
     std::mt19937 m_random;
     std::size_t m_removed = 0;
-    std::size_t m_facesVisited = 0; ///< by all checks
+    std::size_t m_facesVisited = 0; ///< number of faces visited by all checks
 };
 } // namespace core

@@ -1,15 +1,16 @@
-// Edges are collapsed one by one, those first that change the shape least:
-//   1. quadrics   of each vertex: the planes of its faces, in space or in space and colour together    quadric
-//   2. queue      each edge by its error at the best place for its ends to meet
-//   3. collapse   the first, if it turns no face over and narrows none to a sliver
-//   4. verify     what changed, exactly; a collapse after which faces meet is taken back                verified_mesh
-//   5. repeat     until there are few enough triangles, or none can go; then once more, less choosily, with all places
-//                 of an edge, and again with whatever stays sound
-//   6. shells     that lie close inside of each other go one by one                                    nested_shells
-//   7. search     for what is left: vertices wander and edges flip until an edge collapses again       coarse_search
+// Edge collapses one by one, in the order of how little they change the shape:
+//   1. quadrics   per vertex, from the planes of its faces, in space or in space and colour together    quadric
+//   2. queue      of edges, by the error at the best place for their common vertex
+//   3. collapse   of the first edge, unless it flips a face or makes one a sliver
+//   4. verify     the changed faces exactly; a collapse that makes faces intersect is rolled back      verified_mesh
+//   5. repeat     until there are few enough triangles or no edge can collapse; then again with looser limits and more
+//                 places per edge, and at last with any collapse that stays sound
+//   6. shells     closely nested components are reduced one by one                                    nested_shells
+//   7. search     for the rest: move vertices and flip edges at random until an edge can collapse     coarse_search
 // Source: Garland and Heckbert 1997 and 1998 (quadric.h). MeshLab, Blender, meshoptimizer and OpenMesh's decimater do 1
-// to 3, none of them does 4. Measured on a wavy ball, 82 thousand to 8 thousand triangles, mean distance: 0.348 mm
-// here, 0.363 mm meshoptimizer 0.18 (fifty times faster, 7 pairs of faces meet), 0.369 mm OpenMesh 9 (6 pairs meet).
+// to 3; none of them does 4. Measured on a wavy ball, 82 thousand to 8 thousand triangles, mean distance: 0.348 mm
+// here, 0.363 mm meshoptimizer 0.18 (fifty times faster, 7 pairs of faces intersect), 0.369 mm OpenMesh 9 (6 pairs
+// intersect).
 
 #include "core/operations/decimate.h"
 #include "core/operations/blocked_edges.h"
@@ -29,25 +30,28 @@ namespace core
 {
 namespace
 {
-/// A whole step of a colour weighs as much as this share of the longest side. A guess that keeps painted edges on the
-/// models tried.
+/// Weight of colour in quadrics: the full range of a channel counts as much as this fraction of the model's longest
+/// side. A guess that kept painted edges on the models tried.
 constexpr double colorReach = 0.1;
-/// Where a surface is flat its vertices stay in the middle, and short edges go first.
+/// Weights that decide on flat surfaces: a pull of the new vertex to the edge's middle, and a penalty on the edge's
+/// length.
 constexpr double pull = 1e-6, perLength = 1e-4;
-/// The limits of a collapse.
+/// Limits of a collapse.
 struct Tolerance
 {
-    double minTurnCosine; ///< of a face, between its normals before and after
-    double minShape;      ///< that a face must keep, 1: equilateral; or what it had before, if that was less
-    bool triesAll;        ///< if the best place will not do, also the ends and the middle
+    double minTurnCosine; ///< smallest cosine between a face's normals before and after
+    double minShape;      ///< smallest shape quality of a face, 1: equilateral; a face below it may not get worse
+    bool triesAll;        ///< also tries the ends and the middle if the best place fails
 };
-/// Faces turn by at most about 75 degrees in one step. If that does not lead to few enough, what turns no face over
-/// will do, and then whatever is sound.
+/// Limits of the three rounds: faces turn by at most about 75 degrees; then no face flips over; then any sound
+/// collapse.
 constexpr std::array<Tolerance, 3> tolerances = {{{0.25, 0.02, false}, {0.02, 0.002, true}, {-2, 0, true}}};
 constexpr std::size_t checkInterval = 1024;
-/// A pass over all edges is followed by another with the same tolerance if it took a vertex of so many faces.
+/// A pass over all edges is repeated with the same tolerance if it removed at least one vertex per this number of
+/// faces.
 constexpr std::size_t leastPerPass = 100;
-/// Shells are in each other's way where so large a share of the edges of a pass met other faces.
+/// Fraction of a mesh's edges; if more collapses of a pass are refused, nested components are assumed to obstruct each
+/// other.
 constexpr double mostRefused = 0.25;
 
 template <int N> class Decimater
@@ -78,7 +82,8 @@ private:
         Slot v0, v1;
         std::uint32_t stamp0, stamp1;
 
-        bool operator<(const Candidate& other) const // the queue's first is its greatest
+        // inverted, so that the priority queue's top has the smallest error
+        bool operator<(const Candidate& other) const
         {
             return std::tie(other.error, other.v0, other.v1) < std::tie(error, v0, v1);
         }
@@ -107,9 +112,9 @@ private:
     VerifiedMesh m_surface;
     std::size_t m_target;
     const JobControl& m_control;
-    double m_perColor = 0; ///< mm
+    double m_perColor = 0; ///< mm per step of a colour channel
     std::vector<Quadric<N>> m_quadrics;
-    std::vector<std::uint32_t> m_stamps; ///< by vertex: its changes so far
+    std::vector<std::uint32_t> m_stamps; ///< number of changes so far, by vertex
     std::priority_queue<Candidate> m_queue;
     std::size_t m_start;
     std::uint64_t m_refused = 0;
@@ -126,14 +131,14 @@ template <int N> Decimated Decimater<N>::run()
         std::uint64_t refused = 0;
         for (bool pays = true; pays && !isDone();) {
             refused = m_refused;
-            for (const Slot e : m_mesh.edges()) // again: what stood in the way of a collapse may be gone
+            for (const Slot e : m_mesh.edges()) // all edges again: obstacles to a collapse may be gone
                 push(m_mesh.from(2 * e), m_mesh.to(2 * e));
             pays = collapseQueue() > m_mesh.live().faces / leastPerPass;
             refused = m_refused - refused;
         }
         if (!isDone() && static_cast<double>(refused) > mostRefused * m_mesh.live().edges) {
             NestedShells(m_surface, m_target, m_control).run();
-            gatherQuadrics(); // of the shells where they are now
+            gatherQuadrics(); // again, because the components have shrunk
         }
     }
     if (!isDone())
@@ -171,7 +176,7 @@ template <int N> typename Decimater<N>::Place Decimater<N>::placeFor(Slot v0, Sl
     const Point p0 = pointOf(v0), p1 = pointOf(v1), middle = (p0 + p1) / 2;
     Point best = sum.minimizer(middle, pull);
     const double length2 = (p1 - p0).squaredNorm();
-    if (!((best - middle).squaredNorm() < length2)) // nearly flat in some direction: not to be trusted there
+    if (!((best - middle).squaredNorm() < length2)) // nearly flat in some direction, where the minimiser is unreliable
         best = sum.at(p0) < sum.at(p1) ? p0 : p1;
     Place place = placeAt(best, sum, v1);
     place.error += perLength * sum.weight() * length2;
@@ -236,7 +241,7 @@ template <int N> bool Decimater<N>::collapse(const Candidate& candidate)
     return false;
 }
 
-/// Collapses to one of the ends or to the middle, whichever changes least.
+/// Collapses to one of the ends or to the middle, tried in the order of their error.
 template <int N> bool Decimater<N>::collapseAnywhere(Slot h)
 {
     const Slot v0 = m_mesh.from(h), v1 = m_mesh.to(h);
@@ -269,7 +274,8 @@ template <int N> bool Decimater<N>::collapseTo(Slot h, const Place& place)
     return true;
 }
 
-/// The faces around v but not around the other keep their side, and do not become slivers, when v goes to p.
+/// Returns true if moving v to p neither flips the faces around v nor makes them slivers. Faces that also touch `other`
+/// are ignored, because the collapse removes them.
 template <int N> bool Decimater<N>::keepsFaces(Slot v, Slot other, const Vec3& p) const
 {
     bool keeps = true;
@@ -317,7 +323,7 @@ std::size_t fewestTriangles(const TriangleMesh& mesh)
     }
     std::size_t fewest = 0;
     for (std::size_t i = 0; i < shells.count; ++i) {
-        // V - E + F = 2 - 2g with E = 3F/2; V >= (7 + sqrt(1 + 48g)) / 2 with a handle, and F = 2 (V + 2g - 2)
+        // Euler: V - E + F = 2 - 2g with E = 3F/2. With a handle V >= (7 + sqrt(1 + 48g)) / 2, and F = 2 (V + 2g - 2).
         const double genus = (2 - static_cast<double>(vertices[i]) + static_cast<double>(faces[i]) / 2) / 2;
         const double least = genus > 0 ? std::ceil((7 + std::sqrt(1 + 48 * genus)) / 2) : 4;
         fewest += static_cast<std::size_t>(2 * (least + 2 * genus - 2));

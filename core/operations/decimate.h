@@ -5,23 +5,24 @@
 
 namespace core
 {
-/// Returns a bound from below of the triangles of any surface with the same shells and handles (Jungerman and Ringel
-/// 1980): a shell without handles needs 4, one with a handle 14. The mesh is closed and manifold. Linear.
+/// Returns a lower bound on the triangles of any surface with the same connected components and handles (Jungerman and
+/// Ringel 1980). A component without handles needs 4 triangles, one with a handle 14. Precondition: the mesh is closed
+/// and manifold. Cost: linear.
 std::size_t fewestTriangles(const TriangleMesh& mesh);
 
-/// What is left of a surface.
+/// Result of decimate().
 struct Decimated
 {
-    TriangleMesh mesh;         ///< on the lattice; empty: it was stopped
-    std::uint64_t refused = 0; ///< collapses that would have made faces meet
+    TriangleMesh mesh;         ///< the new mesh, on the lattice; empty if the job was cancelled
+    std::uint64_t refused = 0; ///< number of collapses refused because faces would have intersected
 };
 
-/// Fewer triangles for the same shape and colours: at most `triangles` of them, if such a surface is found. Handles and
-/// shells all stay. As long as that is enough, no collapse turns a face over; below, the form is kept ever more
-/// roughly, down to about what fewestTriangles() says for rings and parts with few handles, and for shells unless a
-/// dozen of them lie close in each other. Where that ends above the number, the result has more. Closed, manifold and
-/// free of self-intersections like the mesh that it starts from: each step is checked exactly. The mesh is used up. Any
-/// thread; about 20 s a million triangles, on one core, and up to a minute more where shells, handles or sheets that
-/// lie close to each other are in the way.
+/// Reduces the number of triangles and keeps shape and colours: at most `triangles`, if such a surface is found. All
+/// components and handles stay. At first no collapse flips a face; if that does not suffice, the shape is kept ever
+/// more roughly. The limit is about fewestTriangles() for rings, for parts with few handles, and for components unless
+/// a dozen of them are closely nested; the result may therefore have more than `triangles`. It is closed, manifold and
+/// free of self-intersections, because each step is checked exactly. The mesh argument is consumed. Thread: any. Cost:
+/// about 20 s per million triangles on one core, and up to a minute more where components, handles or close surfaces
+/// obstruct each other.
 Decimated decimate(Mesh mesh, std::size_t triangles, const JobControl& control = {});
 } // namespace core

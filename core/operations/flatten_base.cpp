@@ -1,8 +1,8 @@
-// A flat base: what lies below a level plane goes, and the cut is closed in the plane.
-//   1. settle   vertices that are all but in the plane go into it
-//   2. part     edges that cross it are split there: in the plane exactly, and on the lattice
-//   3. cap      faces without a corner above go; the loops that are left are filled            polygon_fill
-//   4. check    the whole, exactly. If it is not sound, again without the first step, and a little higher
+// Cuts a flat base: removes everything below a level plane and closes the cut in the plane.
+//   1. settle   move vertices that are almost in the plane into it
+//   2. part     split edges that cross the plane at a lattice point exactly in it
+//   3. cap      remove faces without a corner above the plane, and fill the boundary loops          polygon_fill
+//   4. check    the whole mesh exactly; if it is not sound, retry without step 1, then with a slightly higher plane
 
 #include "core/operations/flatten_base.h"
 
@@ -17,11 +17,11 @@ namespace core
 {
 namespace
 {
-/// "All but in the plane", in terms of the shortest edge around the vertex.
+/// Largest distance of a vertex from the plane at which settle() moves it, as a fraction of its shortest edge.
 constexpr double settledHeightPerEdge = 0.1;
-/// Lattice units by which the plane is raised where a cut is not sound.
+/// Lattice units by which the plane is raised, one try after the other, if a cut is not sound.
 constexpr int raisings[] = {0, 1, 17};
-constexpr double afterCapping = 0.4; ///< share of the time
+constexpr double afterCapping = 0.4; ///< progress after capping, 0 to 1
 
 class BaseCutter
 {
@@ -52,7 +52,7 @@ void BaseCutter::settle()
     }
 }
 
-/// No new edge crosses the plane, so one pass finds all.
+/// Splits all edges that cross the plane. One pass suffices because no new edge crosses it.
 void BaseCutter::part()
 {
     for (const Slot e : m_mesh.edges()) {
@@ -67,7 +67,8 @@ void BaseCutter::part()
     }
 }
 
-/// Of the faces that stay, as the faces that close them run along. Empty if they meet in a point.
+/// Returns the boundary loops of the kept faces, in the direction of the faces that will close them. Empty if two loops
+/// touch in a vertex.
 std::vector<std::vector<Slot>> BaseCutter::openLoops() const
 {
     std::unordered_map<Slot, Slot> next;
@@ -97,7 +98,7 @@ std::vector<std::vector<Slot>> BaseCutter::openLoops() const
     return loops;
 }
 
-/// False if the cut cannot be closed.
+/// Removes the faces below the plane and fills the loops. Returns false if the cut cannot be closed.
 bool BaseCutter::cap()
 {
     std::vector<std::vector<Slot>> loops = openLoops();

@@ -4,6 +4,7 @@
 
 namespace core
 {
-/// Edits the mesh, whose stroke is open, or leaves it alone and says why in `change`.
+/// Edits the mesh; on refusal leaves it unchanged and sets `change.refusal`. Precondition: a stroke of the mesh is
+/// open.
 void flattenBase(Mesh& mesh, const FlattenBase& command, ModelChange& change, const JobControl& control);
 } // namespace core

@@ -1,8 +1,8 @@
-// Another model becomes part of this one, as free topology adds a sphere (paper, section 3.5.1, for any solid):
-//   1. check     the newcomer by itself: it must bound a solid                               mesh_check
-//   2. place     beside the present model, where its file has it, or where it was asked for
-//   3. touch     on one lattice for both, no face of one may meet a face of the other        self_intersection
-//   4. fit       both together must be sound there and bound a solid: neither inside the other's matter  lattice_fit
+// Inserts another model, as free topology adds a sphere (paper, section 3.5.1), but for any solid:
+//   1. check     the inserted model alone: it must bound a solid                                    mesh_check
+//   2. place     beside the present model, where its own file puts it, or at a requested centre
+//   3. touch     no face of one model may meet a face of the other, on a common lattice             self_intersection
+//   4. fit       the combined mesh must be sound on the lattice; neither model inside the other's material  lattice_fit
 //   5. write     through the mesh's gate
 
 #include "core/operations/insert_model.h"
@@ -21,11 +21,12 @@ namespace core
 {
 namespace
 {
-/// Between the present model and one that is put beside it, of the longer side of the larger one.
+/// Gap between the present model and one placed beside it, as a fraction of the longest side of the larger model.
 constexpr double gapInSizes = 0.05;
-/// Farther from the origin than this, in sizes of the larger model, nothing is inserted (as with an import).
+/// Largest distance of an inserted model's centre from the origin, in longest sides of the larger model, as for
+/// imports.
 constexpr double farthestInSizes = 4;
-/// Shares of the time that an insertion takes.
+/// Progress after each step of an insertion, 0 to 1.
 constexpr double afterJudging = 0.3, afterTouching = 0.6, afterFitting = 0.9;
 
 double longest(const Box& box)
@@ -33,7 +34,8 @@ double longest(const Box& box)
     return box.sizes().maxCoeff();
 }
 
-/// By how much the newcomer is moved. Beside the present model it stands on the same floor.
+/// Returns the vector by which the inserted model is moved. Beside the present model it is set on the same floor (least
+/// y).
 Vec3 offsetOf(const Insert& command, const Mesh& mesh, const Box& present, const Box& added)
 {
     switch (command.place) {
@@ -49,12 +51,12 @@ Vec3 offsetOf(const Insert& command, const Mesh& mesh, const Box& present, const
             present.center().z() - added.center().z()};
 }
 
-/// Both models: the present vertices by slot, then the newcomer's.
+/// The vertices of both models: the present ones by slot, then the inserted ones.
 struct Both
 {
     std::vector<Vec3> places;
     std::vector<Triangle> faces;
-    Slot firstAdded = 0; ///< vertex
+    Slot firstAdded = 0; ///< index of the first inserted vertex
     Slot presentFaces = 0;
 };
 
@@ -68,7 +70,8 @@ Both together(const Mesh& mesh, const TriangleMesh& added, const Vec3& offset)
     return both;
 }
 
-/// Pairs are ascending, and present faces, of which no two meet where they are, come first.
+/// Returns true if a face of one model meets a face of the other. Two present faces never meet and the smallest pairs
+/// are kept, so the limit of 1000 pairs cannot hide a pair of a present and an inserted face.
 bool doTouch(const Both& both, const Lattice& lattice, const JobControl& control)
 {
     const std::vector<LatticePoint> points = snappedTo(lattice, both.places);
@@ -78,7 +81,7 @@ bool doTouch(const Both& both, const Lattice& lattice, const JobControl& control
     });
 }
 
-/// Faces meet, or all is well but for the nesting.
+/// Returns why the combined mesh was refused: faces meet, or, if every face is at fault, one model is inside the other.
 ModelRefusal refusalOfFit(const LatticeFit& fit, const Both& both)
 {
     if (fit.unsnappable == 0)

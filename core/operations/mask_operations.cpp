@@ -1,8 +1,7 @@
-// What may be asked of the whole mask, each a value per vertex that follows from the masks before:
-//   invert, clear, sharpen    from its own
-//   blur, grow, shrink        from its own and its neighbours', as one ring of edges lies around it
-//   cavity, color, part       from the surface: what is hollow, of a colour, or in one piece with what is masked is
-//   masked, too
+// Operations on the mask of the whole model. Each computes the new mask of a vertex from the old masks:
+//   invert, clear, sharpen    from the vertex's own mask
+//   blur, grow, shrink        from the masks of the vertex and its one-ring
+//   cavity, color, part       from the surface: masks what is hollow, has a colour, or is connected to a masked vertex
 
 #include "core/operations/mask_operations.h"
 
@@ -15,12 +14,13 @@ namespace core
 namespace
 {
 constexpr std::uint8_t whole = 255;
-/// One ring is hardly to be seen.
+/// Number of times that a blur averages over the one-ring. Once is hardly visible.
 constexpr int blurRings = 2;
-/// The largest difference of a channel at which a colour counts wholly, and at which no longer.
+/// Largest difference in any channel, 0 to 255: up to the first a colour is masked fully, from the second on not at
+/// all.
 constexpr int sameColor = 24, otherColor = 64;
 
-/// By slot.
+/// Masks by vertex slot.
 using Masks = std::vector<std::uint8_t>;
 
 template <class Value> Masks each(const Mesh& mesh, Value value)
@@ -41,7 +41,7 @@ std::uint8_t clamped(double mask)
     return static_cast<std::uint8_t>(std::clamp(mask, 0.0, 255.0) + 0.5);
 }
 
-/// The mean of a vertex and its neighbours' mean.
+/// Returns the masks blurred: `blurRings` times, each becomes the mean of itself and its neighbours' mean.
 Masks blurred(const Mesh& mesh)
 {
     Masks masks = masksOf(mesh);
@@ -55,7 +55,8 @@ Masks blurred(const Mesh& mesh)
     return masks;
 }
 
-/// The most, or the least, of a vertex and its neighbours.
+/// Returns the masks with each replaced by the maximum or minimum, as `choose` does, over the vertex and its
+/// neighbours.
 template <class Choose> Masks spread(const Mesh& mesh, Choose choose)
 {
     return each(mesh, [&](Slot v) {
@@ -65,8 +66,8 @@ template <class Choose> Masks spread(const Mesh& mesh, Choose choose)
     });
 }
 
-/// How deep a vertex lies below its neighbours' mean, in terms of the edges around it; negative above. Sums are exact,
-/// so that mirror images are as hollow.
+/// Returns the depth of a vertex below the mean of its neighbours, relative to the lengths of its edges; negative
+/// above. Sums are exact, so mirror images get equal results.
 double hollowness(const Mesh& mesh, Slot v)
 {
     const Vec3 p = mesh.point(v).cast<double>(), normal = vertexNormal(mesh, v);
@@ -77,7 +78,8 @@ double hollowness(const Mesh& mesh, Slot v)
     return squared > 0 ? (neighbourMean(mesh, v) - p).dot(normal) / std::sqrt(squared) : 0;
 }
 
-/// Wholly where it is as hollow as the model is curved in the mean.
+/// Returns the masks plus cavities. A vertex is masked fully if its depth reaches the model's root mean square
+/// hollowness.
 Masks hollows(const Mesh& mesh)
 {
     std::vector<double> depth(mesh.slots().vertices);
@@ -101,7 +103,7 @@ Masks ofColor(const Mesh& mesh, Rgb color)
     });
 }
 
-/// All that hangs together with a masked vertex.
+/// Returns the masks with every component that contains a masked vertex masked fully.
 Masks wholeParts(const Mesh& mesh)
 {
     Masks masks = masksOf(mesh);

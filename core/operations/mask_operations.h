@@ -5,7 +5,6 @@
 
 namespace core
 {
-/// Changes the whole model's mask; nothing else of it. Precondition: a stroke is open. O(mesh), steps of a ring at a
-/// time.
+/// Changes the mask of the whole model and nothing else. Precondition: a stroke of the mesh is open. Cost: O(mesh).
 void applyMaskOperation(Mesh& mesh, const MaskOperation& command);
 } // namespace core

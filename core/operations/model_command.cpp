@@ -14,7 +14,7 @@ namespace core
 {
 namespace
 {
-/// As far as the mask lets it.
+/// Paints the whole model; masked vertices take the colour in proportion to their freedom.
 void fill(Mesh& mesh, Rgb color)
 {
     for (const Slot v : mesh.vertices()) {

@@ -13,8 +13,8 @@ namespace core
 {
 class Mesh;
 
-// What may be asked of the whole model. Lengths in the document's unit; planes, axes and pivots are the document's own:
-// they go through the origin.
+// Commands on the whole model. Lengths are in the document's unit. Planes, axes and pivots pass through the document's
+// origin.
 
 struct Move
 {
@@ -24,34 +24,34 @@ struct Rotate
 {
     Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity(); ///< unit length
 };
-/// The place that the file gives the model is scaled, too, as by another unit.
+/// Scales the model and also its place in its file, as a change of unit would.
 struct Scale
 {
     double factor = 1; ///< above 0
 };
-/// At x = 0, y = 0 or z = 0.
+/// Mirrors at the plane x = 0, y = 0 or z = 0.
 struct Mirror
 {
     int axis = 0;
 };
-/// The middle of the bounding box, snapped, goes to the origin, also in files that are written from now on.
+/// Moves the centre of the bounding box, snapped to the lattice, to the origin. Files written later also have it there.
 struct Recentre
 {};
-/// The lowest point goes to y = 0, where a printer's bed is, also in files that are written from now on.
+/// Moves the lowest point to y = 0, where a printer's bed is. Files written later also have it there.
 struct PlaceOnBed
 {};
-/// What lies below a level plane goes, and the cut is closed: a flat base.
+/// Cuts a flat base: removes everything below a level plane and closes the cut.
 struct FlattenBase
 {
-    double height = 0; ///< of the plane above the lowest point; above 0, below the model's height
+    double height = 0; ///< height of the plane above the lowest point; above 0 and below the model's height
 };
-/// Another model becomes part of this one: outside it, or wholly in one of its voids, and touching nothing.
+/// Adds another model, which must be outside this one or wholly in one of its voids, without touching it.
 struct Insert
 {
     enum class Place {
-        Beside, ///< in +x direction, clear of the present model, the boxes' middles level
-        AsItIs, ///< where its file has it
-        Centre  ///< the middle of its box at `centre`
+        Beside, ///< in +x direction with a gap, on the same floor, box centres level in z
+        AsItIs, ///< where the inserted model's file has it
+        Centre  ///< centre of its bounding box at `centre`
     };
     TriangleMesh model;
     Place place = Place::Beside;
@@ -61,37 +61,38 @@ struct Fill
 {
     Rgb color;
 };
-/// See mask_operations.cpp. What is hollow, of the colour, or in one piece with what is masked is added to the mask.
+/// Changes the mask (see mask_operations.cpp). Cavity, Color and Part add vertices to the mask.
 struct MaskOperation
 {
     enum class Kind { Invert, Clear, Blur, Sharpen, Grow, Shrink, Cavity, Color, Part };
     Kind how = Kind::Invert;
-    Rgb color = {}; ///< of Kind::Color
+    Rgb color = {}; ///< used by Kind::Color only
 };
-/// All edges between d and d_detail = 2 d, as far as the shape and the mask allow.
+/// Remeshes so that all edges are between d and d_detail = 2 d, as far as shape and mask allow.
 struct RemeshUniformly
 {
-    double detailLength = 0; ///< d_detail; 0: 4/3 of the mean edge
+    double detailLength = 0; ///< d_detail; 0: 4/3 of the mean edge length
 };
 
 enum class Half { Positive, Negative };
-/// One half of the model, and its mirror image in place of the other.
+/// Keeps one half of the model and replaces the other by its mirror image.
 struct Symmetrize
 {
-    Symmetry plane = Symmetry::X; ///< not None
-    Half keep = Half::Positive;   ///< where the coordinate is so
+    Symmetry plane = Symmetry::X; ///< must not be None
+    Half keep = Half::Positive;   ///< sign of the coordinate in the half that is kept
 };
 
-/// A mesh as it once was, without what it needs for editing: 40 bytes a vertex.
+/// Copy of a mesh without the data needed for editing: 40 bytes per vertex.
 struct Snapshot
 {
-    TriangleMesh surface; ///< in the order of the slots
+    TriangleMesh surface; ///< vertices and faces in the order of the slots
     MeshFrame frame;
 };
-/// Of a mesh that was built and not edited since: then it comes back slot for slot.
+/// Returns a copy of the mesh's surface and frame. Precondition, if slots matter: the mesh was not edited since it was
+/// built; then meshOf() restores it slot for slot.
 std::shared_ptr<const Snapshot> snapshotOf(const Mesh& mesh);
 
-/// The model as it was when it was opened. It was sound then, so it is not checked again.
+/// Restores the model as it was when opened. It was sound then, so it is not checked again.
 struct Reset
 {
     std::shared_ptr<const Snapshot> start;
@@ -100,42 +101,43 @@ struct Reset
 using ModelCommand = std::variant<Move, Rotate, Scale, Mirror, Recentre, Insert, Fill, RemeshUniformly, Symmetrize,
                                   Reset, PlaceOnBed, FlattenBase, MaskOperation>;
 
-/// Why the model was left as it is.
+/// Reasons why a command left the model unchanged.
 enum class ModelRefusal {
     None,
-    FacesMeet,  ///< on the lattice, whatever was tried: `faces` of them
-    TooFar,     ///< from the origin, for its size
-    TooLarge,   ///< or too small: `ModelLimits`
-    Unsound,    ///< the inserted model does not bound a solid: `report` says why
-    Inside,     ///< one of the models would lie inside the other
+    FacesMeet,  ///< faces intersect on every lattice point tried; `faces`: their number
+    TooFar,     ///< too far from the origin for the model's size
+    TooLarge,   ///< coordinates too large or too small (see ModelLimits)
+    Unsound,    ///< the inserted model does not bound a solid; `report` has the reason
+    Inside,     ///< one of the models would be inside the other's material
     Touching,   ///< the inserted model would touch the present one
-    EmptyHalf,  ///< nothing of the model lies on that side of the plane
-    HalvesMeet, ///< the half and its image do not make a sound solid: they touch, or meet at `faces` pairs of faces
-    NoBase,     ///< there is nothing to cut at that height, or what is left makes no sound solid
-    TooFine     ///< the mesh would need too many faces (`faces`), or edges that the lattice cannot hold
+    EmptyHalf,  ///< the half to keep is empty
+    HalvesMeet, ///< the halves touch, or intersect at `faces` places: no sound solid
+    NoBase,     ///< nothing to cut at this height, or the remainder is no sound solid
+    TooFine     ///< the mesh would need too many faces (`faces`), or edges too short for the lattice
 };
 
-/// What a command comes to.
+/// Result of a command.
 struct ModelChange
 {
     ModelRefusal refusal = ModelRefusal::None;
     std::size_t faces = 0; ///< see ModelRefusal
     MeshReport report;     ///< see ModelRefusal::Unsound
-    MeshDelta delta;       ///< Mesh::swap makes the change, and takes it back
-    bool changes = false;  ///< the delta does anything: neither refused nor stopped, and something is different
+    MeshDelta delta;       ///< the change; Mesh::swap applies it, and swaps it back
+    bool changes = false;  ///< true if the command was neither refused nor cancelled and the delta alters anything
 };
 
 struct ModelLimits
 {
-    static constexpr double minExtent = 1e-6, maxExtent = 1e7; ///< of the largest |coordinate|
-    static constexpr std::size_t maxFaces = 20'000'000;        ///< that a remeshing may aim at
+    /// limits of the largest magnitude of a coordinate, in the document's unit
+    static constexpr double minExtent = 1e-6, maxExtent = 1e7;
+    static constexpr std::size_t maxFaces = 20'000'000; ///< largest number of faces that a remeshing may aim at
 };
 
-/// Tries the command on a copy of the mesh and checks the outcome wholly and exactly. The mesh itself changes when the
-/// delta is swapped in: until then it must stay in the state of which `copy` is a copy. Any thread; whole-mesh cost, on
+/// Applies the command to a copy of the mesh and checks the result completely and exactly. Swapping the returned delta
+/// into the original mesh makes the change; until then the original must not change. Thread: any. Cost: whole mesh, on
 /// all cores.
 ModelChange applyToCopy(Mesh copy, const ModelCommand& command, const JobControl& control = {});
 
-/// Faces that a uniform mesh of that d_detail has on a surface of that area, about.
+/// Returns the approximate number of faces of a uniform mesh with this d_detail on a surface of this area.
 double uniformFaces(double area, double detailLength);
 } // namespace core

@@ -7,7 +7,7 @@ namespace core
 namespace
 {
 constexpr std::size_t fewestFaces = 4;
-/// Rates at which a shell shrinks: at most, and by which less is tried where that is not sound.
+/// Smallest scale of shrink(), and the number of scales tried; each failed try is followed by a milder one.
 constexpr double leastScale = 0.25;
 constexpr int shrinkings = 4;
 } // namespace
@@ -84,7 +84,7 @@ void NestedShells::push(Slot v)
     m_mesh.forEachOutgoing(v, [&](Slot h) { push(v, m_mesh.to(h)); });
 }
 
-/// Vertices go to neighbours, those first that change the shape least.
+/// Collapses vertices into neighbours, in the order of how little that changes the shape, down to about `faces` faces.
 void NestedShells::reduce(Shell& shell, std::size_t faces)
 {
     std::size_t count = shell.vertices.size();
@@ -112,8 +112,8 @@ void NestedShells::reduce(Shell& shell, std::size_t faces)
     std::erase_if(shell.vertices, [&](Slot v) { return !m_mesh.isVertex(v); });
 }
 
-/// Moves the shell towards the mean of its vertices, so far that the one around it may have faces as large; or less
-/// far.
+/// Scales the component about the mean of its vertices, far enough for the component around it to have faces as large.
+/// Tries milder scales if that is not sound.
 void NestedShells::shrink(const Shell& shell)
 {
     Vec3 middle = Vec3::Zero();
@@ -124,7 +124,7 @@ void NestedShells::shrink(const Shell& shell)
             longest = std::max(longest, (m_mesh.point(m_mesh.to(h)) - m_mesh.point(v)).cast<double>().norm());
         });
     }
-    // a face with edges e of a ball with diameter d comes nearer to its middle by the factor sqrt(1 - (e / d)^2)
+    // a face with edges of length e on a ball of diameter d is nearer to the centre by the factor sqrt(1 - (e / d)^2)
     const double ratio = longest / shell.box.sizes().maxCoeff();
     double scale = std::max(leastScale, 1 - 1.1 * ratio * ratio);
     for (int i = 0; i < shrinkings; ++i, scale = std::sqrt(scale)) {

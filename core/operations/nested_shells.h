@@ -8,13 +8,13 @@
 
 namespace core
 {
-/// Reduces shells that lie inside of each other with little room between, where no edge of one can collapse without
-/// meeting the next: from the smallest to the largest, each by its share; then it shrinks about its middle, so that
-/// its flat faces leave room for those of the shell around it.
+/// Reduces components that are nested so closely that no edge can collapse without meeting the next component. Works
+/// from the smallest to the largest, each down to its share of the target. Then shrinks the component about its middle,
+/// so that its flat faces leave room for those of the component around it.
 class NestedShells
 {
 public:
-    /// The mesh's stroke is open. Lasting references.
+    /// All references must outlive this object. Precondition: a stroke of the mesh is open.
     NestedShells(VerifiedMesh& surface, std::size_t triangles, const JobControl& control)
         : m_surface(surface)
         , m_mesh(surface.mesh())
@@ -22,7 +22,7 @@ public:
         , m_control(control)
     {}
 
-    /// Does nothing to a mesh of one shell. Cost: a few verified steps for each vertex that goes.
+    /// Has no effect on a mesh with one component. Cost: a few verified steps per removed vertex.
     void run();
 
 private:
@@ -30,15 +30,16 @@ private:
     {
         std::vector<Slot> vertices;
         Box box;
-        std::size_t faces() const { return 2 * vertices.size(); } ///< about, of few handles
+        std::size_t faces() const { return 2 * vertices.size(); } ///< approximate, for few handles
     };
-    /// A vertex that may go to a neighbour.
+    /// A collapse of vertex `from` into its neighbour `to`.
     struct Candidate
     {
         double error;
         Slot from, to;
-        std::uint32_t stamp;                         ///< of both, summed
-        bool operator<(const Candidate& other) const // the queue's first is its greatest
+        std::uint32_t stamp; ///< sum of the two vertices' stamps
+        // inverted, so that the priority queue's top has the smallest error
+        bool operator<(const Candidate& other) const
         {
             return std::tie(other.error, other.from, other.to) < std::tie(error, from, to);
         }
@@ -56,7 +57,7 @@ private:
     std::size_t m_target;
     const JobControl& m_control;
     std::vector<Quadric<3>> m_quadrics;
-    std::vector<std::uint32_t> m_stamps; ///< by vertex: its changes so far
+    std::vector<std::uint32_t> m_stamps; ///< number of changes so far, by vertex
     std::priority_queue<Candidate> m_queue;
 };
 } // namespace core

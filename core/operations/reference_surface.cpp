@@ -1,8 +1,8 @@
-// Where a vertex belongs (after Botsch and Kobbelt 2004, who relax and project; creases and heights are ours):
-//   1. sectors   its faces between creases: one around a smooth place, two at a crease, more at a corner
+// The place of a vertex (after Botsch and Kobbelt 2004, who relax and project; creases and raising are added here):
+//   1. sectors   its faces, divided by creases: one sector if smooth, two at a crease, more at a corner
 //   2. relax     along the surface, or along the crease; a corner stays
-//   3. project   onto the nearest face that looks as each sector does
-//   4. raise     when all that is done, one vertex after another: by the depth of the edges around it
+//   3. project   onto the nearest face with a normal like the sector's, for each sector
+//   4. raise     after all other steps, one vertex after another: by the depth of the edges around it
 
 #include "core/operations/reference_surface.h"
 
@@ -16,26 +16,28 @@ namespace core
 {
 namespace
 {
-/// A vertex returns to the surface from this far at most, in d_detail, and only to faces that look its way.
+/// Largest distance of a projection back onto the surface, in d_detail, and the smallest cosine between a face's normal
+/// and that of the sector.
 constexpr double farthest = 0.5, sameSheetCosine = 0.5;
-/// Most are found within this share of that.
+/// Fraction of `farthest` that is searched first; most faces are found within it.
 constexpr double usualShare = 0.125;
-/// Edges sharper than about 45 degrees are creases; where more of them meet than in a corner the surface is rough, not
-/// sharp.
+/// Edges sharper than about 45 degrees (smaller cosine of the normals) are creases. If more than `maxCreases` meet, the
+/// surface is rough rather than sharp.
 constexpr double creaseCosine = 0.7;
 constexpr std::size_t maxCreases = 4;
-/// Projections onto the sides of a crease in turn converge; on flat sides the first ones get there.
+/// Number of rounds of projecting onto the sides of a crease in turn, which converges. On flat sides the first rounds
+/// suffice.
 constexpr int projections = 3;
-/// In d.
+/// Largest distance by which a vertex is raised, in d.
 constexpr double maxRaise = 0.25;
-/// When it is a vertex's turn, half of its neighbours, whose edges lie half as high as they do, wait for theirs: were
-/// all at the height h, a depth of h - h/4 would be seen.
+/// Height by which a vertex is raised per mean depth of its edges. Above 1 because on average half of the neighbours
+/// are raised later: at a common final height h, the depth seen at a vertex's turn is h - h/4.
 constexpr double heightPerDepth = 1.25;
 
 struct Sectors
 {
-    std::vector<Vec3> normals;    ///< of any length
-    std::vector<Vec3> creaseEnds; ///< the other ends of the creases at the vertex; of two sectors two
+    std::vector<Vec3> normals;    ///< one normal per sector, of any length
+    std::vector<Vec3> creaseEnds; ///< other ends of the creases at the vertex; two if there are two sectors
 };
 
 Sectors wholeStar(const Mesh& mesh, Slot v)
@@ -46,7 +48,7 @@ Sectors wholeStar(const Mesh& mesh, Slot v)
 Sectors sectorsAround(const Mesh& mesh, Slot v)
 {
     std::vector<Vec3> faces, creaseEnds;
-    std::vector<std::size_t> creases; // before which face, counter-clockwise
+    std::vector<std::size_t> creases; // index of the first face after each crease, counter-clockwise
     mesh.forEachOutgoing(v, [&](Slot h) {
         const Vec3 after = faceNormal(mesh, mesh.face(h)), before = faceNormal(mesh, mesh.face(h ^ 1));
         if (after.dot(before) < creaseCosine * after.norm() * before.norm()) {

@@ -4,6 +4,6 @@
 
 namespace core
 {
-/// As it was when the snapshot was taken, slot for slot.
+/// Returns the mesh as it was when the snapshot was taken, slot for slot.
 std::unique_ptr<Mesh> meshOf(const Snapshot& snapshot);
 } // namespace core

@@ -1,5 +1,5 @@
-// Models to begin with. Each is a grid, closed on itself, or the icosphere pushed in and out along its rays.
-// Arithmetic is + - x / sqrt only: the same bits everywhere.
+// Starter models. Each is a closed grid, or an icosphere whose points are moved along their rays. Only + - x / and sqrt
+// are used, so that the bits are the same on every machine.
 
 #include "core/operations/starter_models.h"
 
@@ -11,14 +11,15 @@ namespace core
 {
 namespace
 {
-constexpr double half = 50; ///< of the longest side, mm
+constexpr double half = 50; ///< half of the longest side, mm
 constexpr int sphereSubdivisions = 5;
 
-/// In the order of Starter.
+/// Names in the order of Starter.
 constexpr std::string_view names[] = {"ball", "cube", "torus", "slab", "vase", "head", "tablet"};
 static_assert(std::size(names) == std::size(starters));
 
-/// The quad a, b, c, d, counter-clockwise. Diagonals alternate, so that the pattern is its own mirror image.
+/// Adds the quad a, b, c, d (counter-clockwise) as two triangles. The diagonal alternates with `even`, so that the
+/// pattern is its own mirror image.
 void addQuad(TriangleMesh& mesh, const std::array<Slot, 4>& q, bool even)
 {
     if (even)
@@ -27,7 +28,7 @@ void addQuad(TriangleMesh& mesh, const std::array<Slot, 4>& q, bool even)
         mesh.triangles.insert(mesh.triangles.end(), {{q[0], q[1], q[3]}, {q[1], q[2], q[3]}});
 }
 
-/// A box of so many even cells, each `cell` mm wide.
+/// Returns a box of `cells` cubic cells along each axis, each `cell` mm wide.
 TriangleMesh box(const std::array<int, 3>& cells, double cell)
 {
     TriangleMesh mesh;
@@ -65,7 +66,7 @@ TriangleMesh box(const std::array<int, 3>& cells, double cell)
     return mesh;
 }
 
-/// 4 times 2^halvings points of the unit circle, by halving the angles between its four first.
+/// Returns 4 times 2^halvings points of the unit circle, by repeatedly halving the angles between its 4 axis points.
 std::vector<Eigen::Vector2d> circle(int halvings)
 {
     std::vector<Eigen::Vector2d> points = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
@@ -81,7 +82,7 @@ std::vector<Eigen::Vector2d> circle(int halvings)
     return points;
 }
 
-/// It lies flat, around y.
+/// Returns a horizontal torus around the y axis.
 TriangleMesh torus(double ring, double tube)
 {
     const std::vector<Eigen::Vector2d> along = circle(5), around = circle(4);
@@ -102,14 +103,14 @@ TriangleMesh torus(double ring, double tube)
     return mesh;
 }
 
-/// (a^8 + b^8)^(1/8): about the larger of the two, and smooth between them.
+/// Returns (a^8 + b^8)^(1/8), a smooth maximum of the magnitudes of a and b.
 double softMax(double a, double b)
 {
     const double a2 = a * a, b2 = b * b, a4 = a2 * a2, b4 = b2 * b2;
     return std::sqrt(std::sqrt(std::sqrt(a4 * a4 + b4 * b4)));
 }
 
-/// How far along y a point of the unit sphere lies, and how far from the y axis.
+/// Position of a point of the unit sphere: along the y axis, and its distance from the y axis.
 struct Profile
 {
     double up, out;
@@ -120,7 +121,7 @@ Profile profileOf(const Vec3& p)
     return {p.y(), std::sqrt(p.x() * p.x() + p.z() * p.z())};
 }
 
-/// A cylinder with round rims that narrows to a foot and to a neck.
+/// Maps a point of the unit sphere to the vase: a cylinder with round rims that narrows to a foot and a neck.
 Vec3 vasePoint(const Vec3& p)
 {
     const Profile profile = profileOf(p);
@@ -130,7 +131,8 @@ Vec3 vasePoint(const Vec3& p)
     return {width * q.x(), q.y(), width * q.z()};
 }
 
-/// An egg, narrow at the chin, on a neck; it looks along z. Not yet in its place.
+/// Maps a point of the unit sphere to the head: an egg, narrow at the chin, on a neck, facing +z. Not yet scaled or
+/// centred.
 Vec3 headPoint(const Vec3& p)
 {
     const Profile profile = profileOf(p);
@@ -150,7 +152,7 @@ template <class Place> TriangleMesh onRays(Place place)
     return mesh;
 }
 
-/// Its longest side becomes 100 mm, the middle of its box the origin.
+/// Scales the mesh to a longest side of 100 mm and moves the centre of its box to the origin.
 TriangleMesh fitted(TriangleMesh mesh)
 {
     Eigen::AlignedBox3f box;

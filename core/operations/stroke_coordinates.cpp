@@ -59,7 +59,7 @@ ModelChange StrokeCoordinates::apply(const Mesh& mesh, ModelCommand command)
     return change;
 }
 
-/// Adds to the change what aligned() does after it.
+/// Appends the change of aligned() to `change`.
 void StrokeCoordinates::alignAfter(const Mesh& mesh, ModelChange& change) const
 {
     Mesh after = mesh;
@@ -77,7 +77,7 @@ void StrokeCoordinates::alignAfter(const Mesh& mesh, ModelChange& change) const
     }
 }
 
-/// Sets the place of a model that is as the command has left it, and the origin of these coordinates.
+/// Updates the place of the model after the command, and the origin of these coordinates.
 void StrokeCoordinates::follow(const ModelCommand& command, const Vec3& offset, MeshFrame& frame)
 {
     const bool isSame = offset.isZero(0);
@@ -99,7 +99,8 @@ void StrokeCoordinates::follow(const ModelCommand& command, const Vec3& offset, 
         m_origin = m_start;
 }
 
-/// Keeps the model whole, or nothing of it; its image would lie as far away on the plane's other side.
+/// Refuses to symmetrise at a plane beside the model: EmptyHalf if the model is on the side to be replaced, else
+/// TooFar, because its image would be as far away on the other side.
 ModelChange StrokeCoordinates::symmetrizedBeside(const Mesh& mesh, const Symmetrize& command, const Vec3& offset) const
 {
     const int axis = axisOf(command.plane);

@@ -5,31 +5,31 @@
 
 namespace core
 {
-/// The coordinates of a stroke file's places, planes and axes: those of the document that a window wrote, or those that
-/// the model's own file gives the model. They stay where they are in space: after a command a place is meant where the
-/// model is then. A model that lies far from its file's origin is sculpted near the document's (MeshFrame::place);
-/// this class knows what lies between the two.
+/// Coordinates of the places, planes and axes in a stroke file: those of the document of the window that wrote it, or
+/// those of the model's own file. They are fixed in space: after a command, a place refers to where the model is then.
+/// A model far from its file's origin is sculpted near the document's origin (MeshFrame::place); this class converts
+/// between the two.
 class StrokeCoordinates
 {
 public:
-    /// `origin`: of the coordinates, in the space of the model's file. DocumentMetadata::place() of a document, else
-    /// zero.
+    /// `origin`: origin of these coordinates in the space of the model's file: DocumentMetadata::place() of a document,
+    /// else zero.
     explicit StrokeCoordinates(const Vec3& origin) : m_start(origin), m_origin(origin) {}
 
-    /// Returns the origin of the mesh's document in these coordinates; zero where both are the same.
+    /// Returns the origin of the mesh's document in these coordinates; zero if they are the document's own.
     Vec3 offset(const Mesh& mesh) const;
 
-    /// Returns the stroke in the document's coordinates. Without its symmetry, or its sectors, if their plane or axis
-    /// passes the model by: nothing lies on their other side (see aligned()).
+    /// Returns the stroke in the document's coordinates. Removes its symmetry, or its radial sectors, if the plane or
+    /// axis is not the document's own; aligned() has made them equal where they are near the model.
     Stroke inDocument(const Stroke& stroke, const Mesh& mesh) const;
 
-    /// Applies the command to a copy of the mesh, as applyToCopy() does, by planes, axes and places of these
-    /// coordinates. A Symmetrize by a plane that passes the model by is refused: EmptyHalf, or TooFar.
+    /// Applies the command to a copy of the mesh, as applyToCopy() does, with planes, axes and places in these
+    /// coordinates. A Symmetrize whose plane is not the document's is refused with EmptyHalf or TooFar.
     ModelChange apply(const Mesh& mesh, ModelCommand command);
 
-    /// Returns the change that lays coordinate planes that cut the model, or lie within its longest side of it, onto
-    /// those of the document, so that symmetry is exact. For the beginning: apply() does it, too. Changes nothing where
-    /// offset() is zero.
+    /// Returns the change that moves the model so that coordinate planes near it coincide with those of the document,
+    /// which makes symmetry exact. Planes that cut the model, or are within its longest side of it, are near. Call it
+    /// once at the beginning; apply() does it after each command. No change if offset() is zero.
     ModelChange aligned(const Mesh& mesh) const;
 
 private:
@@ -37,7 +37,7 @@ private:
     void alignAfter(const Mesh& mesh, ModelChange& change) const;
     void follow(const ModelCommand& command, const Vec3& offset, MeshFrame& frame);
 
-    Vec3 m_start;  ///< `origin` before all commands
-    Vec3 m_origin; ///< after those so far
+    Vec3 m_start;  ///< origin before all commands
+    Vec3 m_origin; ///< origin after the commands so far
 };
 } // namespace core

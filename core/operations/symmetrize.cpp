@@ -1,9 +1,8 @@
-// One half of the model and its mirror image instead of the whole (as Bishop's Symmetrize in Blender):
-//   1. settle   vertices that lie all but on the plane go onto it, so that no slivers are cut
-//   2. part     edges across the plane get a vertex where they meet it
-//   3. mirror   the faces of the other half go, the images of this half's come     surgery
-//   4. check    the whole, exactly                                                 mesh_check
-// If that is not sound it is tried once more without step 1.
+// Replaces one half of the model by the mirror image of the other (like Bishop's Symmetrize in Blender):
+//   1. settle   move vertices that are almost on the plane onto it, so that the cut makes no slivers
+//   2. part     split edges that cross the plane where they meet it
+//   3. mirror   remove the faces of one half, and add the images of the other half's           surgery
+//   4. check    the whole mesh exactly; if it is not sound, retry once without step 1           mesh_check
 
 #include "core/operations/symmetrize.h"
 
@@ -17,9 +16,9 @@ namespace core
 {
 namespace
 {
-/// "All but on the plane", in terms of the shortest edge around the vertex.
+/// Largest distance of a vertex from the plane at which settle() moves it, as a fraction of its shortest edge.
 constexpr double settledPerEdge = 0.1;
-/// Shares of the time.
+/// Progress after mirroring, 0 to 1.
 constexpr double afterMirroring = 0.4;
 
 class Symmetrizer
@@ -39,7 +38,7 @@ public:
     bool mirror();
 
 private:
-    /// Above 0 on the side that is kept.
+    /// Returns the vertex's distance from the plane, positive on the kept side.
     float height(Slot v) const { return m_side * m_mirror.height(v); }
     bool isKept(const Triangle& t) const;
     Surgery halfAndImage() const;
@@ -62,7 +61,7 @@ void Symmetrizer::settle()
     }
 }
 
-/// No new edge crosses the plane, so one pass finds all.
+/// Splits all edges that cross the plane. One pass suffices because no new edge crosses it.
 void Symmetrizer::part()
 {
     for (const Slot e : m_mesh.edges()) {
@@ -75,7 +74,7 @@ void Symmetrizer::part()
     }
 }
 
-/// Faces in the plane are of neither half.
+/// Returns true for a face of the kept half. Faces within the plane belong to neither half.
 bool Symmetrizer::isKept(const Triangle& t) const
 {
     return height(t[0]) > 0 || height(t[1]) > 0 || height(t[2]) > 0;
@@ -106,7 +105,8 @@ Surgery Symmetrizer::halfAndImage() const
     return surgery;
 }
 
-/// False if the halves do not make a closed 2-manifold: where the surface only touches the plane.
+/// Replaces one half by the image of the other. Returns false if the result would not be a closed 2-manifold, as where
+/// the surface only touches the plane.
 bool Symmetrizer::mirror()
 {
     const Surgery surgery = halfAndImage();

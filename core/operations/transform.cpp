@@ -1,8 +1,8 @@
 // Transforms the whole model (core/README.md, "The lattice"):
-//   1. place     every vertex exactly, in double
-//   2. lattice   the present one if it suits the new box, else another
-//   3. fit       snap, check the whole exactly, retry neighbouring lattice points          lattice_fit
-//   4. write     through the mesh's gate, if it is sound
+//   1. place     compute the exact position of every vertex, in double
+//   2. lattice   keep the present one if it suits the new bounding box, else choose another
+//   3. fit       snap, check the whole mesh exactly, retry neighbouring lattice points          lattice_fit
+//   4. write     through the mesh's gate, if the result is sound
 
 #include "core/operations/transform.h"
 
@@ -14,7 +14,7 @@ namespace core
 {
 namespace
 {
-/// Shares of the time that a transformation takes.
+/// Progress after the steps of a transformation, 0 to 1.
 constexpr double afterPlacing = 0.1, afterFit = 0.8;
 
 Box boxAround(const Mesh& mesh, std::span<const Vec3> places)
@@ -40,7 +40,7 @@ template <class Map> std::vector<Vec3> mapped(const Mesh& mesh, Map map)
     return places;
 }
 
-/// Steps 2 to 4.
+/// Does steps 2 to 4: moves the vertices to `places` (by slot) on a suitable lattice, or sets `change.refusal`.
 void goTo(Mesh& mesh, std::span<const Vec3> places, bool mirrored, ModelChange& change, const JobControl& control)
 {
     control.reportProgress(afterPlacing);
@@ -137,7 +137,7 @@ void transform(Mesh& mesh, const Scale& command, ModelChange& change, const JobC
     MeshFrame frame = mesh.frame();
     frame.uniformDetail *= command.factor;
     for (double& x : frame.place)
-        x = mesh.lattice().snap(command.factor * x); // as another unit of the file does
+        x = mesh.lattice().snap(command.factor * x); // as a change of the file's unit would
     mesh.setFrame(frame);
 }
 

@@ -6,18 +6,19 @@
 
 namespace core
 {
-/// The vertices' places as they are, by slot; those of free slots are the origin.
+/// Returns the vertices' positions by slot; the origin for free slots.
 std::vector<Vec3> placesOf(const Mesh& mesh);
-/// The corners of the live faces, in the order of their slots.
+/// Returns the corners of the live faces, in the order of their slots.
 std::vector<Triangle> liveFaces(const Mesh& mesh);
 Box boxOf(const Mesh& mesh);
-/// The length of the shortest edge at the vertex, in mm.
+/// Returns the length of the shortest edge at the vertex, mm.
 double shortestEdge(const Mesh& mesh, Slot v);
 
-/// Why no model may have this box.
+/// Returns TooLarge if a bounding box exceeds ModelLimits, else None.
 ModelRefusal refusalOf(const Box& box);
 
-/// Each edits the mesh, whose stroke is open, or leaves it alone and says why in `change`.
+/// Each transform() edits the mesh; on refusal leaves it unchanged and sets `change.refusal`. Precondition: a stroke of
+/// the mesh is open.
 void transform(Mesh& mesh, const Move& command, ModelChange& change, const JobControl& control);
 void transform(Mesh& mesh, const Rotate& command, ModelChange& change, const JobControl& control);
 void transform(Mesh& mesh, const Scale& command, ModelChange& change, const JobControl& control);

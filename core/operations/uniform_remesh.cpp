@@ -1,12 +1,13 @@
-// The whole model to one d_detail, with what a dab does under its brush (paper, section 3.2):
-//   1. patches   the vertices along a Morton curve, cut into pieces of like size, each with the ring around it
-//   2. optimise  each patch that has an edge out of bounds, letting collapses make some edges too long   remesh
-//   3. even out  its vertices: towards their neighbours' mean, and back onto the surface as it was   original_surface
-//   4. split     what is too long then
-//   5. verify    each patch exactly; what fails is done again, operation by operation                verified_mesh
-//   6. repeat    with pieces cut elsewhere, until the mesh is even or gets no more even
-//   7. raise     the vertices a little, so that round shapes keep their volume                       original_surface
-//   8. check     the whole, exactly                                                                  lattice_fit
+// Remeshes the whole model to one d_detail, with the operations that a dab applies under its brush (paper, section
+// 3.2):
+//   1. patches   cut the vertices along a Morton curve into pieces of like size, each with its one-ring
+//   2. optimise  each patch that has an edge out of bounds; collapses may make some edges too long        remesh
+//   3. even out  move its vertices to their neighbours' mean, then back onto the original surface     reference_surface
+//   4. split     edges that are too long now
+//   5. verify    each patch exactly; a patch that fails is redone, operation by operation             verified_mesh
+//   6. repeat    with other patch borders, until the mesh is uniform or improves no more
+//   7. raise     the vertices a little, so that round shapes keep their volume                        reference_surface
+//   8. check     the whole mesh exactly                                                               lattice_fit
 
 #include "core/operations/uniform_remesh.h"
 
@@ -24,17 +25,18 @@ namespace core
 {
 namespace
 {
-/// Of a patch when it is done, about; and when it begins.
+/// Approximate number of vertices in a finished patch, and the smallest number that a patch starts with.
 constexpr double verticesPerPatch = 1024;
 constexpr std::size_t minPerPatch = 8;
 constexpr int maxRounds = 48;
-/// A round that leaves more than this share of the short edges of the round before has made no progress.
+/// Largest ratio of short edges after a round to those before that counts as progress.
 constexpr double minProgress = 0.98;
-/// A collapse may make an edge this much longer than d_detail; its halves, when it is split, are longer than d.
+/// Factor on d_detail up to which a collapse may lengthen an edge. Halves of such an edge are still longer than d.
 constexpr double slack = 1.3;
-/// Of equilateral triangles, the edges of a uniform mesh are this long, in d_detail (measured).
+/// Mean edge length of a uniform mesh in d_detail, if all triangles were equilateral (measured).
 constexpr double typicalEdge = 0.7;
-/// Shares of the time: each round takes this much of what is left; raising, then checking the whole take the rest.
+/// Fraction of the remaining progress that a round takes, and progress after the rounds and after raising, 0 to 1. The
+/// final check takes the rest.
 constexpr double shareOfRound = 0.4, afterRounds = 0.7, afterRaising = 0.9;
 
 class UniformRemesher
@@ -58,9 +60,9 @@ private:
     std::size_t patchSize() const;
     struct Pass
     {
-        std::size_t shift = 0;   ///< of the pieces along the curve
-        double share = 0;        ///< of the time
-        bool onlyUneven = false; ///< leave pieces alone whose edges are within the bounds
+        std::size_t shift = 0;   ///< shift of the patch borders along the curve, in vertices
+        double share = 0;        ///< share of the progress, 0 to 1
+        bool onlyUneven = false; ///< skip patches whose edges are all within the bounds
     };
     using Step = std::function<void(MeshEditor edit)>;
     void overPatches(const Pass& pass, const Step& step);
@@ -75,7 +77,7 @@ private:
     VerifiedMesh m_surface;
     ReferenceSurface m_original;
     Region m_region;
-    bool m_onlySplits = false; ///< all but a few long edges is done
+    bool m_onlySplits = false; ///< no collapses are left to do: only long edges are split
     double m_done = 0;
 };
 
@@ -102,7 +104,8 @@ void UniformRemesher::evenRounds()
     }
 }
 
-/// By where they are now: new vertices have any slot.
+/// Returns the vertices in the order of the Morton curve, by their current positions: slots of new vertices are
+/// arbitrary.
 std::vector<Slot> UniformRemesher::alongCurve() const
 {
     std::vector<std::pair<std::uint64_t, Slot>> keys;
@@ -115,7 +118,8 @@ std::vector<Slot> UniformRemesher::alongCurve() const
     return order;
 }
 
-/// Smaller where the mesh is to become much finer: a patch is checked, and can be stopped, as a whole.
+/// Returns the number of vertices that a patch starts with. Smaller if the mesh gets much finer, because checks and
+/// cancellation act on whole patches.
 std::size_t UniformRemesher::patchSize() const
 {
     const double growth = std::max(1.0, uniformFaces(areaOf(m_mesh), m_bounds.detail) / m_mesh.live().faces);
@@ -152,7 +156,8 @@ void UniformRemesher::overPatches(const Pass& pass, const Step& step)
     m_done += pass.share;
 }
 
-/// Those still alive, and their neighbours: so that each edge lies within some patch.
+/// Fills m_region with those of the vertices that still exist and their neighbours, so that every edge is within some
+/// patch.
 void UniformRemesher::fillRegion(std::span<const Slot> vertices)
 {
     m_region.clear();
@@ -200,7 +205,8 @@ void UniformRemesher::optimiseWith(MeshEditor edit)
         moveSoundly(edit, m_region, m_bounds, evenPlace);
     }
     splitLongEdges(edit, m_region, m_bounds);
-    moveSoundly(edit, m_region, m_bounds, evenPlace); // middles of edges lie inside round shapes
+    // middles of edges are inside round shapes, so the new vertices must move to the surface
+    moveSoundly(edit, m_region, m_bounds, evenPlace);
 }
 } // namespace
 
