@@ -9,7 +9,7 @@ namespace ui
 {
 namespace
 {
-// How solid a body is where it faces the eye, and where it turns away.
+// Opacity of a shape where it faces the eye, and where it turns away, 0 to 1.
 const QVector2D bodyAlphas(0.42F, 0.85F), brushAlphas(0.05F, 0.60F);
 
 Eigen::Matrix4d sized(const Eigen::Isometry3d& pose, double size)
@@ -52,8 +52,8 @@ void GhostRenderer::upload(Shape& shape, const std::shared_ptr<const core::DrawA
     shape.buffer.apply(core::wholePatchOf(*arrays));
 }
 
-/// The nearest surface only: first its depths, then its colours. Whoever stands far behind the model, or between the
-/// eye and it, is not cut off.
+/// Draws only the nearest surface: first all depths, then the colours. Depth clamping keeps a person far behind the
+/// model, or between it and the eye, from being cut off.
 void GhostRenderer::draw(const OrbitCamera& camera)
 {
     if (!m_avatar && !m_teacher)

@@ -12,25 +12,25 @@ class QOpenGLShaderProgram;
 
 namespace ui
 {
-/// Draws the headset's avatar and a teacher's brush, half transparent, with OpenGL 3.3 core into the framebuffer
-/// that is bound, after all else; clay hides them. Plain OpenGL and not Qt3D, so that they are there in layers, too,
-/// and so that to move them costs nothing. The context that was current at create() must be current at every call but
-/// show().
+/// Draws the avatar of the headset's user and the brush of a lesson's teacher: half transparent, after everything else,
+/// into the bound framebuffer, with OpenGL 3.3 core. The clay hides them. Plain OpenGL rather than Qt3D, so that they
+/// also appear in Layered mode and moving them costs nothing. Thread: the OpenGL context that was current at create()
+/// must be current at every call, except for the setters.
 class GhostRenderer
 {
 public:
     GhostRenderer();
     ~GhostRenderer();
 
-    /// False if a shader does not compile; the log is in the debug output.
+    /// Returns false if a shader does not compile; the log is in the debug output.
     bool create(QOpenGLFunctions_3_3_Core* gl);
     void destroy();
 
-    /// In the next pictures.
+    /// Sets the avatar for the next frames; none hides it.
     void show(const std::optional<HeadsetAvatar>& avatar) { m_avatar = avatar; }
     void showTeacher(const std::optional<core::Sphere>& brush) { m_teacher = brush; }
     void setDark(bool dark) { m_isDark = dark; }
-    /// A shape that was not drawn yet is uploaded.
+    /// Draws avatar and brush. Uploads shapes that have not been drawn before.
     void draw(const OrbitCamera& camera);
 
 private:
@@ -51,7 +51,7 @@ private:
     std::array<Shape, 2> m_hands;
     std::optional<HeadsetAvatar> m_avatar;
     std::optional<core::Sphere> m_teacher;
-    Eigen::Matrix4d m_view = Eigen::Matrix4d::Identity(); ///< of the picture that is being drawn
+    Eigen::Matrix4d m_view = Eigen::Matrix4d::Identity(); ///< view matrix of the frame that is being drawn
     bool m_isDark = false;
 };
 } // namespace ui

@@ -10,7 +10,7 @@ namespace
 {
 constexpr int around = 64, rings = 32;
 
-/// A superellipsoid (Barr, 1981): 1 is round, near 0 a box.
+/// A superellipsoid (Barr, 1981). Exponent 1 is round, near 0 it is a box.
 struct Body
 {
     core::Vec3 middle, half;
@@ -18,7 +18,7 @@ struct Body
     int solidity = 255;
 };
 
-/// The eyes sit in the middle of the face, 9 cm before that of the skull.
+/// Opacity of skin and strap, 0 to 255. (The skull's centre is 9 cm behind the eyes, in z.)
 constexpr int skinSolidity = 120, strapSolidity = 200;
 const Body skull{.middle = {0, -0.01, 0.09}, .half = {0.074, 0.115, 0.098}, .solidity = skinSolidity};
 const Body strap{.middle = {0, 0.012, 0.085}, .half = {0.082, 0.019, 0.110}, .upright = 0.3, .solidity = strapSolidity};
@@ -29,7 +29,8 @@ double power(double base, double exponent)
     return std::copysign(std::pow(std::abs(base), exponent), base);
 }
 
-/// Height and turn are angles: from the level up, and about the vertical.
+/// Returns the vertex of a body at two angles in radians: `height` above the horizontal plane, `turn` about the
+/// vertical.
 core::DrawVertex vertex(const Body& body, double height, double turn)
 {
     const double out = std::cos(height), up = std::sin(height), x = std::sin(turn), z = std::cos(turn);
@@ -44,7 +45,7 @@ core::DrawVertex vertex(const Body& body, double height, double turn)
     return {point.cast<float>(), {byte(normal.x()), byte(normal.y()), byte(normal.z()), 0}, {solid, solid, solid, 255}};
 }
 
-/// Rings of latitude from the lower pole to the upper.
+/// Appends a body's vertices as rings of latitude, from the lower pole to the upper, and its faces.
 void add(core::DrawArrays& to, const Body& body)
 {
     const auto first = static_cast<core::Slot>(to.vertices.size());

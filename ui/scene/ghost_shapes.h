@@ -4,10 +4,10 @@
 
 namespace ui
 {
-/// A head with a headset on it, about as large as people are: metres, the origin between the eyes, -Z ahead, +Y up. The
-/// lighter a vertex, the more solid its part.
+/// Returns a life-size head with a headset. Units: metres; origin between the eyes, -Z ahead, +Y up. The lighter a
+/// vertex, the more solid its part is drawn.
 core::DrawArrays headShape();
 
-/// Radius 1 about the origin.
+/// Returns a ball of radius 1 about the origin.
 core::DrawArrays ballShape();
 } // namespace ui

@@ -27,7 +27,7 @@ inline QVector3D toQt(const Eigen::Vector3f& v)
     return {v.x(), v.y(), v.z()};
 }
 
-/// Red, green, blue, 0 to 1, as they are: sRGB.
+/// Returns sRGB components unchanged, scaled to 0 to 1.
 inline QVector3D toQt(const QColor& color)
 {
     return {color.redF(), color.greenF(), color.blueF()};

@@ -11,20 +11,22 @@
 
 namespace ui
 {
-/// The mesh of something that the user of the headset holds.
+/// A mesh that the user of the headset holds in one hand.
 struct GhostMesh
 {
-    std::shared_ptr<const core::DrawArrays> shape; ///< metres, in a space of its own; the same object is uploaded once
-    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity(); ///< from there to the document's axes and origin
+    /// in metres, in a space of its own; a shape is uploaded again only if the pointer differs
+    std::shared_ptr<const core::DrawArrays> shape;
+    /// from the shape's space to the document's axes and origin
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
 };
 
-/// The user of the headset as shown in the window. In the document's space, mm.
+/// The user of the headset as shown in the window. Units: mm, in the document's space.
 struct HeadsetAvatar
 {
-    std::optional<Eigen::Isometry3d> head; ///< the origin between the eyes, -Z ahead, +Y up
+    std::optional<Eigen::Isometry3d> head; ///< pose with the origin between the eyes, -Z ahead, +Y up
     std::array<std::optional<GhostMesh>, 2> hands;
     std::optional<core::Sphere> brush;
-    double radius = 0;   ///< of the brush, whatever its shape
-    double metre = 1000; ///< so many mm of the document are a metre of the person's room
+    double radius = 0;   ///< radius of the brush, mm, for any shape of brush
+    double metre = 1000; ///< mm of the document per metre of the user's room
 };
 } // namespace ui

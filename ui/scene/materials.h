@@ -8,17 +8,17 @@
 
 namespace ui
 {
-/// The numbers behind a material.
+/// Returns the shading parameters of a material.
 core::Shading shadingOf(Material material);
 
-/// The two colours behind the model, sRGB.
+/// The background behind the model: colours at top and bottom, sRGB.
 struct Backdrop
 {
     QColor top, bottom;
-    float glow = 0.035F; ///< behind the model
+    float glow = 0.035F; ///< strength of the light spot behind the model, 0 to 1
 };
 
 Backdrop backdropOf(Background background, bool darkTheme);
-/// Whether what is drawn on it must be light.
+/// Returns true if lines on the backdrop must be light to be visible.
 bool isDark(const Backdrop& backdrop);
 } // namespace ui

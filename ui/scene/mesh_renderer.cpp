@@ -15,9 +15,9 @@ namespace ui
 {
 namespace
 {
-constexpr float wireHalfWidth = 0.5F; ///< logical pixels
+constexpr float wireHalfWidth = 0.5F; ///< half of a wire's width, logical pixels
 
-/// Of files in :/shaders; their endings say which stage they are.
+/// Links a shader program from files in :/shaders. The extension of a file gives its stage. Returns null on failure.
 std::unique_ptr<QOpenGLShaderProgram> program(std::initializer_list<const char*> files)
 {
     auto made = std::make_unique<QOpenGLShaderProgram>();
@@ -156,7 +156,7 @@ void MeshRenderer::drawMesh(const OrbitCamera& camera, const MeshView& picture)
     m_meshProgram->release();
 }
 
-/// The triangles once more, all but their sides transparent, a little nearer to the eye than the clay.
+/// Draws the triangles again, transparent except at their edges, slightly nearer to the eye than the clay.
 void MeshRenderer::drawWires(const OrbitCamera& camera, const MeshView& picture)
 {
     m_gl->glDepthFunc(GL_LEQUAL);

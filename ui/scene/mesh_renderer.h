@@ -15,41 +15,42 @@ class QOpenGLShaderProgram;
 
 namespace ui
 {
-/// What to draw, beside the clay itself.
+/// Options of a frame, besides the mesh itself.
 struct MeshView
 {
     Backdrop backdrop;
     core::Shading shading;
     bool flat = false;
     bool wireframe = false;
-    bool tint = true;      ///< shows what the brush would move
+    bool tint = true;      ///< colours the vertices that the brush would move
     bool cavity = false;   ///< darkens valleys, lightens ridges
-    QSize pixels;          ///< physical, of the framebuffer
-    double pixelRatio = 1; ///< physical pixels to one logical pixel
+    QSize pixels;          ///< size of the framebuffer, physical pixels
+    double pixelRatio = 1; ///< physical pixels per logical pixel
 };
 
-/// Draws backdrop and clay with OpenGL 3.3 core into the framebuffer that is bound. The context that was current at
-/// create() must be current at every call.
+/// Draws backdrop and clay with OpenGL 3.3 core into the bound framebuffer. Thread: the OpenGL context that was current
+/// at create() must be current at every call.
 class MeshRenderer
 {
 public:
     MeshRenderer();
     ~MeshRenderer();
 
-    /// False if a shader does not compile; the log is in the debug output.
+    /// Returns false if a shader does not compile; the log is in the debug output.
     bool create(QOpenGLFunctions_3_3_Core* gl);
     void destroy();
 
     MeshBuffer& meshBuffer() { return m_mesh; }
 
-    /// A line where the plane through the origin with that unit normal cuts the clay; zero: none.
+    /// Draws a line where the plane through the origin with this unit normal cuts the clay; zero: no line.
     void setCut(const core::Vec3& normal) { m_cutNormal = normal; }
 
-    /// Tints what a spherical brush at `center` would move, mm, by its weights, with mirror images and in all sectors.
+    /// Tints the vertices that a spherical brush at `center` (mm) would move, by their weights, in all sectors and with
+    /// mirror images.
     void tintBall(const core::Vec3& center, const core::StrokeSettings& brush);
     void tintNothing();
 
-    /// Clears depth; leaves depth test, culling and blending as OpenGL starts with.
+    /// Draws one frame. Clears the depth buffer first; resets depth test, culling and blending to OpenGL's defaults.
     void draw(const OrbitCamera& camera, const MeshView& picture);
 
 private:
@@ -61,7 +62,7 @@ private:
     std::unique_ptr<QOpenGLShaderProgram> m_meshProgram, m_wireProgram, m_backdropProgram;
     unsigned int m_noVertices = 0;
     core::Vec3 m_cutNormal = core::Vec3::Zero();
-    QVector4D m_ball, m_ballImage; ///< centre and radius
+    QVector4D m_ball, m_ballImage; ///< centre and radius, mm
     float m_ballFalloff = 0, m_ballCore = 0, m_sectors = 1;
     MeshBuffer m_mesh;
 };

@@ -8,10 +8,12 @@ namespace ui
 {
 namespace
 {
-constexpr double halfFieldOfView = 0.5 * 35.0 * std::numbers::pi / 180.0; ///< vertical; narrow, for true proportions
+/// radians, vertical; narrow, so that proportions look true
+constexpr double halfFieldOfView = 0.5 * 35.0 * std::numbers::pi / 180.0;
 constexpr double frameMargin = 1.05;
-constexpr double minZoomDistance = 1e-3, maxZoomDistance = 40; ///< distances, in radii of the scene
-constexpr double groundReach = 6;                              ///< radii of the scene that the far plane must hold
+constexpr double minZoomDistance = 1e-3, maxZoomDistance = 40; ///< distances in radii of the scene
+/// radii of the scene that near and far plane must include
+constexpr double groundReach = 6;
 
 core::Vec3 direction(double yaw, double pitch)
 {
@@ -41,8 +43,8 @@ void OrbitCamera::frame(const core::Box& box)
     setScene(shown);
     m_target = m_sceneCenter;
 
-    // The distance at which each corner just touches one of the four sides of the view. In parallel a corner that is
-    // nearer looks no larger.
+    // The distance at which each corner just touches one of the four sides of the view. In orthographic views a nearer
+    // corner does not look larger.
     const double vertical = std::tan(halfFieldOfView);
     const double horizontal = vertical * m_width / m_height;
     double distance = 0;
@@ -75,7 +77,7 @@ void OrbitCamera::turnTo(Side side)
     turn(yaw, pitch);
 }
 
-/// The target goes round the pivot as if both were tied to the camera.
+/// Turns the camera to these angles in radians. The target turns about the pivot with the camera.
 void OrbitCamera::turn(double yaw, double pitch)
 {
     const core::Vec3 seen = axes().transpose() * (m_target - pivot());
@@ -235,7 +237,7 @@ double OrbitCamera::depthOf(const core::Vec3& point) const
     return (point - eye()).dot(viewDirection());
 }
 
-/// The depth that says how large things are there: in parallel it is one for all.
+/// Returns the depth that determines a point's scale in the view. In orthographic views it is the same for all points.
 double OrbitCamera::sizeDepth(const core::Vec3& point) const
 {
     return m_projection == Projection::Perspective ? depthOf(point) : m_distance;

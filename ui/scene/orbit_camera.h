@@ -10,8 +10,8 @@
 
 namespace ui
 {
-/// A camera that turns about a point. World space = model space, mm, Y up; pixels are logical, origin at the top left,
-/// y down. Pure mathematics: no Qt, no OpenGL.
+/// A camera that turns about a point. World space is model space: mm, Y up. Pixels are logical, with the origin at the
+/// top left and y down. Independent of Qt and OpenGL.
 class OrbitCamera
 {
 public:
@@ -20,62 +20,66 @@ public:
     enum class Projection { Perspective, Orthographic };
     using Side = ViewSide;
 
-    /// Logical pixels, at least 1 x 1.
+    /// Sets the size of the view in logical pixels; values below 1 count as 1.
     void setViewport(double width, double height);
     Pixel viewport() const { return {m_width, m_height}; }
 
-    /// Shows the whole box from the present direction; an empty box is taken as 100 mm about the origin.
+    /// Shows the whole box from the present direction; an empty box counts as a cube of 100 mm about the origin.
     void frame(const core::Box& box);
-    /// Turns to the direction that a new model is shown from: the front, a little from the right and above.
+    /// Turns to the initial direction of a new model: the front, seen slightly from the right and above.
     void turnToFirst();
-    /// What near and far plane must hold; frame() sets it too.
+    /// Sets the box that must be between near and far plane. frame() also sets it.
     void setScene(const core::Box& box);
 
-    /// The size at the target's depth stays as it is.
+    /// Changes the projection. Sizes at the target's depth are kept.
     void setProjection(Projection projection) { m_projection = projection; }
     Projection projection() const { return m_projection; }
 
-    /// What orbit() and turnTo() turn about; it keeps its place in the picture. None: the scene's centre. It is given
-    /// up when the scene is no longer where it was.
+    /// Sets the point that orbit() and turnTo() turn about, which stays at its place in the view. None: the scene's
+    /// centre. setScene() removes a pivot outside the new scene's bounding sphere.
     void setPivot(const std::optional<core::Vec3>& pivot) { m_pivot = pivot; }
     core::Vec3 pivot() const { return m_pivot.value_or(m_sceneCenter); }
-    /// A drag by so many pixels. The view's height is half a turn.
+    /// Turns by a drag of `delta` logical pixels. A drag over the view's height is half a turn.
     void orbit(const Pixel& delta);
     void turnTo(Side side);
-    /// As if the model turned about the Y axis, anticlockwise seen from above: the camera goes round it the other way.
-    /// Radians.
+    /// Turns the camera about the Y axis by -`angle` radians, so that the model seems to turn anticlockwise seen from
+    /// above.
     void turnModel(double angle);
 
-    /// The target moves along the view to the point's depth, the picture stays: pan() and zoom() go by that depth. A
-    /// point too near to zoom to, or behind the eye, counts as the nearest.
+    /// Moves the target along the view direction to the point's depth without changing the view. pan() and zoom() use
+    /// the target's depth. A point behind the eye or too near to zoom to counts as the nearest allowed.
     void setTargetDepth(const core::Vec3& point);
-    /// The point at the target's depth follows the pointer.
+    /// Moves the view by `delta` logical pixels. Points at the target's depth follow the pointer.
     void pan(const Pixel& delta);
-    /// `factor` < 1 comes nearer. What lies under the pixel at the target's depth stays under it.
+    /// Scales the distance to the target; `factor` < 1 moves nearer. A point at the target's depth under the pixel
+    /// stays under it.
     void zoom(double factor, const Pixel& toward);
 
     core::SavedView saved() const;
-    /// Of a view that does not see the scene, nothing. The pivot is the scene's centre again.
+    /// Restores a saved view and resets the pivot to the scene's centre. Ignores a view that does not see the scene.
     void setView(const core::SavedView& view);
 
     core::Vec3 target() const { return m_target; }
-    double distance() const { return m_distance; } ///< from eye to target; says the size in orthographic views too
+    /// distance from eye to target, mm; also sets the scale of orthographic views
+    double distance() const { return m_distance; }
     core::Vec3 eye() const;
-    core::Vec3 viewDirection() const; ///< unit length, from the eye into the picture
+    core::Vec3 viewDirection() const; ///< unit vector from the eye into the view
     core::Vec3 right() const;
     core::Vec3 up() const;
 
-    /// Origin at the eye, in orthographic views on the near plane: ahead of all that is seen. Unit direction.
+    /// Returns the ray of a pixel, with unit direction. Its origin is the eye, or in orthographic views a point on the
+    /// near plane, in front of all visible geometry.
     core::Ray ray(const Pixel& pixel) const;
-    /// Where a ray meets the plane through the pivot that faces the camera; through the target if the pivot lies behind
-    /// the eye.
+    /// Returns the intersection of a ray with the plane that faces the camera and contains the pivot, or the target if
+    /// the pivot is behind the eye.
     core::Vec3 acrossPivot(const core::Ray& ray) const;
-    /// In pixels; in perspective a point behind the eye has no meaningful answer.
+    /// Returns the position of a point in the view, logical pixels. Meaningless in perspective for a point behind the
+    /// eye.
     Pixel project(const core::Vec3& point) const;
-    /// How many logical pixels a length of 1 mm, parallel to the picture at that point, covers.
+    /// Returns the logical pixels per mm for a length parallel to the view plane at this point.
     double pixelsPerMm(const core::Vec3& at) const;
 
-    /// Where it stands; what lies between two is a flight.
+    /// Position and direction of the camera. Animations interpolate between two poses.
     struct Pose
     {
         core::Vec3 target;
@@ -83,19 +87,20 @@ public:
     };
     Pose pose() const { return {m_target, m_distance, m_yaw, m_pitch}; }
     void setPose(const Pose& pose);
-    /// Looks at a point of a surface with that normal, a little from above, so that `extent` mm fill a third of the
-    /// picture.
+    /// Returns a pose that looks at a surface point with this normal, slightly from above, with `extent` mm filling a
+    /// third of the view.
     Pose facing(const core::Vec3& point, const core::Vec3& normal, double extent) const;
-    /// Stands there and looks so; the target is as far away as the scene's centre.
+    /// Returns a pose with the eye at this point and this direction in radians. The target is at the distance of the
+    /// scene's centre.
     Pose standing(const core::Vec3& eye, double yaw, double pitch) const;
-    /// `share` 0 to 1 of the way, the shorter way round.
+    /// Returns the pose at `share` (0 to 1) of the way, turning in the shorter direction.
     static Pose between(const Pose& from, const Pose& to, double share);
 
-    /// Column vectors, OpenGL clip space (-1..1).
+    /// Matrices for column vectors and OpenGL clip space (-1 to 1).
     Eigen::Matrix4d viewMatrix() const;
     Eigen::Matrix4d projectionMatrix() const;
 
-    /// Distances from the eye; an orthographic near plane may lie behind it.
+    /// Distances from the eye in mm. An orthographic near plane may be behind the eye.
     double nearPlane() const;
     double farPlane() const;
 
@@ -112,7 +117,7 @@ private:
     Projection m_projection = Projection::Perspective;
     std::optional<core::Vec3> m_pivot;
     static constexpr double firstYaw = 0.5, firstPitch = 0.35;
-    double m_yaw = firstYaw, m_pitch = firstPitch; ///< radians; 0, 0 looks along -Z, pitch > 0 looks down
+    double m_yaw = firstYaw, m_pitch = firstPitch; ///< radians; (0, 0) looks along -Z, pitch > 0 looks down
     core::Vec3 m_sceneCenter = core::Vec3::Zero();
     double m_sceneRadius = 100;
 };

@@ -35,12 +35,13 @@ namespace
 {
 using Qt3DRender::QParameter;
 
-constexpr double ringHalfWidth = 2.4;   ///< logical pixels, dark edges included
-constexpr double planeBorder = 1.2;     ///< logical pixels
-constexpr double sectorHalfWidth = 0.7; ///< logical pixels
-constexpr double bordersReach = 1.5;    ///< of lines on the ground, in the model's own reach from the upright axis
+constexpr double ringHalfWidth = 2.4;   ///< logical pixels, including the dark edges
+constexpr double planeBorder = 1.2;     ///< width of the pane's border, logical pixels
+constexpr double sectorHalfWidth = 0.7; ///< half of a line's width, logical pixels
+/// length of the lines as a multiple of the model's largest distance from the vertical axis
+constexpr double bordersReach = 1.5;
 
-/// One attribute of an interleaved float array.
+/// One attribute of an interleaved array of floats.
 struct Field
 {
     const char* name;
@@ -130,7 +131,8 @@ QParameter* parameter(Qt3DRender::QMaterial* to, const char* name, const QVarian
     return made;
 }
 
-/// Two triangles along a -> b, seen by cursor.vert; `afterB` gives the ribbon's direction at b.
+/// Appends two triangles for the segment a to b, in the format of cursor.vert; `afterB` gives the ribbon's direction at
+/// b.
 void appendSegment(std::vector<float>& out, const QVector3D& a, const QVector3D& b, const QVector3D& afterB)
 {
     const auto corner = [&](const QVector3D& at, const QVector3D& next, float side) {
@@ -144,7 +146,7 @@ void appendSegment(std::vector<float>& out, const QVector3D& a, const QVector3D&
     corner(b, afterB, -1);
 }
 
-/// A ring of radius 1 about Z, and a tick of 0.3 along Z.
+/// Returns a ring of radius 1 about Z, and a tick of length 0.3 along Z.
 std::vector<float> ringAndTick()
 {
     constexpr int segments = 96;
@@ -159,13 +161,13 @@ std::vector<float> ringAndTick()
     return out;
 }
 
-/// Of what symmetry shows, on a dark background or a light one.
+/// Returns the colour of symmetry planes and sector borders on a dark or light background.
 QVector3D symmetryColor(bool dark)
 {
     return dark ? QVector3D(0.60F, 0.80F, 1.0F) : QVector3D(0.12F, 0.36F, 0.62F);
 }
 
-/// Ten to a hundred fine cells across a model of that size.
+/// Returns the cell size of the grid, mm: 3 to 30 cells span a model of this size.
 double gridCell(double size)
 {
     return std::pow(10.0, std::floor(std::log10(size / 3)));
@@ -193,7 +195,7 @@ Ground::Ground(Qt3DCore::QNode* parent) : Qt3DCore::QEntity(parent), m_transform
 void Ground::place(const core::Box& box)
 {
     constexpr double below =
-        5e-4; // share of the size: a flat base in the same plane would hide some pixels of the lines
+        5e-4; // fraction of the size: a flat base in the same plane would hide some pixels of the lines
     const core::Vec3 center(box.center().x(), box.min().y() - below * box.diagonal().norm(), box.center().z());
     const auto reach = static_cast<float>(2.2 * box.diagonal().norm());
     const core::Vec3 half = 0.5 * box.sizes();
@@ -291,7 +293,8 @@ SectorBorders::SectorBorders(Qt3DCore::QNode* parent) : Qt3DCore::QEntity(parent
     setDark(false);
 }
 
-/// The first line lies in the plane z = 0 if that is the symmetry's, else in x = 0, before the model.
+/// Places the lines. The first is in the plane z = 0 if that is the plane of symmetry, else in x = 0, in front of the
+/// model.
 void SectorBorders::place(int sectors, core::Symmetry symmetry, const core::Box& box)
 {
     const core::Vec3 first = symmetry == core::Symmetry::Z ? core::Vec3::UnitX() : core::Vec3::UnitZ();

@@ -17,7 +17,7 @@ class QParameter;
 
 namespace ui
 {
-/// The ground under the model: a grid in mm and a soft shade. Qt3D, sRGB colours, blended over what is there.
+/// The ground under the model: a grid in mm and a soft shadow. A Qt3D entity, sRGB colours, blended over the frame.
 class Ground : public Qt3DCore::QEntity
 {
     Q_OBJECT
@@ -25,7 +25,7 @@ class Ground : public Qt3DCore::QEntity
 public:
     explicit Ground(Qt3DCore::QNode* parent = nullptr);
 
-    /// Puts the ground at the bottom of the box; the lines' distance follows its size.
+    /// Puts the ground at the bottom of the box; the spacing of the lines depends on the box's size.
     void place(const core::Box& box);
     void setDark(bool dark);
 
@@ -34,7 +34,7 @@ private:
     Qt3DRender::QParameter *m_cell, *m_center, *m_under, *m_reach, *m_footprint, *m_lineColor, *m_lineAlpha, *m_shade;
 };
 
-/// The brush's ring in the tangent plane, with a tick along the normal. Where clay hides it, it is drawn faintly.
+/// The brush's ring in the tangent plane, with a tick along the normal. Drawn faintly where the clay hides it.
 class BrushCursor : public Qt3DCore::QEntity
 {
     Q_OBJECT
@@ -44,7 +44,7 @@ public:
 
     void place(const core::Vec3& position, const core::Vec3& normal, double radius);
     void setColor(const QColor& color);
-    /// Physical pixels of the target, and physical pixels to one logical pixel.
+    /// Sets the size of the target in physical pixels, and the physical pixels per logical pixel.
     void setPixels(QSize target, double ratio);
 
 private:
@@ -52,7 +52,7 @@ private:
     Qt3DRender::QParameter *m_viewport, *m_halfWidth, *m_color;
 };
 
-/// The plane of symmetry: a core::SymmetryPlane. Clay hides what lies within.
+/// A pane that shows the plane of symmetry (see core::SymmetryPlane). The clay hides its inner part.
 class SymmetryPlane : public Qt3DCore::QEntity
 {
     Q_OBJECT
@@ -60,7 +60,7 @@ class SymmetryPlane : public Qt3DCore::QEntity
 public:
     explicit SymmetryPlane(Qt3DCore::QNode* parent = nullptr);
 
-    /// There is a symmetry, and the box is not empty.
+    /// Precondition: `symmetry` is not None and the box is not empty.
     void place(core::Symmetry symmetry, const core::Box& box);
     void setDark(bool dark);
     void setPixelRatio(double ratio);
@@ -69,8 +69,8 @@ private:
     Qt3DCore::QTransform* m_transform;
     Qt3DRender::QParameter *m_color, *m_border;
 };
-/// Where the sectors of radial symmetry meet: lines on the ground, from the upright axis outwards. With an upright
-/// plane of symmetry as well they are their own image in it. Clay hides what lies under it.
+/// Borders of the sectors of radial symmetry: lines on the ground, from the vertical axis outwards. With a vertical
+/// plane of symmetry, the lines are symmetric to it. The clay hides lines under it.
 class SectorBorders : public Qt3DCore::QEntity
 {
     Q_OBJECT
@@ -78,7 +78,7 @@ class SectorBorders : public Qt3DCore::QEntity
 public:
     explicit SectorBorders(Qt3DCore::QNode* parent = nullptr);
 
-    /// There are two or more, and the box is not empty.
+    /// Precondition: at least two sectors, and the box is not empty.
     void place(int sectors, core::Symmetry symmetry, const core::Box& box);
     void setDark(bool dark);
     void setPixelRatio(double ratio);

@@ -59,8 +59,8 @@ struct Qt3dEngine::State
     Qt3DCore::QNode* targetBranch();
 };
 
-/// surface -> [own textures, cleared] -> whole view -> camera; and a leaf that draws nothing, for a graph without a
-/// live leaf stalls Qt3D. In the bound framebuffer nothing is cleared: the clay is in it.
+/// Builds the frame graph: surface -> [own textures, cleared] -> whole view -> camera. A second leaf draws nothing,
+/// because a graph without a live leaf stalls Qt3D. The bound framebuffer is not cleared, because it contains the clay.
 void Qt3dEngine::State::buildFrameGraph()
 {
     selector = new Qt3DRender::QRenderSurfaceSelector;
@@ -105,7 +105,7 @@ Qt3dEngine::Qt3dEngine(QOffscreenSurface* surface, Target target) : m_state(std:
     m_state->buildFrameGraph();
 }
 
-/// The entities take leave of the engine's scene, so they go first.
+/// Destroys the entities before the engine, because they deregister from its scene.
 Qt3dEngine::~Qt3dEngine()
 {
     m_state->engine.setRootEntity({});

@@ -12,33 +12,36 @@ class QOpenGLContext;
 
 namespace ui
 {
-/// One aspect engine in Manual mode: frame() does everything at once, on this thread. Entities are children of root().
+/// A Qt3D aspect engine in Manual mode: frame() does all work synchronously, on the calling thread. Entities must be
+/// children of root().
 class Qt3dEngine
 {
 public:
-    /// OwnTexture: Qt3D renders into textures of its own, in its own context.
+    /// Render target. OwnTexture: Qt3D renders into its own textures, in its own context.
     enum class Target { BoundFramebuffer, OwnTexture };
 
-    /// What is new shows up after so many frames at the latest: shaders are loaded in one, commands built in the next.
+    /// Number of frames after which a new entity is visible: shaders are loaded in one frame, commands built in the
+    /// next.
     static constexpr int warmUpFrames = 4;
 
-    /// The surface must outlive the engine. Fill root() before start().
+    /// The surface must outlive the engine. Entities should be added to root() before start().
     Qt3dEngine(QOffscreenSurface* surface, Target target);
     ~Qt3dEngine();
 
     Qt3DCore::QEntity* root() const;
-    /// Qt3D makes its context here, and it is left current if it was found.
+    /// Starts the engine. Qt3D creates its OpenGL context here, which is left current if it was found.
     void start();
-    /// Null if it was not found.
+    /// Returns Qt3D's OpenGL context, or null if it was not found.
     QOpenGLContext* context() const;
-    /// Whether Qt3D draws into the framebuffer that is bound, a small one, and leaves it bound. Context current, no
-    /// entity enabled.
+    /// Returns true if Qt3D draws into the bound framebuffer, here a small one, and leaves it bound. Precondition: the
+    /// context is current and no entity is enabled.
     bool drawsIntoBoundFramebuffer(unsigned int framebuffer);
 
     void setView(const OrbitCamera& camera, QSize pixels);
-    /// Target BoundFramebuffer: into it, context current. Else into texture(); no context is current afterwards.
+    /// Renders a frame. Target BoundFramebuffer: into the bound framebuffer; precondition: the context is current.
+    /// Target OwnTexture: into texture(); no context is current afterwards.
     void frame();
-    /// Target OwnTexture; 0 as long as Qt3D has not told.
+    /// Returns the OpenGL name of the texture for Target OwnTexture; 0 until Qt3D has created it.
     unsigned int texture() const;
 
 private:

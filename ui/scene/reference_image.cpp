@@ -10,9 +10,9 @@ namespace ui
 namespace
 {
 constexpr double cosineOfAside = 0.9962; ///< 5 degrees
-constexpr double hundred = 100;          ///< mm
+constexpr double hundred = 100;          ///< edge of the cube that replaces an empty box, mm
 
-/// As seen from there; `back` goes from the eye into the picture.
+/// Axes of the view from a side; `back` points from the eye into the view.
 struct SideAxes
 {
     core::Vec3 right, up, back;
@@ -35,7 +35,7 @@ core::Box shownBox(const core::Box& box)
     return box.isEmpty() ? core::Box(core::Vec3::Constant(-hundred / 2), core::Vec3::Constant(hundred / 2)) : box;
 }
 
-/// The box's length along an axis of the document.
+/// Returns the box's length along an axis of the document.
 double extent(const core::Box& box, const core::Vec3& axis)
 {
     return box.sizes().dot(axis.cwiseAbs());
@@ -59,7 +59,8 @@ SharedReferencePicture readReference(const QString& path)
     QImage level = decoded(path);
     if (level.isNull())
         return nullptr;
-    if (std::max(level.width(), level.height()) > maxReferencePixels) // a format that does not say its size before
+    // a format that does not report its size before decoding
+    if (std::max(level.width(), level.height()) > maxReferencePixels)
         level = level.scaled(maxReferencePixels, maxReferencePixels, Qt::KeepAspectRatio, Qt::SmoothTransformation);
     auto picture = std::make_shared<ReferencePicture>();
     picture->levels.push_back(level.convertToFormat(QImage::Format_RGBA8888_Premultiplied));

@@ -12,8 +12,8 @@
 
 namespace ui
 {
-/// An image to draw, with its mipmaps: RGBA8888 premultiplied, each level half as large as the one before, down to one
-/// pixel.
+/// An image to draw, with its mipmaps: RGBA8888 premultiplied, each level half as large as the level before, down to 1
+/// x 1 pixel.
 struct ReferencePicture
 {
     std::vector<QImage> levels;
@@ -22,17 +22,19 @@ struct ReferencePicture
 };
 using SharedReferencePicture = std::shared_ptr<const ReferencePicture>;
 
-inline constexpr int maxReferencePixels = 4096; ///< of the longer side; larger images are scaled down
+/// largest length of the longer side, pixels; larger images are scaled down
+inline constexpr int maxReferencePixels = 4096;
 
-/// Reads an image file. Returns null if Qt cannot read it. Thread: any. Cost: up to seconds, and 85 MB for the largest.
+/// Reads an image file. Returns null if Qt cannot read it. Thread: any. Cost: up to seconds, and 85 MB for the largest
+/// image.
 SharedReferencePicture readReference(const QString& path);
 
-/// Whether the file's name has the ending of an image format that Qt reads.
+/// Returns true if the file's extension is that of an image format that Qt reads.
 bool isNamedLikePicture(const QString& path);
 
-/// Returns the side from which the camera looks most nearly.
+/// Returns the side that is nearest to the camera's direction.
 OrbitCamera::Side nearestSide(const OrbitCamera& camera);
-/// Whether the camera looks from that side, within 5 degrees.
+/// Returns true if the camera looks from this side, within 5 degrees.
 bool looksFrom(const OrbitCamera& camera, OrbitCamera::Side side);
 
 /// Returns the placement of a picture of this size in the middle of the box, just large enough to cover it. An empty
@@ -45,7 +47,7 @@ struct Reference
     SharedReferencePicture picture; ///< null: the side has none
     ReferencePlacement placement;
 };
-using References = std::array<Reference, viewSides.size()>; ///< by Side
+using References = std::array<Reference, viewSides.size()>; ///< indexed by Side
 
 /// A reference image as a rectangle in the scene.
 struct PlacedReference
@@ -56,8 +58,8 @@ struct PlacedReference
     bool inFront = false;
 };
 
-/// Returns the reference image of the side that the camera looks from; its picture is null if there is none. It stands
-/// in the middle of the box, so in perspective its scale is that of the model's outline. It hides nothing that stands
-/// before or behind it.
+/// Returns the reference image of the side that the camera looks from; its picture is null if there is none. The image
+/// is in the middle of the box, so in perspective its scale matches the model's outline. It does not hide anything in
+/// front of or behind it.
 PlacedReference seenReference(const References& references, const OrbitCamera& camera, const core::Box& box);
 } // namespace ui

@@ -8,7 +8,7 @@ namespace ui
 {
 namespace
 {
-constexpr int pixelsAtOnce = 1 << 20; ///< larger levels are uploaded one a call
+constexpr int pixelsAtOnce = 1 << 20; ///< larger levels are uploaded one per call
 }
 
 ReferenceRenderer::ReferenceRenderer() = default;
@@ -51,7 +51,7 @@ void ReferenceRenderer::begin(const SharedReferencePicture& picture)
     m_missing = picture->levels.size();
 }
 
-/// From coarse to fine. The texture is bound.
+/// Uploads some missing levels, from coarse to fine. Precondition: the texture is bound.
 void ReferenceRenderer::uploadSome()
 {
     const auto isSmall = [](const QImage& image) { return image.width() * image.height() <= pixelsAtOnce; };

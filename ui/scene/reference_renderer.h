@@ -10,21 +10,21 @@ class QOpenGLShaderProgram;
 
 namespace ui
 {
-/// Draws a reference image with OpenGL 3.3 core into the framebuffer that is bound, over what is there, and leaves the
-/// depths as they are. Plain OpenGL and not Qt3D, so that it is there in layers, too, and none is uploaded but what is
-/// seen. The context that was current at create() must be current at every call.
+/// Draws a reference image with OpenGL 3.3 core over the contents of the bound framebuffer, without changing depths.
+/// Plain OpenGL rather than Qt3D, so that it also appears in Layered mode and only the visible image is uploaded.
+/// Thread: the OpenGL context that was current at create() must be current at every call.
 class ReferenceRenderer
 {
 public:
     ReferenceRenderer();
     ~ReferenceRenderer();
 
-    /// False if a shader does not compile; the log is in the debug output.
+    /// Returns false if a shader does not compile; the log is in the debug output.
     bool create(QOpenGLFunctions_3_3_Core* gl);
     void destroy();
 
-    /// Uploads the picture if it is not the last one that was drawn, a large one over some calls: true while the next
-    /// will draw it sharper. A null picture is nothing.
+    /// Draws the picture, or nothing if it is null. Uploads it first if it differs from the last picture drawn; a large
+    /// one over several calls, coarse levels first. Returns true if the next call will draw it sharper.
     bool draw(const OrbitCamera& camera, const PlacedReference& reference);
 
 private:
@@ -34,7 +34,7 @@ private:
     QOpenGLFunctions_3_3_Core* m_gl = nullptr;
     std::unique_ptr<QOpenGLShaderProgram> m_program;
     unsigned int m_noVertices = 0, m_texture = 0;
-    SharedReferencePicture m_picture; ///< that the texture is of
-    std::size_t m_missing = 0;        ///< so many of its finest levels are not uploaded yet
+    SharedReferencePicture m_picture; ///< picture that m_texture contains
+    std::size_t m_missing = 0;        ///< number of its finest levels that are not uploaded yet
 };
 } // namespace ui

@@ -6,20 +6,20 @@ class QOpenGLFunctions_3_3_Core;
 
 namespace ui
 {
-/// A multisampled framebuffer with depth, and the texture that its picture is resolved into. The texture may be read in
-/// any context of the share group; all else in the one that was current at create().
+/// A multisampled framebuffer with depth, and a texture that receives its resolved image. Thread: the texture may be
+/// read in any context of the share group; everything else only in the context that was current at create().
 class RenderTarget
 {
 public:
     void create(QOpenGLFunctions_3_3_Core* gl, int samples);
     void destroy();
 
-    /// Does nothing if the size is the same. False if the driver cannot make it.
+    /// Resizes the buffers unless the size is unchanged. Returns false if the driver cannot create them.
     bool resize(QSize pixels);
     QSize size() const { return m_size; }
 
     void bind() const;
-    /// Leaves the multisampled framebuffer bound for drawing.
+    /// Copies the samples into the texture. Leaves the multisampled framebuffer bound for drawing.
     void resolve() const;
     unsigned int framebuffer() const { return m_drawn; }
     unsigned int texture() const { return m_texture; }

@@ -25,7 +25,7 @@ class SceneText
 };
 
 constexpr int samplesPerPixel = 4;
-const QColor markColor(255, 70, 200); ///< on no scale of shades
+const QColor markColor(255, 70, 200); ///< a hue that no scale of shades has
 
 double milliseconds(const QElapsedTimer& since)
 {
@@ -46,9 +46,9 @@ struct Scene::State
     Ground* ground = nullptr;                       ///< owned by the engine's root
     BrushCursor *cursor = nullptr, *mark = nullptr; ///< owned by the engine's root
     SymmetryPlane* plane = nullptr;                 ///< owned by the engine's root
-    SectorBorders* borders = nullptr;               ///< the same
+    SectorBorders* borders = nullptr;               ///< owned by the engine's root
     Mode mode = Mode::InQt3dContext;
-    QOpenGLContext* context = nullptr; ///< the one that clay and target live in
+    QOpenGLContext* context = nullptr; ///< the context that has the clay's buffers and the target
     QOpenGLFunctions_3_3_Core* gl = nullptr;
     RenderTarget target;
     MeshRenderer painter;
@@ -58,7 +58,7 @@ struct Scene::State
     std::unique_ptr<QOpenGLShaderProgram> layerProgram;
     unsigned int noVertices = 0;
     MeshView picture;
-    std::shared_ptr<const core::Footprint> footprint; ///< that is tinted
+    std::shared_ptr<const core::Footprint> footprint; ///< footprint that is tinted at present
     std::shared_ptr<const core::Footprint> shades;
     bool hasModel = false, wantsGround = true;
     bool usable = false;
@@ -97,7 +97,7 @@ bool Scene::State::startInQt3dContext()
     context = engine->context();
     if (!context || !(gl = functionsOf(context)) || !createResources())
         return false;
-    RenderTarget test; // one sample, for it is read from
+    RenderTarget test; // not multisampled, because it is read back
     test.create(gl, 0);
     const bool works = test.resize({16, 16}) && (test.bind(), engine->drawsIntoBoundFramebuffer(test.framebuffer()));
     test.destroy();
@@ -137,7 +137,8 @@ bool Scene::State::createResources()
     return painter.create(gl) && referenceRenderer.create(gl) && ghosts.create(gl);
 }
 
-/// What Qt3D draws, over clay and backdrop. Qt3D restores most of the state that others left behind, but not these.
+/// Draws Qt3D's entities over clay and backdrop. Qt3D restores most of the OpenGL state that others left behind, but
+/// not the state set here.
 void Scene::State::drawOverlay()
 {
     if (mode == Mode::InQt3dContext) {
@@ -173,14 +174,14 @@ void Scene::State::drawOverlay(unsigned int texture)
     gl->glDisable(GL_BLEND);
 }
 
-/// In layers there is neither ground nor pane nor a line on the ground: their depth would not be compared with the
-/// clay's.
+/// Shows the ground if there is a model and it is wanted. Layered mode has neither ground, symmetry plane nor sector
+/// borders, because their depth could not be compared with the clay's.
 void Scene::State::showGround()
 {
     ground->setEnabled(hasModel && wantsGround && mode == Mode::InQt3dContext);
 }
 
-/// Everything once, unseen, or ground and cursor would be missing in the first frames.
+/// Draws every entity once, offscreen. Otherwise ground and cursor would be missing in the first frames.
 void Scene::State::warmUp()
 {
     ground->setEnabled(mode == Mode::InQt3dContext);
@@ -198,7 +199,7 @@ void Scene::State::warmUp()
     mark->setEnabled(false);
     plane->setEnabled(false);
     borders->setEnabled(false);
-    ground->setEnabled(false); // until there is a model
+    ground->setEnabled(false); // hidden until there is a model
 }
 
 Scene::Scene(Mode wanted) : m_state(std::make_unique<State>())

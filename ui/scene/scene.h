@@ -16,15 +16,15 @@
 
 namespace ui
 {
-/// Everything that is drawn, in one image: clay and backdrop by MeshRenderer, the overlays (OverlayEntities) by Qt3D,
-/// which renders on demand and on this thread into our own framebuffer, so that both share one depth buffer.
+/// Draws everything into one image: MeshRenderer draws clay and backdrop, Qt3D the overlays (overlay_entities.h). Qt3D
+/// renders on demand, on this thread, into Fettle's own framebuffer, so that both share one depth buffer.
 ///
-/// That rests on Qt3D drawing into whatever framebuffer is bound when its context is current already; it is tested at
-/// the start. Where it does not hold, the clay gets a context of its own and Qt3D's picture, of brush ring and mark
-/// only, is laid over it.
+/// Sharing works only if Qt3D draws into the bound framebuffer when its context is already current, which is tested at
+/// the start. If the test fails (Mode::Layered), the clay has a context of its own, and Qt3D's image, with brush ring
+/// and mark only, is laid over it.
 ///
-/// Thread: gui. Precondition: QApplication exists, and prepareGraphics() was called before it. No other context may be
-/// current during a call; afterwards the scene's is.
+/// Thread: gui. Precondition: QApplication exists, and prepareGraphics() was called before it was made. No other
+/// context may be current during a call; afterwards the scene's context is current.
 class Scene
 {
 public:
@@ -32,47 +32,47 @@ public:
 
     struct Image
     {
-        unsigned int texture = 0; ///< readable in any context of the share group, once `ready` was waited for
-        void* ready = nullptr;    ///< GLsync; the caller deletes it
-        bool isDraft = false;     ///< the next one of the same will be sharper
+        unsigned int texture = 0; ///< readable in any context of the share group, after waiting for `ready`
+        void* ready = nullptr;    ///< a GLsync, which the caller must delete
+        bool isDraft = false;     ///< the next image of the same view will be sharper
         double drawMs = 0, sceneMs = 0;
     };
 
-    /// Layered is for tests; else the mode is found out.
+    /// `wanted`: Layered forces that mode, for tests; InQt3dContext uses it if the driver allows.
     explicit Scene(Mode wanted = Mode::InQt3dContext);
     ~Scene();
 
-    /// False if the driver gave no usable context or framebuffer; nothing else may be called then.
+    /// Returns false if the driver gave no usable context or framebuffer. Then no other function may be called.
     bool usable() const;
     Mode mode() const;
 
-    /// Makes the scene's context current; use it at once.
+    /// Returns the clay's buffer and makes the scene's context current, as the buffer's functions need. Use it at once.
     MeshBuffer& meshBuffer();
 
     void placeGround(const core::Box& box);
     void placeCursor(const core::SurfaceHit& hit, double radius, const QColor& color);
     void hideCursor();
-    /// Tints what the next dab of a spherical brush at `center` would take, in all sectors and with mirror images, in
-    /// place of what was tinted before.
+    /// Tints the clay that the next dab of a spherical brush at `center` would move, in all sectors and with mirror
+    /// images. Replaces the tint before.
     void tintBall(const core::Vec3& center, const core::StrokeSettings& brush);
-    /// Those of a footprint; null: none.
+    /// Tints the vertices of a footprint; null: none.
     void tint(const std::shared_ptr<const core::Footprint>& footprint);
-    /// Colours the clay by them, see PrintScale; null: by its own colours.
+    /// Colours the clay by these shades (see PrintScale); null: by its own colours.
     void shade(const std::shared_ptr<const core::Footprint>& shades);
-    /// A ring around a point of the surface, and a tick along the normal; seen through clay, too.
+    /// Shows a ring around a point of the surface with a tick along the normal, faintly visible through clay.
     void showMark(const core::Vec3& point, const core::Vec3& normal, double radius);
     void hideMark();
-    /// The plane through the box, and the line where it cuts the clay; without symmetry neither.
+    /// Shows the plane of symmetry through the box, and the line where it cuts the clay; Symmetry::None hides both.
     void showPlane(core::Symmetry symmetry, const core::Box& box);
-    /// Where so many sectors meet, on the ground under the box; of one nothing.
+    /// Shows the borders of this number of sectors on the ground under the box; 1: none.
     void showSectors(int sectors, core::Symmetry symmetry, const core::Box& box);
-    /// In the next images, until another is named; its picture may be null.
+    /// Shows a reference image in the next frames, until the next call; a null picture shows none.
     void showReference(const PlacedReference& reference);
-    /// Draws the avatar of the user of the headset in the next images; none: nobody is in the headset.
+    /// Shows the avatar of the headset's user in the next frames; none hides it.
     void showAvatar(const std::optional<HeadsetAvatar>& avatar);
-    /// The same of a lesson's teacher, of whom there is a brush.
+    /// Shows the brush of a lesson's teacher in the next frames; none hides it.
     void showTeacher(const std::optional<core::Sphere>& brush);
-    /// `darkTheme`: what the background is where it follows the window.
+    /// `darkTheme`: whether Background::Theme is dark.
     void setAppearance(const ViewAppearance& appearance, bool darkTheme);
 
     Image render(const OrbitCamera& camera, QSize pixels, double pixelRatio);
@@ -82,7 +82,7 @@ private:
     std::unique_ptr<State> m_state;
 };
 
-/// Empty, or why this machine cannot show the clay, in one translated sentence. Makes a context to find out; cheap
-/// after the first call.
+/// Returns why this machine cannot show the clay, as one translated sentence, or an empty text if it can. Cost: makes
+/// an OpenGL context in the first call; later calls are cheap.
 QString graphicsProblem();
 } // namespace ui
