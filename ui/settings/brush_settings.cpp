@@ -12,8 +12,9 @@ namespace ui
 {
 namespace
 {
-constexpr double otherModelFactor = 2;       ///< so many times larger or smaller a model is of quite another size
-constexpr core::Rgb firstPaint{216, 58, 52}; ///< is seen on every material; a model's own colour would not be
+/// a model this many times larger or smaller counts as of a different size
+constexpr double otherModelFactor = 2;
+constexpr core::Rgb firstPaint{216, 58, 52}; ///< visible on every material; a model's own colour would not be
 
 core::StrokeSettings firstStroke()
 {
@@ -25,14 +26,14 @@ core::StrokeSettings firstStroke()
     return stroke;
 }
 
-/// The nearest legal n: 0, or 3 to 16.
+/// Returns the legal falloff n nearest to `value`: 0, or 3 to 16.
 int legalFalloff(double value)
 {
     const int n = static_cast<int>(std::lround(value));
     return core::isFalloff(n) ? n : (n < 2 ? 0 : 3);
 }
 
-/// Returns the member that holds the parameter; null for Falloff, which is no double.
+/// Returns the member that contains the parameter; null for Falloff, which is not a double.
 double core::StrokeSettings::*numberOf(core::Parameter parameter)
 {
     using Settings = core::StrokeSettings;
@@ -54,7 +55,7 @@ BrushSettings::BrushSettings(QObject* parent)
     connect(m_tools, &ToolMemory::sharesRadiusChanged, this, &BrushSettings::useSharing);
 }
 
-/// The values of the tool before are remembered already.
+/// Switches to a tool and its values. Precondition: the values of the tool before have been stored by remember().
 void BrushSettings::changeTool(core::Tool tool)
 {
     if (!isOffered(tool))
@@ -87,7 +88,8 @@ void BrushSettings::remember()
     m_tools->set(m_stroke.tool, values);
 }
 
-/// Somebody gave a tool other values. remember() did it, too: then nothing is new.
+/// Takes over values that were changed in the tool memory from outside. Changes made by remember() are recognised,
+/// because they equal the present values.
 void BrushSettings::takeValues(core::Tool tool)
 {
     if (tool != m_stroke.tool)
@@ -103,8 +105,8 @@ void BrushSettings::takeValues(core::Tool tool)
     Q_EMIT changed();
 }
 
-/// Gives the tools radii of their own: the present one's is what it was, so are those of tools that had
-/// none.
+/// Handles a change of radius sharing. When sharing ends, the current tool and tools without a radius of their own get
+/// the present radius.
 void BrushSettings::useSharing(bool shares)
 {
     for (std::size_t i = 0; !shares && i < core::toolNames().size(); ++i) {
@@ -157,7 +159,8 @@ void BrushSettings::setValue(core::Parameter parameter, double value)
         m_stroke.falloff = legalFalloff(legal);
     else
         m_stroke.*numberOf(parameter) = legal;
-    if (parameter == core::Parameter::Detail) // finer edges under a small brush may be finer than the lattice
+    // a finer detail can make the smallest radius that the lattice allows larger
+    if (parameter == core::Parameter::Detail)
         m_stroke.radius = std::clamp(m_stroke.radius, minOf(core::Parameter::Radius), m_maxRadius);
     if (this->value(parameter) != before) {
         remember();
@@ -253,7 +256,7 @@ core::StrokeSettings withModifiers(const BrushSettings& brush, Qt::KeyboardModif
     if (modifiers & Qt::ShiftModifier) {
         stroke.tool = core::Tool::Smooth;
         putInto(stroke, brush.tools()->of(stroke.tool));
-        stroke.alpha = nullptr; // evenly
+        stroke.alpha = nullptr; // no alpha: Shift smooths evenly
         return stroke;
     }
     return modifiers & invert ? core::opposite(stroke) : stroke;

@@ -12,12 +12,11 @@
 
 namespace ui
 {
-/// The length of the stabilizer of a steady stroke, in logical pixels.
+/// Lengths of the stabilizer of a steady stroke, logical pixels.
 inline constexpr double minStabilizerLength = 4, maxStabilizerLength = 200, defaultStabilizerLength = 32;
 
-/// The brush in the user's hand: what the next stroke will be. Panels, cursor and viewport are views of it; it is read
-/// when a stroke begins and not during one. A change of tool brings the values that the tool had (ToolMemory).
-/// Thread: gui.
+/// The settings of the next stroke. Panels, cursor and viewport show them; they are read when a stroke begins and
+/// ignored during it. Changing the tool restores the tool's own values (ToolMemory). Thread: gui.
 class BrushSettings : public QObject
 {
     Q_OBJECT
@@ -29,7 +28,7 @@ public:
     core::Tool tool() const { return m_stroke.tool; }
     double value(core::Parameter parameter) const;
 
-    /// What has no range: tool, shape, topology, fusion, symmetry, colour.
+    /// Sets a member that has no numeric range: tool, shape, topology, fusion, symmetry or colour.
     template <class T> void set(T core::StrokeSettings::*what, const T& value)
     {
         if (m_stroke.*what == value)
@@ -42,60 +41,65 @@ public:
         }
     }
     void setTool(core::Tool tool) { set(&core::StrokeSettings::tool, tool); }
-    /// From now on these can be chosen and no others; the first is taken. At first it is all.
+    /// Restricts the choice of tools to these and selects the first. Initially, all tools can be chosen.
     void offerTools(const QList<core::Tool>& tools);
     const QList<core::Tool>& offeredTools() const { return m_offered; }
     bool isOffered(core::Tool tool) const { return m_offered.isEmpty() || m_offered.contains(tool); }
-    /// About the plane that was chosen last; x = 0 at first.
+    /// Turns symmetry on or off. Its plane is the last one chosen; initially x = 0.
     void setSymmetric(bool symmetric)
     {
         set(&core::StrokeSettings::symmetry, symmetric ? m_plane : core::Symmetry::None);
     }
-    /// In as many sectors as were chosen last; six at first.
+    /// Turns radial symmetry on or off. Its number of sectors is the last one chosen; initially six.
     void setRadial(bool radial) { set(&core::StrokeSettings::radial, radial ? m_sectors : 1); }
-    /// Makes edges uniform, or goes back to the topology that was chosen before; at first to one that keeps detail.
+    /// Chooses the uniform topology, or returns to the topology chosen before; initially Topology::Refine, which keeps
+    /// detail.
     void setUniform(bool uniform)
     {
         set(&core::StrokeSettings::topology, uniform ? core::Topology::Uniform : m_topology);
     }
-    /// Clamped to the range of the parameter table (the radius also to the model), falloff rounded to a legal n.
+    /// Sets a parameter. The value is clamped to the range of the parameter table, and the radius also to the model's
+    /// range. Falloff is rounded to a legal n.
     void setValue(core::Parameter parameter, double value);
     void scaleRadius(double factor);
-    /// What a person chooses of a stroke; the radius as far as the model takes it. An alpha from a file stays where
-    /// that one has none.
+    /// Sets everything in a stroke that the user can choose; the radius is clamped to the model's range. If `stroke`
+    /// has no alpha, an alpha from a file is kept.
     void apply(const core::StrokeSettings& stroke);
-    /// Sets all to a new user's, the values of all tools included, but for the radius, which is the model's; of the
-    /// tools that are offered the first.
+    /// Resets all settings, including the values of all tools, to those of a new user. Keeps the radius, which depends
+    /// on the model. Selects the first of the offered tools.
     void reset();
 
-    /// Returns what each tool has of its own, the present one included: both ways, what is set here is set there.
+    /// Returns the own values of every tool. The current tool's values are kept equal to stroke() in both directions.
     ToolMemory* tools() const { return m_tools; }
-    /// Inverted strokes do the opposite of what their tool does; with the key that inverts they do what it does.
+    /// Returns true if strokes do the opposite of what the tool does. Holding the inverting key then restores the
+    /// normal effect.
     bool isInverted() const { return m_isInverted; }
     void setInverted(bool inverted);
 
-    /// In a steady stroke the brush follows the pointer at the length of the stabilizer.
+    /// Returns true for steady strokes: the brush follows the pointer at the length of the stabilizer.
     bool isSteady() const { return m_isSteady; }
     void setSteady(bool steady);
-    /// Of a steady stroke, in logical pixels.
+    /// Returns the length of the stabilizer, logical pixels.
     double stabilizerLength() const { return m_stabilizerLength; }
     void setStabilizerLength(double pixels);
 
-    /// From now on the radius can be what makes sense for that model, and it is this share of its longest side.
+    /// Sets the range of the radius to what makes sense for the model, and the radius to `radiusShare` times its
+    /// longest side.
     void fitTo(const ModelInfo& modelInfo, double radiusShare);
-    /// The radius, in longest sides of the model that it was fitted to.
+    /// Returns the radius as a fraction of the longest side of the model given to fitTo().
     double radiusShare() const;
     void setRadiusShare(double share) { setValue(core::Parameter::Radius, share * m_modelSize); }
-    /// Whether the model is still about as large as the one that the radius was fitted to.
+    /// Returns true if the model is about as large as the one given to fitTo(): within a factor of 2.
     bool fits(const ModelInfo& modelInfo) const;
     double minOf(core::Parameter parameter) const;
     double maxOf(core::Parameter parameter) const;
 
 Q_SIGNALS:
     void changed();
-    /// How strokes are drawn, not what they do; after changed().
+    /// The input settings changed: steadiness, stabilizer or airbrush. They affect how strokes are drawn, not what they
+    /// do. Emitted after changed().
     void inputChanged();
-    /// setValue() or scaleRadius() asked for what it cannot be; it was set to the nearest that it can.
+    /// setValue() or scaleRadius() was given a value out of range, which was clamped.
     void clamped(core::Parameter parameter);
 
 private:
@@ -106,21 +110,21 @@ private:
     void useSharing(bool shares);
 
     core::StrokeSettings m_stroke;
-    QList<core::Tool> m_offered; ///< none: all
+    QList<core::Tool> m_offered; ///< empty: all tools are offered
     ToolMemory* m_tools;
     bool m_isInverted = false;
     bool m_isSteady = false;
     double m_stabilizerLength = defaultStabilizerLength;
     core::Symmetry m_plane = core::Symmetry::X;
     int m_sectors = 6;
-    core::Topology m_topology = core::Topology::Refine; ///< when it is not uniform
-    double m_minDetail = 0;                             ///< of the model's lattice
+    core::Topology m_topology = core::Topology::Refine; ///< topology to return to when uniform topology is turned off
+    double m_minDetail = 0;                             ///< finest d_detail of the model's lattice, mm
     double m_maxRadius;
-    double m_modelSize = 100; ///< mm, longest side; to which the radius was fitted: at first the ball of clay's
+    double m_modelSize = 100; ///< longest side of the model given to fitTo(), mm; initially that of the starter ball
 };
 
-/// Returns what a stroke that begins with these keys held does: Shift smooths, as strongly as the tool Smooth, `invert`
-/// does the opposite.
+/// Returns the settings of a stroke that begins with these modifier keys. Shift smooths, with the strength of the tool
+/// Smooth; `invert` inverts the effect.
 core::StrokeSettings withModifiers(const BrushSettings& brush, Qt::KeyboardModifiers modifiers,
                                    Qt::KeyboardModifier invert = Qt::ControlModifier);
 } // namespace ui

@@ -12,7 +12,7 @@ inline constexpr std::array<Named<DrawnSides>, 4> drawnSides{
 struct DrawingSettings
 {
     DrawnSides sides = DrawnSides::All;
-    bool shaded = false; ///< colours under the lines
+    bool shaded = false; ///< fills the views with colours under the lines
     bool dimensions = true;
     friend bool operator==(const DrawingSettings&, const DrawingSettings&) = default;
 };

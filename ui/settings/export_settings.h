@@ -8,7 +8,7 @@ namespace ui
 {
 enum class ExportUse { Print, ColorPrint, Game };
 
-/// The keys are the endings of the formats.
+/// Uses of an exported model. The keys are file name extensions of the formats.
 inline constexpr std::array<Named<ExportUse>, 3> exportUses{
     {{ExportUse::Print, "stl"}, {ExportUse::ColorPrint, "3mf"}, {ExportUse::Game, "glb"}}};
 
@@ -18,8 +18,8 @@ inline constexpr int minExportTriangles = 4, maxExportTriangles = 100'000'000;
 struct ExportSettings
 {
     ExportUse use = ExportUse::Print;
-    quint64 maxTriangles = 0; ///< 0: all
-    bool slices = false;      ///< what is for print is tried by an installed slicer
+    quint64 maxTriangles = 0; ///< largest number of triangles; 0: no limit
+    bool slices = false;      ///< tries slicing models for print with an installed slicer
 
     bool operator==(const ExportSettings&) const = default;
 };

@@ -7,7 +7,7 @@
 
 namespace ui
 {
-/// What the window shows about the open model.
+/// Data about the open model that the window shows.
 struct ModelInfo
 {
     QString name; ///< file name, or the name of a starter model; shown in the title
@@ -17,11 +17,11 @@ struct ModelInfo
     core::Box box;                        ///< mm
     double area = 0;                      ///< mm^2
     double uniformDetail = 0;             ///< mm; d_detail of the uniform topology
-    double minDetail = 0;                 ///< mm; the finest d_detail that the model's lattice holds
-    QString path = {};                    ///< empty: no file holds it
-    QString source = {};                  ///< the file that was opened, also where it had to be mended; empty: none
-    /// That its file keeps; when it was opened, but for the palette and the work.
+    double minDetail = 0;                 ///< finest d_detail that the model's lattice can represent, mm
+    QString path = {};                    ///< path of the model's file; empty: not saved in a file
+    QString source = {};                  ///< file that was opened, even if the model had to be repaired; empty: none
+    /// metadata of the model's file as read at opening, but palette and work are kept current
     core::DocumentMetadata metadata = {};
-    core::UnitDoubt unitGuess = core::UnitDoubt::None; ///< when it was opened, where its file has no unit
+    core::UnitDoubt unitGuess = core::UnitDoubt::None; ///< guess at opening, if the file has no unit
 };
 } // namespace ui

@@ -7,7 +7,7 @@
 namespace ui
 {
 enum class ThemeChoice { System, Light, Dark };
-/// Of what the desktop has, in percent.
+/// Size of text in percent of the desktop's text size.
 enum class TextSize { Normal = 100, Larger = 125, Large = 150, Largest = 175 };
 enum class Language { System, English, German, Chinese };
 
@@ -22,45 +22,45 @@ inline double factorOf(TextSize size)
 inline constexpr std::array<Named<TextSize>, 4> textSizes{
     {{TextSize::Normal, "100"}, {TextSize::Larger, "125"}, {TextSize::Large, "150"}, {TextSize::Largest, "175"}}};
 
-/// The keys are locale names.
+/// Languages of the program. The keys are locale names.
 inline constexpr std::array<Named<Language>, 4> languages{
     {{Language::System, "system"}, {Language::English, "en"}, {Language::German, "de"}, {Language::Chinese, "zh_CN"}}};
 
-/// Of a pen's pressure curve: below 1 a light touch does much, above 1 little.
+/// Exponents of a pen's pressure curve: below 1 light touches have more effect, above 1 less.
 inline constexpr double minPenExponent = 0.25, maxPenExponent = 4;
 
-/// What a pen's pressure, 0 to 1, counts as.
+/// Returns the effective pressure, 0 to 1, for a pen's pressure, 0 to 1.
 inline double penPressure(double pressure, double exponent)
 {
     return std::pow(pressure, exponent);
 }
 
-/// How input of pen and mouse is interpreted.
+/// Interpretation of pen and mouse input.
 struct InputPreferences
 {
     bool pressureToStrength = true;
     bool pressureToRadius = false;
-    bool altMovesView = true; ///< held with a button; else Alt means nothing to the view
+    bool altMovesView = true; ///< Alt with a mouse button moves the view; else Alt has no effect on the view
     double penExponent = 1;
-    MouseModifiers modifiers{}; ///< of the preset of shortcuts
+    MouseModifiers modifiers{}; ///< set from the shortcut preset by effectiveInput()
 
     bool operator==(const InputPreferences&) const = default;
 };
 
-/// The number of backups of a file that is saved again, if the user wants them.
+/// Number of backups kept when a file is saved again, if the user wants backups.
 inline constexpr int backupCount = 3;
 
-/// What a person chooses once, in the Preferences.
+/// Choices made in the preferences dialog.
 struct Preferences
 {
     ThemeChoice theme = ThemeChoice::System;
-    Language language = Language::System; ///< of the next start
-    TextSize textSize = TextSize::Normal; ///< of the next start
-    /// No animation: the view jumps instead of flying, the highlight of a pointer does not pulse.
+    Language language = Language::System; ///< takes effect at the next start
+    TextSize textSize = TextSize::Normal; ///< takes effect at the next start
+    /// disables animation: the view jumps instead of flying, and the highlight of a pointer does not pulse
     bool reducesMotion = false;
     InputPreferences input;
     ShortcutSettings keys{};
-    bool keepsBackups = false; ///< backups stay beside a file that is saved again
+    bool keepsBackups = false; ///< keeps backups beside a file that is saved again
 
     bool operator==(const Preferences&) const = default;
 

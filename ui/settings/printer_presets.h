@@ -10,16 +10,16 @@ namespace ui
 {
 struct PrinterPreset
 {
-    QString name; ///< not empty
+    QString name; ///< must not be empty
     core::PrintBed bed;
 };
 
-inline constexpr double minBed = 10, maxBed = 10'000; ///< mm, a side
+inline constexpr double minBed = 10, maxBed = 10'000; ///< smallest and largest side of a printer's bed, mm
 
-/// Common printers, with their makers' figures.
+/// Returns common printers with the bed sizes published by their makers.
 QList<PrinterPreset> defaultPrinters();
 
-/// As settings keep them: a line each. Lines that are none are left out.
+/// Converts printers to the lines stored in the settings and back, one line each. Invalid lines are skipped.
 QStringList toLines(const QList<PrinterPreset>& printers);
 QList<PrinterPreset> printersOf(const QStringList& lines);
 } // namespace ui

@@ -6,7 +6,7 @@
 
 namespace ui
 {
-/// Where the camera stands: Front at +Z, Right at +X, Top at +Y. Front and Top have x to the right.
+/// Position of the camera: Front at +Z, Right at +X, Top at +Y. Front and Top have +X to the right.
 enum class ViewSide { Front, Back, Right, Left, Top, Bottom };
 
 inline constexpr double minReferenceWidth = 0.01, maxReferenceWidth = 100000, maxReferenceOffset = 100000;
@@ -19,13 +19,13 @@ inline constexpr std::array<Named<ViewSide>, 6> viewSides{{{ViewSide::Front, "fr
                                                            {ViewSide::Top, "top"},
                                                            {ViewSide::Bottom, "bottom"}}};
 
-/// How a reference image stands on its side: mm, as seen from there.
+/// Placement of a reference image in the view from its side. Lengths in mm.
 struct ReferencePlacement
 {
     double width = 100;
-    double x = 0, y = 0; ///< the image's middle from the origin, to the right and up
+    double x = 0, y = 0; ///< centre of the image, mm to the right of and above the origin
     double opacity = defaultReferenceOpacity;
-    bool inFront = false; ///< over the model instead of behind it
+    bool inFront = false; ///< draws the image over the model instead of behind it
 
     bool operator==(const ReferencePlacement&) const = default;
 };

@@ -24,7 +24,7 @@ double defaultOf(core::Parameter parameter)
     return parameter == core::Parameter::Spacing ? defaultSpacing : core::info(parameter).defaultValue;
 }
 
-/// Returns whether a folder is there and its disk answers in time, as that of a lost server does not.
+/// Returns true if the folder exists and its disk answers within 500 ms; a lost server's disk does not.
 bool isThere(const QString& folder)
 {
     constexpr auto longest = std::chrono::milliseconds(500);

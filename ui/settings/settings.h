@@ -16,7 +16,7 @@ inline constexpr core::Parameter storedParameters[] = {core::Parameter::Strength
                                                        core::Parameter::Detail, core::Parameter::Spacing};
 
 /// Reads and writes the stored settings by their table (settings_table.h). A missing or invalid entry gives the
-/// default. Precondition: the program has set organisation and application name. Thread: gui.
+/// default. Precondition: the program has set the organisation and application names. Thread: gui.
 class Settings
 {
 public:
@@ -41,8 +41,8 @@ public:
         });
     }
 
-    /// Returns settings that belong together: get<ViewAppearance>(). `group`: a part of the settings that has them,
-    /// too, and ends in '/'. `otherwise` has the values of entries that are missing or invalid.
+    /// Returns a struct of settings: get<ViewAppearance>(). `group`: prefix of the stored keys, ending in '/', for
+    /// structs that are stored several times. `otherwise`: values of entries that are missing or invalid.
     template <class S> S get(const QString& group = {}, const S& otherwise = {}) const
     {
         return readAll<S>(group, otherwise);
@@ -50,22 +50,23 @@ public:
     template <class S>
     requires(std::is_class_v<S>) void set(const S& settings, const QString& group = {}) { writeAll(group, settings); }
 
-    /// The latest first.
+    /// Returns the recent files, latest first.
     QStringList recentFiles() const;
     void addRecentFile(const QString& path);
-    /// Returns the folder of the last file opened or exported; the user's home if there is none, or it is gone.
+    /// Returns the folder of the last file opened or exported, or the user's home if there is none or it no longer
+    /// exists.
     QString lastFolder() const;
-    /// Returns the settings of the files panel; lastFolder() instead of a folder that is gone.
+    /// Returns the settings of the files panel, with lastFolder() in place of a folder that no longer exists.
     FileBrowserSettings files() const;
 
-    /// A parameter of the brush, except the radius (Setting::radiusShare).
+    /// Returns a stored parameter of the brush, except the radius (Setting::radiusShare).
     double value(core::Parameter parameter) const;
     void setValue(core::Parameter parameter, double value);
 
-    /// Resets everything except what the user made: recent files and folder, swatches, brush files, printers. Then
-    /// calls the functions of onReset() in their order.
+    /// Resets everything except what the user created: recent files and folder, swatches, brush files, printers. Then
+    /// calls the functions given to onReset(), in order.
     void reset();
-    /// `takeUp` applies the settings as they are after a reset.
+    /// Adds a function for reset() to call, which must apply the current settings.
     void onReset(std::function<void()> applySettings);
 
 private:

@@ -22,61 +22,62 @@
 
 namespace ui
 {
-/// The radii that make sense, as shares of the model's longest side. The least that the lattice takes is a little more.
+/// Useful radii as fractions of the model's longest side. The smallest that the lattice allows is slightly larger.
 inline constexpr double minRadiusShare = 0.002, maxRadiusShare = 0.5;
 
 inline constexpr int minHistoryMegabytes = 16, maxHistoryMegabytes = 65536, defaultHistoryMegabytes = 512;
 
-/// Clay, earth, slip, white, grey, black, and what children paint with.
+/// Returns the initial swatches: clay, earth, slip, white, grey, black, and colours that children paint with.
 QList<core::Rgb> firstSwatches();
 
-/// Settings that are read and written one by one, with their defaults.
+/// Settings that are read and written individually, with their defaults.
 struct Setting
 {
     QByteArray windowGeometry, windowState;
-    QStringList panels; ///< of the side column: SideColumn::panelStates()
+    QStringList panels; ///< states of the side column's panels: SideColumn::panelStates()
     bool showsToolNames = false;
-    bool showsStartPage = true;                     ///< when the program begins without a file
-    QStringList recentFiles;                        ///< paths, the latest first
-    QString lastFolder;                             ///< of the last file opened or exported
-    int historyMegabytes = defaultHistoryMegabytes; ///< memory that the undo steps may take
-    double radiusShare = 0.1; ///< the brush's radius as a share of the model's longest side: fits the next model
-    bool sharesRadius = true; ///< a change of tool leaves the radius as it is
+    bool showsStartPage = true;                     ///< shows the start page when the program starts without a file
+    QStringList recentFiles;                        ///< paths, latest first
+    QString lastFolder;                             ///< folder of the last file opened or exported
+    int historyMegabytes = defaultHistoryMegabytes; ///< memory limit of the undo steps, MB
+    double radiusShare = 0.1; ///< the brush's radius as a fraction of the model's longest side, to fit the next model
+    bool sharesRadius = true; ///< keeps the radius when the tool changes
     bool isSteady = false;
-    QStringList withoutAirbrush;                       ///< names of tools
+    QStringList withoutAirbrush;                       ///< names of tools with the airbrush turned off
     double stabilizerLength = defaultStabilizerLength; ///< logical pixels
-    double turnSpeed = defaultTurn;                    ///< of the turntable, degrees a second
-    bool turnsClockwise = false;                       ///< seen from above
+    double turnSpeed = defaultTurn;                    ///< speed of the turntable, degrees per second
+    bool turnsClockwise = false;                       ///< direction of the turntable, seen from above
     bool showsReferences = true;
     QList<core::Rgb> swatches = firstSwatches();
-    QList<PrinterPreset> printers = defaultPrinters(); ///< not empty
+    QList<PrinterPreset> printers = defaultPrinters(); ///< must not be empty
 };
 
-/// The shapes of the brush: what is chosen, and files that were, the latest first.
+/// Shapes of the brush: the current ones, and files used before, latest first.
 struct StoredShapes
 {
-    QString alpha; ///< a name of core::builtInAlphas(), or a path; empty: none
+    QString alpha; ///< name in core::builtInAlphas(), or a path; empty: none
     bool alphaFollows = false;
-    QString model;              ///< a path; empty: a ball
+    QString model;              ///< path of a brush model; empty: a ball
     QStringList alphas, models; ///< paths
 
     bool operator==(const StoredShapes&) const = default;
 };
 
-/// A tool's own values, without its alpha (ToolValues).
+/// The stored values of one tool, except its alpha (see ToolValues).
 struct StoredTool
 {
     double strength = 1, falloff = 4;
     double spacing = defaultSpacing;
-    double airbrush = core::defaultAirbrush; ///< dabs a second; 0: none
-    double radiusShare = 0;                  ///< 0: the tool never had a radius of its own
+    double airbrush = core::defaultAirbrush; ///< dabs per second; 0: none
+    /// fraction of the model's longest side; 0: the tool never had a radius of its own
+    double radiusShare = 0;
     bool anchored = false;
 };
 
 /// The alpha of a tool.
 struct StoredToolAlpha
 {
-    QString alpha; ///< as StoredShapes::alpha
+    QString alpha; ///< as StoredShapes::alpha: built-in name or path
     bool alphaFollows = false;
 
     bool operator==(const StoredToolAlpha&) const = default;
@@ -85,10 +86,10 @@ struct StoredToolAlpha
 /// The choices of the print check.
 struct PrintSettings
 {
-    QString printer;      ///< by name
-    double wall = 0.8;    ///< mm; thinner is marked
-    double overhang = 45; ///< degrees; more is marked
-    int picture = 1;      ///< 1 and core::PrintPicture; 0: the model shows nothing
+    QString printer;      ///< name of the printer
+    double wall = 0.8;    ///< smallest wall thickness, mm; thinner walls are marked
+    double overhang = 45; ///< largest overhang, degrees; larger ones are marked
+    int picture = 1;      ///< 1 + core::PrintPicture, the picture drawn on the model; 0: none
 };
 
 namespace stored
@@ -107,10 +108,10 @@ template <class T>
 using Valid = std::conditional_t<std::is_enum_v<T>, std::span<const Named<T>>,
                                  std::conditional_t<std::is_arithmetic_v<T>, Range, Anything>>;
 
-/// The effect of Settings::reset().
+/// Effect of Settings::reset() on a setting.
 enum class Reset { ToDefault, Keep };
 
-/// The place where one member of S is stored. A reset keeps what the user made.
+/// The storage of one member of S. A reset keeps what the user created (Reset::Keep).
 template <class S, class T> struct Row
 {
     T S::*member;
@@ -119,7 +120,7 @@ template <class S, class T> struct Row
     Reset reset;
 };
 
-/// A member of S that has rows of its own.
+/// A member of S that is a struct with rows of its own.
 template <class S, class T> struct Part
 {
     T S::*member;
@@ -137,7 +138,7 @@ template <class S, class T> constexpr Row<S, T> keptRow(T S::*member, const char
     return {member, key, {}, Reset::Keep};
 }
 
-/// The table of all settings, by the struct that they belong to. Defaults are those of the struct.
+/// The table of all settings, by struct. The defaults are those of the struct's members.
 template <class S> inline constexpr auto rows = std::tuple<>();
 
 template <>
@@ -214,7 +215,7 @@ inline constexpr auto rows<StoredShapes> = std::tuple{
     keptRow(&StoredShapes::models, "brush/modelFiles"),
 };
 
-/// Stored in a group for each tool.
+/// Values of a tool, stored in the tool's group (groupOf()).
 template <>
 inline constexpr auto rows<StoredTool> = std::tuple{
     row(&StoredTool::strength, "strength",
@@ -226,7 +227,7 @@ inline constexpr auto rows<StoredTool> = std::tuple{
     row(&StoredTool::anchored, "anchored"),
 };
 
-/// Stored in the same groups.
+/// Alpha of a tool, stored in the tool's group (groupOf()).
 template <>
 inline constexpr auto rows<StoredToolAlpha> = std::tuple{
     row(&StoredToolAlpha::alpha, "alpha"),
@@ -244,7 +245,7 @@ inline constexpr auto rows<InputPreferences> = std::tuple{
 template <>
 inline constexpr auto rows<ShortcutSettings> = std::tuple{
     row(&ShortcutSettings::preset, "keys/preset", shortcutPresets),
-    row(&ShortcutSettings::custom, "keys/own"), // and the action's id
+    row(&ShortcutSettings::custom, "keys/own"), // the key is followed by the action's id
 };
 
 template <>

@@ -7,27 +7,28 @@
 
 namespace ui
 {
-/// The sets of keys to begin with.
+/// Built-in sets of shortcuts.
 enum class ShortcutPreset { Fettle, Blender, ZBrush };
 
 inline constexpr std::array<Named<ShortcutPreset>, 3> shortcutPresets{
     {{ShortcutPreset::Fettle, "fettle"}, {ShortcutPreset::Blender, "blender"}, {ShortcutPreset::ZBrush, "zbrush"}}};
 
-/// The shortcuts of the commands: a preset and what the user changed.
+/// The shortcuts of the commands: a preset, and the user's changes to it.
 struct ShortcutSettings
 {
     ShortcutPreset preset = ShortcutPreset::Fettle;
-    QMap<QString, QString> custom; ///< by an action's id: its keys as portable text, parted by "; "; empty: none
+    /// changed keys by action id: portable text, separated by "; "; an empty text means no keys
+    QMap<QString, QString> custom;
 
     bool operator==(const ShortcutSettings&) const = default;
 };
 
-/// What modifier keys do while the mouse is used, by preset. Shift smooths in all of them.
+/// Effects of modifier keys during mouse input, by preset. Shift smooths in every preset.
 struct MouseModifiers
 {
     Qt::KeyboardModifier invert = Qt::ControlModifier;
-    /// The right button orbits, with Alt it pans, with Ctrl it zooms; Alt and left pan beside the model and are the
-    /// brush's on it.
+    /// The right button orbits, with Alt pans, with Ctrl zooms. Alt with the left button pans beside the model and
+    /// inverts the brush on it.
     bool rightOrbits = false;
 
     bool operator==(const MouseModifiers&) const = default;

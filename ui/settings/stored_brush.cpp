@@ -20,7 +20,7 @@ QString nameOf(core::Tool tool)
     return QLatin1StringView(name.data(), static_cast<qsizetype>(name.size()));
 }
 
-/// The airbrush as it was stored before each tool had its own number.
+/// Returns the tool's airbrush, dabs per second, in settings from before each tool stored its own.
 double firstAirbrush(core::Tool tool, const QStringList& without)
 {
     return without.contains(nameOf(tool)) ? 0 : core::defaultAirbrush;
@@ -37,7 +37,8 @@ void restoreBrush(const Settings& settings, BrushSettings* brush)
     const StoredTool ofAll{settings.value(core::Parameter::Strength), settings.value(core::Parameter::Falloff),
                            settings.value(core::Parameter::Spacing), 0, 0};
     const QStringList withoutAirbrush = settings.get(&Setting::withoutAirbrush);
-    brush->tools()->setSharesRadius(settings.get(&Setting::sharesRadius)); // else the radii below would not be taken
+    // must be set first, or the radii below would be ignored
+    brush->tools()->setSharesRadius(settings.get(&Setting::sharesRadius));
     forEachTool([&](core::Tool tool) {
         const auto stored = settings.get<StoredTool>(groupOf(tool), ofAll);
         ToolValues values = brush->tools()->of(tool);

@@ -12,12 +12,13 @@ namespace ui
 class BrushSettings;
 class Settings;
 
-/// Returns the group of the settings that has what the tool has of its own: "tool/pull/".
+/// Returns the settings group with the tool's own values: "tool/pull/".
 QString groupOf(core::Tool tool);
 
-/// Gives the brush the stored values of all tools, except alphas and the radius. A tool that has none stored has those
-/// that were stored for all tools once. Thread: gui.
+/// Restores the stored values of all tools, except alphas and the radius itself. A tool without stored values gets
+/// those that older versions stored once for all tools. Thread: gui.
 void restoreBrush(const Settings& settings, BrushSettings* brush);
-/// Stores them, and those of Pull for programs that know only one: they begin with that tool.
+/// Stores the values of all tools. Also stores those of Pull as the common values of older versions, which start with
+/// that tool.
 void storeBrush(const BrushSettings& brush, Settings* settings);
 } // namespace ui

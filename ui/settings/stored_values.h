@@ -16,7 +16,7 @@
 #include <span>
 #include <type_traits>
 
-/// How stored values are read: what is missing or makes no sense gives the default.
+/// Reading and writing of stored values. A missing or invalid value gives the default.
 namespace ui::stored
 {
 inline double number(const QSettings& settings, const QString& key, double min, double max, double otherwise)
@@ -32,7 +32,7 @@ inline bool yesNo(const QSettings& settings, const QString& key, bool otherwise)
     return stored == QLatin1StringView("true") || (stored != QLatin1StringView("false") && otherwise);
 }
 
-/// The values of an enumeration with their words.
+/// The values of an enumeration and their stored names.
 template <class T> using Words = std::type_identity_t<std::span<const Named<T>>>;
 
 template <class T> T choice(const QSettings& settings, const QString& key, Words<T> words, T otherwise)
@@ -48,7 +48,7 @@ template <class T> QString wordFor(T value, Words<T> words)
     return QLatin1StringView(std::ranges::find(words, value, &Named<T>::value)->key);
 }
 
-/// Reads what QVariant knows: texts, lists of texts, bytes. Without an entry `value` stays.
+/// Reads a type that QVariant supports: text, list of texts, bytes. Without an entry, `value` is unchanged.
 template <class T> void read(const QSettings& settings, const QString& key, T& value)
 {
     if (settings.contains(key))
@@ -60,13 +60,13 @@ template <class T> void write(QSettings& settings, const QString& key, const T& 
     settings.setValue(key, value);
 }
 
-/// Leaves out invalid colours. A stored list may be empty; without one `colors` stays.
+/// Reads colours and skips invalid ones. A stored list may be empty. Without an entry, `colors` is unchanged.
 void read(const QSettings& settings, const QString& key, QList<core::Rgb>& colors);
 void write(QSettings& settings, const QString& key, const QList<core::Rgb>& colors);
-/// Without a valid printer `printers` stays.
+/// Reads printers. Without a valid printer, `printers` is unchanged.
 void read(const QSettings& settings, const QString& key, QList<PrinterPreset>& printers);
 void write(QSettings& settings, const QString& key, const QList<PrinterPreset>& printers);
-/// Texts by name in a group of their own, which a write replaces.
+/// Reads and writes texts by name in a settings group of their own, which writing replaces as a whole.
 void read(const QSettings& settings, const QString& group, QMap<QString, QString>& texts);
 void write(QSettings& settings, const QString& group, const QMap<QString, QString>& texts);
 } // namespace ui::stored

@@ -10,32 +10,32 @@
 
 namespace ui
 {
-/// The spacing of a new user's brush, in radii: dense enough for an even furrow, wide enough that a slow hand does not
-/// dig a hole.
+/// Default spacing of dabs, in radii: dense enough for an even furrow, wide enough that slow strokes do not dig a hole.
 inline constexpr double defaultSpacing = 0.25;
 
-/// The values that each tool has of its own, in the ranges of stroke files.
+/// Values that each tool has of its own, in the ranges of stroke files.
 struct ToolValues
 {
     double strength = core::info(core::Parameter::Strength).defaultValue;
     int falloff = static_cast<int>(core::info(core::Parameter::Falloff).defaultValue);
     double spacing = defaultSpacing;
-    double airbrush = core::defaultAirbrush; ///< dabs a second where the hand rests, if the tool can; 0: none
+    /// dabs per second while the pointer rests, if the tool can airbrush; 0: none
+    double airbrush = core::defaultAirbrush;
     std::shared_ptr<const core::Alpha> alpha;
     bool alphaFollows = false;
-    bool anchored = false; ///< StrokeSettings::anchored
-    /// The radius as a share of the model's longest side; nothing: the tool never had a radius of its own.
+    bool anchored = false; ///< see StrokeSettings::anchored
+    /// radius as a fraction of the model's longest side; none: the tool never had a radius of its own
     std::optional<double> radiusShare;
 
     bool operator==(const ToolValues&) const = default;
 };
 
-/// Puts strength, falloff, spacing, alpha and the anchor into a stroke.
+/// Copies strength, falloff, spacing, alpha and anchoring into a stroke.
 void putInto(core::StrokeSettings& stroke, const ToolValues& values);
-/// Takes them from a stroke.
+/// Copies strength, falloff, spacing, alpha and anchoring from a stroke.
 void takeFrom(const core::StrokeSettings& stroke, ToolValues& values);
 
-/// Remembers the values of every tool while another one is in the hand. Thread: gui.
+/// The values of every tool, kept while another tool is in use. Thread: gui.
 class ToolMemory : public QObject
 {
     Q_OBJECT
@@ -45,23 +45,24 @@ public:
 
     const ToolValues& of(core::Tool tool) const { return m_values[static_cast<std::size_t>(tool)]; }
     void set(core::Tool tool, const ToolValues& values);
-    /// Forgets everything: each tool has the values of a new user's.
+    /// Resets the values of all tools to those of a new user.
     void reset();
 
-    /// Whether strokes of the tool go on where the hand rests. At first those of each tool that can.
+    /// Returns true if the tool's strokes continue while the pointer rests. Initially true for every tool that can
+    /// airbrush.
     bool isAirbrush(core::Tool tool) const { return airbrush(tool) > 0; }
     void setAirbrush(core::Tool tool, bool on);
-    /// Returns the dabs a second where the hand rests; 0: none, or the tool cannot.
+    /// Returns the dabs per second while the pointer rests; 0: airbrush off, or the tool cannot.
     double airbrush(core::Tool tool) const { return core::canAirbrush(tool) ? of(tool).airbrush : 0; }
 
-    /// Whether a change of tool leaves the radius as it is. At first it does.
+    /// Returns true if changing the tool keeps the radius. Initially true.
     bool sharesRadius() const { return m_sharesRadius; }
     void setSharesRadius(bool shares);
 
 Q_SIGNALS:
-    /// set() gave a tool other values.
+    /// set() changed a tool's values.
     void changed(core::Tool tool);
-    /// The values that changed() tells of include the airbrush.
+    /// The airbrush of a tool changed. Emitted after changed().
     void airbrushChanged();
     void sharesRadiusChanged(bool shares);
 

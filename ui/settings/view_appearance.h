@@ -4,16 +4,16 @@
 
 namespace ui
 {
-/// What the clay seems to be made of. Paint shows the colours of the vertices as they are, the others under their own.
+/// Apparent materials of the clay. Paint shows the vertices' own colours unchanged; the other materials tint them.
 enum class Material { Clay, Grey, Wax, Porcelain, Pearl, Skin, Paint };
 
-/// What stands behind the model. Theme is light or dark as the window is.
+/// Backgrounds behind the model. Theme is light or dark like the window.
 enum class Background { Theme, Light, Dark, Sky, White, Black };
 
 template <class T> struct Named
 {
     T value;
-    const char* key; ///< in settings, and behind the dot in an action's id
+    const char* key; ///< name in settings, and part of an action's id after the dot
 };
 
 inline constexpr std::array<Named<Material>, 7> materials{{{Material::Clay, "clay"},
@@ -31,18 +31,18 @@ inline constexpr std::array<Named<Background>, 6> backgrounds{{{Background::Them
                                                                {Background::White, "white"},
                                                                {Background::Black, "black"}}};
 
-/// How the view shows the model; not saved with the model.
+/// Appearance of the model in the view; not saved with the model.
 struct ViewAppearance
 {
     Material material = Material::Clay;
     Background background = Background::Theme;
     bool wireframe = false;
-    bool flat = false; ///< each triangle in one shade
+    bool flat = false; ///< shades each triangle uniformly
     bool ground = true;
     bool scaleBar = true;
     bool navigationCube = true;
-    bool caption = true; ///< of the brush, while VR is worn
-    bool tint = true;    ///< colours what the brush would move
+    bool caption = true; ///< shows the brush's caption while VR is worn
+    bool tint = true;    ///< colours the vertices that the brush would move
     bool cavity = false; ///< darkens valleys, lightens ridges
     bool symmetryPlane = true;
 
