@@ -43,7 +43,7 @@ void BackgroundThread::work()
         m_jobs.pop_front();
         lock.unlock();
         job();
-        job = nullptr; // what it holds may take long to go, too
+        job = nullptr; // destroying the job's captures may take long, so do it unlocked
         lock.lock();
     }
 }

@@ -9,11 +9,11 @@
 
 namespace ui
 {
-/// A thread for long jobs, started by the first one. Jobs run one after the other, in order. As the last member of its
-/// owner it may use all others.
+/// A thread for long jobs, which run one after the other in order. The first job starts it. If it is its owner's last
+/// member, jobs may use all other members.
 ///
-/// Not QtConcurrent, for the reason given at the mailbox: ThreadSanitizer does not see the locks of QThreadPool and of
-/// QFutureWatcher. Besides, QThreadPool gives no thread of its own to jobs that have to be done in order.
+/// QtConcurrent is not used because ThreadSanitizer does not see the locks of QThreadPool and QFutureWatcher (see
+/// ThreadMailbox). Besides, QThreadPool offers no separate thread for jobs that must run in order.
 class BackgroundThread
 {
 public:
@@ -22,10 +22,10 @@ public:
     ~BackgroundThread();
     Q_DISABLE_COPY_MOVE(BackgroundThread)
 
-    /// Queues a job for this thread. Thread: any.
+    /// Queues a job. Thread: any.
     void run(std::function<void()> job);
-    /// Runs work() on this thread, then onDone(result) in the event loop of the thread that made this object.
-    /// Thread: any.
+    /// Runs work() on this object's thread, then onDone(result) in the event loop of the thread that created the
+    /// object. Thread: any.
     template <class Work, class OnDone> void run(Work work, OnDone onDone)
     {
         run([this, work = std::move(work), onDone = std::move(onDone)]() mutable {
@@ -34,14 +34,14 @@ public:
                 [onDone = std::move(onDone), result = std::move(result)]() mutable { onDone(std::move(*result)); });
         });
     }
-    /// Drops the jobs that have not begun.
+    /// Discards the jobs that have not started.
     void drop();
 
 private:
     void work();
 
     ThreadMailbox m_mail;
-    std::mutex m_mutex; ///< of the next three
+    std::mutex m_mutex; ///< protects the next three members
     std::condition_variable m_wake;
     std::deque<std::function<void()>> m_jobs;
     bool m_isEnding = false;

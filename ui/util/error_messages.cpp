@@ -42,13 +42,13 @@ QString token(const core::FileError& error)
     return QString::fromLatin1(error.token);
 }
 
-/// Returns "STL" of a.stl, and of a.stl~1, an earlier version of it.
+/// Returns "STL" for a.stl, and also for its backup a.stl~1.
 QString formatOf(const std::filesystem::path& path)
 {
     return displayName(path.extension()).sliced(1).section(u'~', 0, 0).toUpper();
 }
 
-/// Lists what was left out and another program would show.
+/// Returns the kinds of content that were left out although other programs would show them.
 QStringList leftOut(const core::ReadRemarks& remarks)
 {
     QStringList left;
@@ -63,7 +63,7 @@ QStringList leftOut(const core::ReadRemarks& remarks)
     return left;
 }
 
-/// Says why something is not the number that its place needs.
+/// Returns why the token is not the number expected at its place.
 QString notThatNumber(const core::FileError& error, const QString& where)
 {
     bool isNumber = false;
@@ -244,7 +244,7 @@ QString ErrorMessages::range(core::Parameter parameter, double min, double max)
         .arg(name(parameter), figure(min), figure(max));
 }
 
-/// What is wrong with a file before its content matters.
+/// Returns the message for a problem found before the file's content is parsed, else an empty text.
 QString ErrorMessages::reading(const core::FileError& error)
 {
     const QString path = nativePath(error.path);

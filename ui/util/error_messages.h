@@ -15,44 +15,44 @@ struct ReadRemarks;
 
 namespace ui
 {
-/// core's kinds in words: one sentence each, plain text, for dialogs and for the command line alike. Any thread.
+/// Turns error kinds of core into plain translated sentences, for dialogs and the command line. Thread: any.
 class ErrorMessages
 {
     Q_DECLARE_TR_FUNCTIONS(ui::ErrorMessages)
 
 public:
-    /// File, place and reason.
+    /// Returns a sentence with file, place and reason.
     static QString sentence(const core::FileError& error);
-    /// Why a model of that file name is not sculpted, with counts; `report` is not print-ready.
+    /// Returns why the model cannot be sculpted, with counts. Precondition: `report` is not print-ready.
     static QString refusal(const QString& file, const core::MeshReport& report);
-    /// The same of a model that was to be a brush's shape.
+    /// Returns why the model cannot be a brush's shape, with counts. Precondition: `report` is not print-ready.
     static QString brushRefusal(const QString& file, const core::MeshReport& report);
-    /// Nothing is wrong with the model, but that many of its faces would meet where the lattice puts them.
+    /// Returns the message for a sound model of which this many faces would intersect after snapping to the lattice.
     static QString tooFine(const QString& file, quint64 faces);
-    /// In the unit or of the size that was asked for.
+    /// Returns the message for a model that is too large in the requested unit or size.
     static QString tooLarge(const QString& file);
-    /// What is wrong with a model that is not print-ready: a list with counts, no sentence.
+    /// Returns the faults of a model that is not print-ready, as a list with counts rather than a sentence.
     static QString faults(const core::MeshReport& report);
-    /// What a slicer may take a model of that volume (mm^3) for. Empty if it has a size that is usual.
+    /// Returns how a slicer may misread the unit of a model of this volume, mm^3. Empty if its size is usual.
     static QString unitDoubt(double volume);
-    /// What of a file is not in its model; empty if all is.
+    /// Returns which data of a file are not in the model; empty if none.
     static QString remarks(const QString& file, const core::ReadRemarks& remarks);
-    /// What the brush did not do, and why. Empty if it did all.
+    /// Returns what the brush did not do, and why. Empty if it did everything.
     static QString shortfall(core::Shortfall shortfall);
-    /// Of a mirrored stroke on a model that is not its own mirror image.
+    /// Returns the message for a mirrored stroke on a model that is not symmetric.
     static QString asymmetric();
     static QString sequentialSectors();
 
-    /// The ending is none that drawings have.
+    /// Returns the message for a file name without an extension of drawings.
     static QString notADrawing(const QString& path);
-    /// The same of class reports, and of sheets for several models.
+    /// Messages for a file name without an extension of class reports, or of sheets for several models.
     static QString notAReport(const QString& path);
     static QString notABook(const QString& path);
-    /// A reference image's file holds no image that can be read, or is gone.
+    /// Messages for a reference image's file that contains no readable image, or no longer exists.
     static QString notAPicture(const QString& path);
     static QString missingReference(const QString& path);
     static QString name(core::Parameter parameter);
-    /// What it can be, if somebody asked for more or less.
+    /// Returns the parameter's range, for a user whose value was out of range.
     static QString range(core::Parameter parameter, double min, double max);
 
 private:

@@ -7,17 +7,17 @@
 
 namespace ui
 {
-/// Says what is wrong with a malformed file: what was expected, what was found, where. Any thread.
+/// Describes the fault of a malformed file: what was expected, what was found, and where. Thread: any.
 class FileFaultMessages
 {
     Q_DECLARE_TR_FUNCTIONS(ui::FileFaultMessages)
 
 public:
-    /// Returns one sentence. `where`: the file's name, with line or byte.
+    /// Returns one sentence. `where`: the file's name with line or byte.
     static QString sentence(const core::FileError& error, const QString& where);
 
 private:
-    /// Returns what was expected; an empty text if the fault does not say it. Likewise the functions below.
+    /// Each of these functions returns the text for its own faults, and an empty text for all other faults.
     static QString expected(const core::FileError& error);
     static QString ofModel(const core::FileError& error, const QString& where);
     static QString ofGltf(const core::FileError& error, const QString& where);

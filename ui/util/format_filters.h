@@ -4,21 +4,21 @@
 
 namespace ui
 {
-/// Of the files that models are read from: lower case, without dot.
+/// Returns the extensions of readable model files: lower case, without dot.
 QStringList modelEndings();
-/// Of those that they are written to, too.
+/// Returns the extensions of model files that can also be written.
 QStringList writtenEndings();
-/// "STL, OBJ, PLY", or "STL, OBJ, PLY and others": for sentences.
+/// Return the formats for use in a sentence: "STL, OBJ, PLY", or "STL, OBJ, PLY and others".
 QString modelFormats();
 QString writtenFormats();
-/// Returns "html" and "pdf", the endings of class reports.
+/// Returns "html" and "pdf", the extensions of class reports.
 QStringList reportEndings();
-/// Returns the ending of the files of classes.
+/// Returns the extension of class files.
 QString classEnding();
-/// Returns whether a file is a class's, by its ending.
+/// Returns true if the file's extension is that of class files.
 bool isClassFile(const QString& path);
-/// Whether a model can be written under that name, by its ending.
+/// Returns true if a model can be written under this name, by its extension.
 bool isWritten(const QString& path);
-/// A file of that name holds all of a document: GLB.
+/// Returns true if a file of this name can store a whole document: GLB.
 bool isDocumentFormat(const QString& path);
 } // namespace ui

@@ -19,7 +19,8 @@ bool isHidden(const fs::path& name)
     return name.native().starts_with('.');
 }
 
-/// What may not even be looked at counts as a file: reading it says why not.
+/// Returns true for a regular file. An entry that may not be examined also counts, so that reading it reports the
+/// reason.
 bool mayBeFile(const fs::directory_entry& entry)
 {
     std::error_code problem;
@@ -48,7 +49,7 @@ QString displayName(const fs::path& path)
     return QString::fromUtf8(reinterpret_cast<const char*>(bytes.data()), static_cast<qsizetype>(bytes.size()));
 }
 
-/// Where no language is set there is no order but the bytes': then it is English.
+/// Returns the collator. Without a language set (C locale) it uses English, because the C locale sorts by bytes.
 QCollator nameCollator()
 {
     QCollator collator(QLocale().language() == QLocale::C ? QLocale(QLocale::English) : QLocale());

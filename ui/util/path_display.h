@@ -8,18 +8,18 @@
 
 namespace ui
 {
-/// A name or path of the disk for people to read. A name may be no UTF-8; what cannot be shown of it has U+FFFD in its
-/// place.
+/// Returns a file name or path for display. Bytes that are not UTF-8 appear as U+FFFD.
 QString displayName(const std::filesystem::path& path);
 
-/// Sorts names as people expect: a2 before a10, ignoring case, by the user's language. One thread.
+/// Returns a collator that sorts names as users expect: a2 before a10, ignoring case, by the user's language. Thread:
+/// only one may use the object.
 QCollator nameCollator();
 
-/// By their names alone; of equal ones by the whole path.
+/// Sorts by file name; equal names by the whole path.
 void sortByName(QList<std::filesystem::path>& files);
 
-/// The model files of a folder, at least one, by name, with the folder before their names. Those in folders further
-/// down, hidden ones, and what only is named like a model (a folder, a device) are left out. A name that is no UTF-8 is
-/// reached by its path all the same. Throws core::FileError: NotFound, FolderNotReadable, NoModel. Any thread.
+/// Returns the paths of the model files in a folder, at least one, sorted by name. Excludes subfolders, hidden files,
+/// and folders or devices with the name of a model. Names that are not UTF-8 work. Throws core::FileError: NotFound,
+/// FolderNotReadable, NoModel. Thread: any.
 QList<std::filesystem::path> modelsIn(const std::filesystem::path& folder);
 } // namespace ui

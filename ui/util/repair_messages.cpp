@@ -10,10 +10,10 @@ namespace ui
 {
 namespace
 {
-/// Three digits that count.
+/// Returns a length in mm with three significant digits.
 QString shortMillimetres(double length)
 {
-    constexpr double min = 5e-7; // that is seen of six decimals
+    constexpr double min = 5e-7; // smallest length that six decimals show, mm
     if (length < min)
         return QLocale().toString(0);
     const int decimals = std::clamp(2 - static_cast<int>(std::floor(std::log10(length))), 0, 6);

@@ -7,8 +7,8 @@
 
 namespace ui
 {
-/// Shows the file in the desktop's program for files, or its folder where that program cannot point at files. Returns
-/// at once; `refused` is called, with a sentence, where there is no such program, unless `context` is gone.
-/// Thread: gui.
+/// Shows the file in the desktop's file manager, or opens its folder if the file manager cannot select files. Returns
+/// at once. Calls `refused` with a sentence if there is no file manager, unless `context` has been destroyed. Thread:
+/// gui.
 void revealFile(const QString& path, QObject* context, const std::function<void(const QString&)>& refused);
 } // namespace ui

@@ -8,7 +8,7 @@ namespace ui
 {
 namespace
 {
-/// Six digits: enough to see on which side of a bound a value is.
+/// Returns six significant digits, enough to show on which side of a limit the value is.
 QString number(double value)
 {
     return QString::number(value, 'g', 6);

@@ -10,7 +10,8 @@ void ThreadMailbox::post(Task task)
         const std::lock_guard lock(m_mutex);
         m_tasks.push_back(std::move(task));
     }
-    QMetaObject::invokeMethod(this, "open", Qt::QueuedConnection); // by name: a functor would lie in Qt's queue
+    // called by name, because a functor would be stored in Qt's queue
+    QMetaObject::invokeMethod(this, "open", Qt::QueuedConnection);
 }
 
 /// Runs one task: every post() queues one call. The task may run a nested event loop, which then runs later tasks.

@@ -8,12 +8,12 @@
 
 namespace ui
 {
-/// How other threads reach the one that made it: what they post is run there, by its event loop, among its other events
-/// in the order of posting. What waits when the mailbox goes is dropped.
+/// Runs tasks from other threads in the event loop of the thread that created the mailbox, in the order of posting,
+/// among its other events. Tasks still waiting at destruction are discarded.
 ///
-/// QMetaObject::invokeMethod() would do, but Qt is not built for ThreadSanitizer, which cannot see the locks of Qt's
-/// event queue and would report all that a closure carries. Here tasks change threads under a mutex that it sees; Qt's
-/// queue carries only the wake-up.
+/// QMetaObject::invokeMethod() alone would suffice, but Qt is not built for ThreadSanitizer, which cannot see the locks
+/// of Qt's event queue and would report all data that a closure carries. Here tasks change threads under a std::mutex,
+/// which ThreadSanitizer sees. Qt's queue carries only the wake-up.
 class ThreadMailbox : public QObject
 {
     Q_OBJECT
@@ -23,7 +23,7 @@ public:
 
     using QObject::QObject;
 
-    /// Any thread; returns at once.
+    /// Queues a task and returns at once. Thread: any.
     void post(Task task);
 
 private:
