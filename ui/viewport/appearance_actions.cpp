@@ -28,7 +28,7 @@ constexpr Switch switches[] = {{"view.wireframe", &ViewAppearance::wireframe},
                                {"view.navigationCube", &ViewAppearance::navigationCube},
                                {"view.caption", &ViewAppearance::caption}};
 
-/// Shows it, and keeps it for the next start.
+/// Connects actions with the viewport's appearance, and stores each change in the settings.
 class AppearanceActions
 {
 public:

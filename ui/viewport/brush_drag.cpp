@@ -14,7 +14,7 @@ namespace ui
 namespace
 {
 constexpr double strengthPerPixel = 0.005;
-constexpr int labelDistance = 24; ///< of the word from the ring
+constexpr int labelDistance = 24; ///< pixels between ring and label
 } // namespace
 
 BrushDrag::BrushDrag(BrushSettings* brush, Viewport* viewport) : QLabel(viewport), m_brush(brush), m_viewport(viewport)
@@ -59,7 +59,7 @@ bool BrushDrag::eventFilter(QObject* watched, QEvent* event)
             return true;
         }
         break;
-    case QEvent::ShortcutOverride: // Esc is a command's, else
+    case QEvent::ShortcutOverride: // claims Esc, which would otherwise trigger an action
     case QEvent::KeyPress:
         if (isActive() && handleKey(static_cast<QKeyEvent*>(event)->key())) {
             event->accept();
@@ -88,7 +88,8 @@ bool BrushDrag::handleKey(int key)
     return true;
 }
 
-/// The release of the press that ended it is nobody else's.
+/// Handles a pointer event; returns true if it is consumed. Also consumes the release of the press that ended the
+/// change.
 bool BrushDrag::handlePointer(const QSinglePointEvent& event)
 {
     if (event.isEndEvent())
@@ -104,7 +105,7 @@ bool BrushDrag::handlePointer(const QSinglePointEvent& event)
     return true;
 }
 
-/// The ring's edge goes as far as the pointer does.
+/// Changes the value by the pointer's movement. A change of radius moves the ring's edge as far as the pointer.
 void BrushDrag::moveTo(double x)
 {
     const core::Parameter parameter = *m_parameter;
@@ -143,7 +144,7 @@ void BrushDrag::showValue()
     place();
 }
 
-/// Beside the ring, below where the pointer that draws its rim is.
+/// Puts the label beside the ring and lower than the pointer, which is at the ring's edge.
 void BrushDrag::place()
 {
     const bool isRadius = *m_parameter == core::Parameter::Radius;

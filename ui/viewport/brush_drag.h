@@ -12,18 +12,19 @@ namespace ui
 {
 class Viewport;
 
-/// Changes a value of the brush by moving the pointer over the view, no button held: a click or Return keeps it, Esc or
-/// the right button goes back. The ring stays where it is and shows the radius; the word beside it shows the value.
-/// Thread: gui.
+/// Changes a value of the brush by moving the pointer over the view without a button. A click or Return accepts the
+/// value; Esc or the right button restores the old one. Meanwhile the brush's ring stays in place and shows the radius;
+/// this label beside it shows the value. Thread: gui.
 class BrushDrag : public QLabel
 {
     Q_OBJECT
 
 public:
-    /// The view is the label's parent; the brush is not owned.
+    /// The viewport is the label's parent; the brush is not owned.
     BrushDrag(BrushSettings* brush, Viewport* viewport);
 
-    /// Of Radius or Strength. While one goes on it is kept; nothing happens while a stroke is open.
+    /// Starts changing `parameter`, which must be Radius or Strength. If a change is already in progress, accepts it
+    /// instead. No effect while a stroke is open.
     void begin(core::Parameter parameter);
     bool isActive() const { return m_parameter.has_value(); }
 
@@ -41,10 +42,11 @@ private:
 
     BrushSettings* m_brush;
     Viewport* m_viewport;
-    std::optional<core::Parameter> m_parameter; ///< while it goes on
-    std::optional<double> m_from;               ///< x of the first move
-    QPoint m_center;                            ///< of the ring, in the view
+    std::optional<core::Parameter> m_parameter; ///< parameter being changed; none: inactive
+    std::optional<double> m_from;               ///< x of the first pointer move, pixels
+    QPoint m_center;                            ///< centre of the ring in the view, pixels
     double m_before = 0;
-    bool m_releaseFollows = false; ///< of the press that ended it
+    /// the release of the mouse press that ended the change is still to come, and must be swallowed
+    bool m_releaseFollows = false;
 };
 } // namespace ui

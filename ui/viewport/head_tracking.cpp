@@ -8,8 +8,9 @@ namespace ui
 {
 namespace
 {
-constexpr double timeConstant = 0.3; ///< seconds; a class can watch it without getting sick
-constexpr int steepness = 15;        ///< odd: only who looks straight up or down is turned by the crown of the head
+constexpr double timeConstant = 0.3; ///< seconds; slow enough to watch without motion sickness
+/// odd; makes the top of the head determine the yaw only if the head looks almost straight up or down
+constexpr int steepness = 15;
 } // namespace
 
 OrbitCamera::Pose headTrackingStep(const OrbitCamera& camera, const Eigen::Isometry3d& head, double seconds)

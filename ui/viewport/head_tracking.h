@@ -6,7 +6,7 @@
 
 namespace ui
 {
-/// Where the camera is so many seconds later on its way to where that head is and looks (see HeadsetAvatar): smoothed,
-/// and level however the head is tilted. The result does not depend on the number of steps.
+/// Returns the camera's pose `seconds` later on its smoothed way to the position and direction of a head (see
+/// HeadsetAvatar). The pose stays level even if the head is tilted. The result does not depend on the number of steps.
 OrbitCamera::Pose headTrackingStep(const OrbitCamera& camera, const Eigen::Isometry3d& head, double seconds);
 } // namespace ui

@@ -19,9 +19,9 @@ struct InputActionsContext
     std::function<void(const QString&)> notice; ///< shows a short notice
 };
 
-/// Actions for pointer input in the view: values by moving the pointer, the steady stroke, adding a ball, the keyboard
-/// cursor, and the turntable with its panel. What is to be remembered is taken from the settings now and written there
-/// when it changes. None is owned.
+/// Connects the actions for pointer input in the view: brush values by moving the pointer, the steady stroke, adding a
+/// ball, the keyboard cursor, and the turntable with its panel. Loads stored values from the settings now, and stores
+/// changes there. No argument is owned.
 void connectInputActions(const InputActionsContext& context, BrushSettings* brush, Settings* settings,
                          const Actions& actions);
 } // namespace ui

@@ -10,10 +10,11 @@ namespace ui
 {
 namespace
 {
-constexpr double firstStep = 0.125, maxStep = 0.5; ///< of the brush's radius
-constexpr double minStep = 1;                      ///< pixel
-constexpr double growth = 1.25;                    ///< of the step, each time that a held key comes again
-constexpr double sampleStep = 4; ///< pixels: a hand that steps farther is read on its way, as a mouse is
+constexpr double firstStep = 0.125, maxStep = 0.5; ///< distance of a key press in radii of the brush
+constexpr double minStep = 1;                      ///< smallest distance of a key press, pixels
+constexpr double growth = 1.25;                    ///< factor on the distance at each repetition of a held key
+/// pixels between the samples that a longer step is divided into, as a mouse would deliver
+constexpr double sampleStep = 4;
 
 OrbitCamera::Pixel directionOf(int key)
 {
@@ -101,7 +102,7 @@ void KeyboardCursor::releaseAll()
     Q_EMIT changed();
 }
 
-/// Two keys at a time go aslant.
+/// Moves the cursor by one key press. Two arrow keys held together move it diagonally.
 void KeyboardCursor::step(const QKeyEvent& key)
 {
     const double first = std::max(minStep, firstStep * m_bounds.brush);

@@ -6,9 +6,9 @@ class QKeyEvent;
 
 namespace ui
 {
-/// A pointer for users of the keyboard alone: the arrow keys move it, and it presses as the left button does while
-/// Space is held, or from one Return to the next for users who cannot hold a key and press another. On the model that
-/// is a stroke, beside it the view turns. No widget. Thread: gui.
+/// A pointer for users who have only a keyboard. Arrow keys move it. It acts like the left mouse button while Space is
+/// held, or from one Return to the next for users who cannot hold a key while pressing another. On the model this makes
+/// a stroke, beside it the view turns. Not a widget. Thread: gui.
 class KeyboardCursor : public QObject
 {
     Q_OBJECT
@@ -18,28 +18,28 @@ public:
     explicit KeyboardCursor(PointerInput* input, QObject* parent = nullptr);
 
     bool isOn() const { return m_isOn; }
-    /// At first, and where the view has become smaller, it is brought into the view. Off, it is released.
+    /// Turns the cursor on or off. Turning it on moves it into the view; turning it off releases its button.
     void setOn(bool on);
 
-    /// In pixels.
+    /// Sizes that limit and scale the cursor's movement, logical pixels.
     struct Bounds
     {
-        OrbitCamera::Pixel view{1, 1}; ///< its width and height: the cursor stays inside
-        double brush = 1;              ///< the brush's radius: a key that is pressed once goes a part of that
+        OrbitCamera::Pixel view{1, 1}; ///< width and height of the view, which the cursor cannot leave
+        double brush = 1;              ///< radius of the brush; a single key press moves by a fraction of it
     };
     void setBounds(const Bounds& bounds);
 
-    /// False: the key means nothing here.
+    /// Handles a key press. Returns false if the key has no meaning for the cursor.
     bool press(const QKeyEvent& key);
     bool release(const QKeyEvent& key);
-    /// Releases the pointer, as at the end of a press, and all keys.
+    /// Releases the cursor's button and all keys.
     void releaseAll();
 
     const OrbitCamera::Pixel& at() const { return m_at; }
     bool isDown() const { return m_isDown; }
 
 Q_SIGNALS:
-    /// It is on or off, elsewhere, down or up.
+    /// The cursor was turned on or off, moved, pressed or released.
     void changed();
 
 private:
@@ -51,10 +51,10 @@ private:
 
     PointerInput* m_input;
     bool m_isOn = false, m_isDown = false;
-    bool m_isPlaced = false; ///< somewhere, ever
+    bool m_isPlaced = false; ///< the cursor has been placed in the view at least once
     Bounds m_bounds;
     OrbitCamera::Pixel m_at{0, 0};
-    double m_step = 0;   ///< pixels; grows while a key is held
-    QList<int> m_arrows; ///< that are held
+    double m_step = 0;   ///< distance per key press, pixels; grows while a key is held
+    QList<int> m_arrows; ///< arrow keys that are held
 };
 } // namespace ui

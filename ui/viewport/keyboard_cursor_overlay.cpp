@@ -6,7 +6,7 @@ namespace ui
 {
 namespace
 {
-// Pixels.
+// Lengths in pixels.
 constexpr int overlaySide = 33;
 constexpr double arm = 14, hole = 5;
 } // namespace
@@ -27,7 +27,7 @@ void KeyboardCursorOverlay::place(const QPointF& at, bool down)
     update();
 }
 
-/// Light on dark: it is seen on every clay. Down, the hole in its middle is closed to a ring.
+/// Draws a light cross with dark edges, to be visible on every material. A pressed cursor has a ring in its middle.
 void KeyboardCursorOverlay::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);

@@ -4,7 +4,7 @@
 
 namespace ui
 {
-/// Shows where the keyboard cursor is; over its parent, transparent for the mouse.
+/// A cross at the keyboard cursor's position; drawn over its parent and transparent for the mouse.
 class KeyboardCursorOverlay : public QWidget
 {
     Q_OBJECT
@@ -12,7 +12,7 @@ class KeyboardCursorOverlay : public QWidget
 public:
     explicit KeyboardCursorOverlay(QWidget* parent);
 
-    /// In the parent's pixels. `down`: it is pressed.
+    /// Moves the cross to `at` in the parent's pixels. `down`: draw it as pressed.
     void place(const QPointF& at, bool down);
 
 protected:

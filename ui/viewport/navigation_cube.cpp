@@ -18,12 +18,13 @@ namespace
 using core::Vec3;
 using Side = OrbitCamera::Side;
 
-constexpr int extent = 88;          ///< of the widget, logical pixels
-constexpr double halfEdge = 25;     ///< of the cube: its corners stay within the widget
-constexpr double leastSlant = 0.15; ///< a face that is seen from nearer to its edge has no word
+constexpr int extent = 88; ///< width and height of the widget, logical pixels
+/// half of the cube's edge, pixels; its corners stay within the widget at any rotation
+constexpr double halfEdge = 25;
+constexpr double leastSlant = 0.15; ///< smallest slant at which a face has a label
 constexpr double degreesPerPixel = 1;
 
-/// A face of the cube as who looks at it sees it.
+/// Axes of a face of the cube, as seen when looking at it.
 struct FaceAxes
 {
     Side side;
@@ -110,10 +111,10 @@ void NavigationCube::paintEvent(QPaintEvent*)
         paint(face, painter);
 }
 
-/// Lays the word over the face as if it were written there.
+/// Draws a face, with its label projected onto it.
 void NavigationCube::paint(const Face& face, QPainter& painter) const
 {
-    constexpr double flat = 100, most = 84; // side of the face and width limit of its word, before projection
+    constexpr double flat = 100, most = 84; // side of the face and largest width of its label, before projection
     const bool isHovered = m_hovered == face.side;
     QColor fill = m_light ? QColor(70, 75, 82) : QColor(250, 251, 252);
     fill = m_light ? fill.lighter(100 + static_cast<int>(40 * face.slant))

@@ -10,8 +10,8 @@
 
 namespace ui
 {
-/// A cube that stands as the model does, in the upper right corner of its parent: a click on a face looks from there,
-/// a drag turns the view. Thread: gui.
+/// A cube in the upper right corner of its parent that is oriented like the model. Clicking a face chooses a view from
+/// that side; dragging turns the view. Thread: gui.
 class NavigationCube : public QWidget
 {
     Q_OBJECT
@@ -20,13 +20,13 @@ public:
     explicit NavigationCube(QWidget* parent);
 
     void showFor(const OrbitCamera& camera);
-    /// Light on a dark background.
+    /// Chooses light colours, for a dark background.
     void setLight(bool light);
 
 Q_SIGNALS:
     void entered();
     void sideChosen(ui::OrbitCamera::Side side);
-    /// Asks to turn the view by degrees, to the right and down.
+    /// The user asked to turn the view by these angles in degrees, to the right and down.
     void turned(double right, double down);
 
 protected:
@@ -38,12 +38,12 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    /// A face that is seen.
+    /// A visible face of the cube.
     struct Face
     {
         OrbitCamera::Side side;
-        QPolygonF corners; ///< upper left of its word first, clockwise
-        double slant = 0;  ///< 1 if it faces the eye, 0 if it is seen from its edge
+        QPolygonF corners; ///< corners in the widget, pixels, clockwise from the upper left of the face's label
+        double slant = 0;  ///< 1 if the face is turned towards the eye, 0 if it is seen edge-on
     };
 
     std::optional<OrbitCamera::Side> sideAt(const QPointF& point) const;
@@ -52,7 +52,7 @@ private:
     void place();
 
     std::vector<Face> m_faces;
-    core::Vec3 m_right = core::Vec3::Zero(), m_up = core::Vec3::Zero(); ///< of the camera
+    core::Vec3 m_right = core::Vec3::Zero(), m_up = core::Vec3::Zero(); ///< directions of the camera
     std::optional<OrbitCamera::Side> m_hovered;
     QPointF m_pressed, m_last;
     bool m_isDragged = false;

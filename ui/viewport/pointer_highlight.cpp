@@ -8,11 +8,13 @@ namespace ui
 {
 namespace
 {
-constexpr int lightSide = 72;                                ///< pixels; the ring at its widest is within
+/// width and height of the widget, pixels; contains the ring at its largest
+constexpr int lightSide = 72;
 constexpr double spotRadius = 7, minRing = 12, maxRing = 32; ///< pixels
 constexpr int frameMs = 40;
-constexpr double pulseMs = 1200, stillPulse = 0.4; ///< as in the headset
-constexpr QColor lightColor(160, 255, 70);         ///< nothing else has it; as in the headset
+/// duration of the ring's animation, and its fixed progress without animation, as in the headset
+constexpr double pulseMs = 1200, stillPulse = 0.4;
+constexpr QColor lightColor(160, 255, 70); ///< a colour that nothing else has; as in the headset
 } // namespace
 
 PointerHighlight::PointerHighlight(QWidget* parent) : QWidget(parent)
@@ -43,7 +45,7 @@ void PointerHighlight::setReducesMotion(bool reducesMotion)
     m_reducesMotion = reducesMotion;
 }
 
-/// Light between dark edges: it is seen on every clay.
+/// Draws light shapes between dark edges, to be visible on every material.
 void PointerHighlight::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);

@@ -8,8 +8,8 @@
 
 namespace ui
 {
-/// Highlights the place that a user points at: a bright spot with a ring that spreads, over its parent, transparent for
-/// the mouse.
+/// Highlights the place that a user points at: a bright spot with a ring that spreads. Drawn over its parent and
+/// transparent for the mouse.
 class PointerHighlight : public QWidget
 {
     Q_OBJECT
@@ -17,16 +17,16 @@ class PointerHighlight : public QWidget
 public:
     explicit PointerHighlight(QWidget* parent);
 
-    /// Of its middle, in the parent's pixels; nothing: it is hidden.
+    /// Moves the highlight's centre, in the parent's pixels; none hides it.
     void place(const std::optional<QPointF>& middle);
-    /// The ring stands still.
+    /// Stops the ring's animation.
     void setReducesMotion(bool reducesMotion);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    double m_pulse = 0; ///< 0 to 1: how far the ring has come
+    double m_pulse = 0; ///< progress of the ring's animation, 0 to 1
     bool m_reducesMotion = false;
     QTimer m_timer;
 };

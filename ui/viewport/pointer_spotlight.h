@@ -6,8 +6,8 @@
 
 namespace ui
 {
-/// Lets the pointer show a place of the model to others instead of sculpting. Escape ends it, and so does any other
-/// mode of the pointer. Thread: gui.
+/// A mode in which the pointer shows others a place of the model instead of sculpting. Escape or any other pointer mode
+/// ends it. Thread: gui.
 class PointerSpotlight : public QObject
 {
     Q_OBJECT
@@ -18,20 +18,20 @@ public:
 
     void setOn(bool on);
     bool isOn() const { return m_input->mode() == PointerMode::Point; }
-    /// Restarts the time after which a resting pointer points at nothing. Call when the pointer moves.
+    /// Restarts the time after which a resting pointer shows no place. Must be called when the pointer moves.
     void restartTimer();
-    /// The place as it was reported last.
+    /// Returns the place reported last.
     const std::optional<core::SurfaceHit>& place() const { return m_place; }
 
 Q_SIGNALS:
-    /// Nothing: the pointer has left the model, or has rested for a while.
+    /// The place changed. None: the pointer has left the model, or has rested for 4 seconds.
     void pointed(const std::optional<core::SurfaceHit>& place);
 
 private:
     void report();
 
     PointerInput* m_input;
-    QTimer m_timer; ///< runs out while the pointer rests
+    QTimer m_timer; ///< runs out when the pointer has rested for 4 seconds
     std::optional<core::SurfaceHit> m_place;
 };
 } // namespace ui

@@ -14,11 +14,11 @@ namespace ui
 {
 namespace
 {
-constexpr double longest = 140;                   ///< pixels
+constexpr double longest = 140;                   ///< longest bar, pixels
 constexpr int margin = 16, between = 4, tick = 8; ///< pixels
-constexpr double minText = 0.001, maxText = 1e6;  ///< mm; beyond them nobody reads it
+constexpr double minText = 0.001, maxText = 1e6;  ///< mm; a longer or shorter bar is not shown
 
-/// The largest of 1, 2, 5 times a power of ten that is no more.
+/// Returns the largest number up to `length` that is 1, 2 or 5 times a power of ten.
 double roundedDown(double length)
 {
     const double power = std::pow(10.0, std::floor(std::log10(length)));

@@ -6,8 +6,8 @@ namespace ui
 {
 class OrbitCamera;
 
-/// A length in mm as long as the model's own: in orthographic views everywhere, in perspective at the depth of the
-/// point that the view turns about. Stands in the lower left corner of its parent; the mouse goes through it.
+/// A bar with its length in mm, at the scale of the model: in orthographic views everywhere, in perspective at the
+/// depth of the pivot. In the lower left corner of its parent; transparent for the mouse.
 class ScaleBar : public QWidget
 {
     Q_OBJECT
@@ -16,11 +16,11 @@ public:
     explicit ScaleBar(QWidget* parent);
 
     void showFor(const OrbitCamera& camera);
-    /// Light on a dark background.
+    /// Chooses light colours, for a dark background.
     void setLight(bool light);
 
-    double millimetres() const { return m_millimetres; } ///< 1, 2 or 5 times a power of ten
-    double pixels() const { return m_pixels; }           ///< logical
+    double millimetres() const { return m_millimetres; } ///< length of the bar, mm: 1, 2 or 5 times a power of ten
+    double pixels() const { return m_pixels; }           ///< length of the bar, logical pixels
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -27,7 +27,7 @@ void StabilizerLine::setLine(const QLineF& line)
     update();
 }
 
-/// Light on dark: it is seen on every clay.
+/// Draws a light line with dark edges, to be visible on every material.
 void StabilizerLine::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);

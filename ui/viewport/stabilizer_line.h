@@ -5,7 +5,7 @@
 
 namespace ui
 {
-/// The line of a steady stroke, from the pointer to the brush; over its parent, transparent for the mouse.
+/// The line of a steady stroke from pointer to brush; drawn over its parent and transparent for the mouse.
 class StabilizerLine : public QWidget
 {
     Q_OBJECT
@@ -13,7 +13,7 @@ class StabilizerLine : public QWidget
 public:
     explicit StabilizerLine(QWidget* parent);
 
-    /// In the parent's pixels; a line without length is not shown.
+    /// Sets the line in the parent's pixels. A line of length 0 is hidden.
     void setLine(const QLineF& line);
 
 protected:

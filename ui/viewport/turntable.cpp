@@ -9,8 +9,9 @@ namespace ui
 {
 namespace
 {
-constexpr std::chrono::milliseconds interval(16); ///< a frame
-constexpr double maxStepSeconds = 0.1;            ///< seconds; a window that stood still does not jump afterwards
+constexpr std::chrono::milliseconds interval(16); ///< about one frame
+/// longest step, seconds, so that the model does not jump after the window was blocked
+constexpr double maxStepSeconds = 0.1;
 } // namespace
 
 Turntable::Turntable(QObject* parent) : QObject(parent)

@@ -8,7 +8,7 @@
 
 namespace ui
 {
-/// Turns the model under the pointer while it is on, by small timed steps. Thread: gui.
+/// Turns the model about the Y axis in small timed steps while it is on. Thread: gui.
 class Turntable : public QObject
 {
     Q_OBJECT
@@ -18,16 +18,16 @@ public:
 
     bool isOn() const { return m_timer.isActive(); }
     void setOn(bool on);
-    /// In degrees a second, clamped to minTurn to maxTurn.
+    /// Returns the speed in degrees per second, which is clamped to [minTurn, maxTurn].
     double speed() const { return m_speed; }
     void setSpeed(double speed);
-    /// Seen from above.
+    /// Returns true if the model turns clockwise, seen from above.
     bool isClockwise() const { return m_isClockwise; }
     void setClockwise(bool clockwise);
 
 Q_SIGNALS:
     void changed();
-    /// By so many radians, anticlockwise seen from above, in so many seconds.
+    /// The model should turn by `angle` radians, anticlockwise seen from above, for the last `seconds`.
     void turned(double angle, double seconds);
 
 private:

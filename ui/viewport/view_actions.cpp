@@ -16,7 +16,7 @@ struct SideAction
     OrbitCamera::Side side;
 };
 constexpr double turnStep = 15;   ///< degrees
-constexpr double zoomStep = 0.87; ///< as a notch of the wheel
+constexpr double zoomStep = 0.87; ///< factor on the distance, as for one notch of the mouse wheel
 
 struct TurnAction
 {
@@ -32,7 +32,7 @@ constexpr SideAction sideActions[] = {
     {"view.front", OrbitCamera::Side::Front}, {"view.back", OrbitCamera::Side::Back},
     {"view.right", OrbitCamera::Side::Right}, {"view.left", OrbitCamera::Side::Left},
     {"view.top", OrbitCamera::Side::Top},     {"view.bottom", OrbitCamera::Side::Bottom}};
-/// Goes to the keyboard cursor, else to the middle of the view.
+/// Zooms towards the keyboard cursor if it is on, else towards the centre of the view.
 void zoomByKey(Viewport* viewport, double factor)
 {
     const KeyboardCursor* cursor = viewport->keyboardCursor();

@@ -5,6 +5,6 @@ namespace ui
 class Actions;
 class Viewport;
 
-/// The View menu's actions move the view.
+/// Connects the actions of the View menu that move the view.
 void connectView(const Actions& actions, Viewport* viewport);
 } // namespace ui

@@ -11,9 +11,10 @@ namespace ui
 namespace
 {
 constexpr int flightMs = 350;
-constexpr double minPlaceShare = 0.04; ///< of the model's longest side: a smaller place is shown as if it were so large
-constexpr std::chrono::milliseconds followInterval(16); ///< a frame
-constexpr double minPoseChange = 1e-5;                  ///< radians, and of the distance: less is not seen
+constexpr double minPlaceShare = 0.04; ///< smallest size of a place, as a fraction of the model's longest side
+constexpr std::chrono::milliseconds followInterval(16); ///< about one frame
+/// radians, and fraction of the distance: smaller changes are invisible
+constexpr double minPoseChange = 1e-5;
 
 bool differ(const OrbitCamera::Pose& a, const OrbitCamera::Pose& b)
 {
@@ -170,7 +171,7 @@ void ViewNavigation::setFollowing(bool on)
     Q_EMIT followingChanged(on);
 }
 
-/// A stroke of the mouse holds the view still.
+/// Moves the view one step towards the head, unless a stroke with the mouse is in progress.
 void ViewNavigation::follow()
 {
     const double seconds = static_cast<double>(m_sinceFollowed.nsecsElapsed()) * 1e-9;

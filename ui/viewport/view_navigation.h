@@ -13,8 +13,8 @@
 
 namespace ui
 {
-/// Moves the view where a command, a found place or the headset wants it: at once, by a flight, or behind the head of
-/// the avatar. Thread: gui.
+/// Moves the view for commands, search results and the headset: at once, by an animated flight, or following the head
+/// of the avatar. Thread: gui.
 class ViewNavigation : public QObject
 {
     Q_OBJECT
@@ -26,12 +26,13 @@ public:
         double radius;
     };
 
-    /// Neither is owned. The input says when the user moves the view, and is told when the view moves.
+    /// Neither argument is owned. The input reports when the user moves the view, and is informed when this class moves
+    /// it.
     ViewNavigation(OrbitCamera* camera, PointerInput* input, QObject* parent = nullptr);
 
-    /// Frames another model, from the front and above.
+    /// Frames a new model from the initial direction, and removes the mark.
     void showModel(const core::Box& box);
-    /// The same model has another box now; the view stays.
+    /// Updates the box of the present model; the view stays.
     void setBox(const core::Box& box);
     const core::Box& box() const { return m_box; }
 
@@ -40,33 +41,33 @@ public:
     void turnTo(OrbitCamera::Side side);
     void setView(const core::SavedView& view);
     void setProjection(OrbitCamera::Projection projection);
-    /// Turns the view by degrees to the right and down, as a drag would.
+    /// Turns the view by these angles in degrees to the right and down, as a drag does.
     void turn(double right, double down);
-    /// `factor` < 1 comes nearer: to `toward`, else to the middle of the view.
+    /// Zooms towards a pixel, or the centre of the view if none is given. `factor` < 1 moves nearer.
     void zoom(double factor, const std::optional<OrbitCamera::Pixel>& toward = {});
-    /// Turns the model about the Y axis by `angle` radians in `seconds`, anticlockwise seen from above; under an open
-    /// stroke, too. While the view follows a head only under such a stroke.
+    /// Turns the model about the Y axis by `angle` radians in `seconds`, anticlockwise seen from above, also during a
+    /// stroke. While the view follows the avatar's head, the model turns only during strokes.
     void turnModel(double angle, double seconds);
 
-    /// Flies to a place of the surface that is `extent` mm large, and marks it.
+    /// Flies to a place on the surface of size `extent`, mm, and marks it.
     void flyTo(const core::Vec3& point, const core::Vec3& normal, double extent);
-    /// Flies to where the whole box is seen from there; radians as of OrbitCamera::Pose.
+    /// Flies to a pose from which the whole box is visible. Angles in radians as in OrbitCamera::Pose.
     void flyTo(const core::Box& box, double yaw, double pitch);
-    /// A flight to it ends where it is.
+    /// Removes the mark. A flight to it stops where it is.
     void clearMark();
     const std::optional<Mark>& mark() const { return m_mark; }
-    /// Ends a flight where it is.
+    /// Stops a flight where it is.
     void stop() { m_flight.stop(); }
-    /// Calm: without flights.
+    /// Turns flights on or off; without them the view jumps.
     void setReducesMotion(bool reducesMotion) { m_reducesMotion = reducesMotion; }
     bool reducesMotion() const { return m_reducesMotion; }
 
-    /// Nobody: following ends.
+    /// Sets the avatar; none ends following.
     void setAvatar(const std::optional<HeadsetAvatar>& avatar);
-    /// Returns the avatar to draw: without the head while the view follows it.
+    /// Returns the avatar to draw, without its head while the view follows the head.
     std::optional<HeadsetAvatar> shownAvatar() const;
-    /// The view goes, smoothed, where the avatar's head is and looks, until the user, frame(), turnTo() or flyTo()
-    /// moves it elsewhere. Does not begin without an avatar.
+    /// Starts or ends following the position and direction of the avatar's head, smoothed. Also ends when the user,
+    /// frame(), turnTo() or flyTo() moves the view. Does not start without an avatar.
     void setFollowing(bool on);
     bool isFollowing() const { return m_following.isActive(); }
 
@@ -82,7 +83,7 @@ private:
     PointerInput* m_input;
     core::Box m_box;
     std::optional<Mark> m_mark;
-    OrbitCamera::Pose m_from, m_to; ///< of the flight
+    OrbitCamera::Pose m_from, m_to; ///< start and end of the flight
     QVariantAnimation m_flight;
     bool m_reducesMotion = false;
     std::optional<HeadsetAvatar> m_avatar;

@@ -47,8 +47,8 @@ QCursor pickCursor()
     return QCursor(themedIcon(QStringLiteral("pick")).pixmap(size, size), tip, size - tip);
 }
 constexpr double zoomPerNotch = 0.87;
-constexpr double minPinch = 0.1;   ///< of an event: a touchpad that says less means it no more
-constexpr double wheelNotch = 120; ///< QWheelEvent's eighths of a degree
+constexpr double minPinch = 0.1;   ///< smallest zoom factor of one event: lower values of a touchpad are errors
+constexpr double wheelNotch = 120; ///< unit of QWheelEvent: one notch of the wheel, in eighths of a degree
 
 OrbitCamera::Pixel pixelOf(const QPointF& position)
 {
@@ -66,8 +66,8 @@ PointerEvent pointerEvent(PointerEvent::Kind kind, const QSinglePointEvent& even
     return made;
 }
 
-/// Handles the fingers on a touchpad where the system tells pinching from scrolling, which comes as a wheel. Returns
-/// false for other gestures.
+/// Handles pinching and panning on a touchpad, on systems that distinguish them from scrolling (which arrives as wheel
+/// events). Returns false for other gestures.
 bool handleGesture(PointerInput& input, const QNativeGestureEvent& event)
 {
     switch (event.gestureType()) {
@@ -100,7 +100,7 @@ struct Viewport::State
     ScaleBar* scaleBar = nullptr;
     NavigationCube* navigationCube = nullptr;
     StabilizerLine* stabilizerLine = nullptr;
-    KeyboardCursorOverlay* keyboardOverlay = nullptr; ///< where the keyboard cursor is
+    KeyboardCursorOverlay* keyboardOverlay = nullptr; ///< cross at the keyboard cursor's position
     PointerHighlight* highlight = nullptr;
     std::function<std::optional<core::MeshPatch>()> patchSource;
     std::shared_ptr<const core::Footprint> shades;
@@ -156,7 +156,8 @@ bool Viewport::State::applyPatch()
     return true;
 }
 
-/// Returns the brush's radius, in mm, or what the open anchored stroke has dragged out.
+/// Returns the radius of the cursor's ring, mm: the brush's radius, or the radius dragged so far in an open anchored
+/// stroke.
 double Viewport::State::cursorRadius() const
 {
     const double radius = brush->value(core::Parameter::Radius);
@@ -232,7 +233,7 @@ void Viewport::State::updateStabilizerLine()
                                        : QLineF());
 }
 
-/// The widget's context is current.
+/// Copies the scene's image into the widget's framebuffer. Precondition: the widget's OpenGL context is current.
 void Viewport::State::show(const Scene::Image& image, QSize pixels, unsigned int widgetFramebuffer)
 {
     QOpenGLExtraFunctions* gl = QOpenGLContext::currentContext()->extraFunctions();
@@ -253,7 +254,8 @@ Viewport::Viewport(BrushSettings* brush, QWidget* parent)
     : QOpenGLWidget(parent)
     , m_state(std::make_unique<State>(brush))
 {
-    // Curves need every mouse move. Not earlier: Qt's X11 platform switches compression on while QApplication is made.
+    // Curves need every mouse move. Must be set here, because Qt's X11 platform turns compression on while QApplication
+    // is created.
     QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
     setMouseTracking(true);
     setTabletTracking(true);
@@ -426,7 +428,8 @@ void Viewport::showTeacher(const std::optional<core::Sphere>& brush)
     Q_EMIT teacherShown(brush);
 }
 
-/// Also called when the widget moves to another window; the scene has contexts of its own and stays.
+/// Creates the scene in the first call. Qt calls it again when the widget moves to another window; the scene is kept,
+/// because it has contexts of its own.
 void Viewport::initializeGL()
 {
     m_state->readFramebuffer = 0;
@@ -447,7 +450,7 @@ void Viewport::updateCursor()
                                                  : Qt::ArrowCursor);
 }
 
-/// The driver promised OpenGL 3.3 (graphicsProblem() was empty) and did not keep it.
+/// Shows a message for a driver that reported OpenGL 3.3 (graphicsProblem() was empty) but does not implement it.
 void Viewport::showDriverProblem()
 {
     auto* sentence =
@@ -509,11 +512,11 @@ void Viewport::changeEvent(QEvent* event)
     QOpenGLWidget::changeEvent(event);
     if (event->type() != QEvent::PaletteChange)
         return;
-    updateCursor(); // it may be a drawing in the text's colour
+    updateCursor(); // the cursor may be an icon in the text's colour
     update();
 }
 
-/// The mouse is ignored while the keyboard cursor draws.
+/// Handles a mouse press. Mouse events are ignored while the keyboard cursor is pressed.
 void Viewport::mousePressEvent(QMouseEvent* event)
 {
     if (m_state->keyboardCursor.isDown())
@@ -537,7 +540,7 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event)
     m_state->input.handle(pointerEvent(PointerEvent::Kind::Release, *event));
 }
 
-/// Accepts the event, or Qt would send it again as a mouse's.
+/// Handles the pen. Accepts the event, because otherwise Qt would send it again as a mouse event.
 void Viewport::tabletEvent(QTabletEvent* event)
 {
     const auto kind = event->type() == QEvent::TabletPress     ? PointerEvent::Kind::Press
@@ -567,8 +570,8 @@ void Viewport::leaveEvent(QEvent* event)
     QOpenGLWidget::leaveEvent(event);
 }
 
-/// Handles touch, for which Qt has no handler of its own, and ends drags whose release will not come: when a dialog
-/// opens over the window or the view is hidden.
+/// Handles touch, for which Qt has no separate handler. Also ends drags whose release event will not arrive: when a
+/// dialog opens over the window or the view is hidden.
 bool Viewport::event(QEvent* event)
 {
     switch (event->type()) {
@@ -577,7 +580,7 @@ bool Viewport::event(QEvent* event)
     case QEvent::TouchEnd:
     case QEvent::TouchCancel:
         m_state->touch.handle(*static_cast<QTouchEvent*>(event));
-        event->accept(); // or Qt would send it again as a mouse's
+        event->accept(); // otherwise Qt would send it again as a mouse event
         return true;
     case QEvent::NativeGesture:
         if (handleGesture(m_state->input, *static_cast<QNativeGestureEvent*>(event)))
@@ -593,7 +596,7 @@ bool Viewport::event(QEvent* event)
     return QOpenGLWidget::event(event);
 }
 
-/// Watches the keys, whatever has the focus: the cursor shows what a press would do now.
+/// Watches modifier keys of the whole program, so that the cursor always shows the effect of a press.
 bool Viewport::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease)
@@ -620,7 +623,7 @@ void Viewport::keyReleaseEvent(QKeyEvent* event)
         QOpenGLWidget::keyReleaseEvent(event);
 }
 
-/// Without the focus the releases of held keys would not come.
+/// Releases all keys, because their release events will not arrive without the focus.
 void Viewport::focusOutEvent(QFocusEvent* event)
 {
     m_state->keyboardCursor.releaseAll();

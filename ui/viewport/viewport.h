@@ -21,76 +21,80 @@ namespace ui
 {
 class KeyboardCursor;
 
-/// To be called once, before QApplication is made: surface format, shared contexts, Qt3D's renderer.
-/// Without it the viewport shows a sentence in place of the clay.
+/// Sets the surface format, shared contexts and Qt3D's renderer. Must be called once, before QApplication is created;
+/// otherwise the viewport shows a message instead of the model.
 void prepareGraphics();
 
-/// What the viewport measured. Times in milliseconds.
+/// Statistics of the viewport. Times in milliseconds.
 struct ViewportStats
 {
     quint64 frames = 0;
     quint64 patches = 0;
-    quint64 uploadedBytes = 0; ///< to the clay's buffers, ever
-    quint64 wholeUploads = 0;  ///< patches that replaced the buffers
-    double patchMs = 0;        ///< taking and uploading the last patch, CPU
-    double drawMs = 0;         ///< the clay's draw calls of the last frame, CPU; software GL rasterises in here
-    double sceneMs = 0;        ///< Qt3D's part of the last frame, CPU
-    double frameMs = 0;        ///< the whole last frame, CPU
-    double latencyMs = 0;      ///< from the input to its patch on the way to the screen, last patch that answers one
+    quint64 uploadedBytes = 0; ///< bytes uploaded to the clay's buffers in total
+    quint64 wholeUploads = 0;  ///< number of patches that replaced the whole buffers
+    double patchMs = 0;        ///< CPU time to take and upload the last patch
+    /// CPU time of the clay's draw calls in the last frame; includes rasterising in software OpenGL
+    double drawMs = 0;
+    double sceneMs = 0; ///< CPU time of Qt3D in the last frame
+    double frameMs = 0; ///< CPU time of the whole last frame
+    /// time from an input event to the frame with its patch, for the last patch caused by input
+    double latencyMs = 0;
     double worstLatencyMs = 0;
 };
 
-/// Shows the clay and passes mouse, pen, fingers and keys to the input. Knows no mesh: it draws the patches it takes.
+/// Shows the clay, and passes mouse, pen, touch and keys to the input. Has no mesh: it draws the patches that it takes.
 /// Thread: gui.
 class Viewport : public QOpenGLWidget
 {
     Q_OBJECT
 
 public:
-    /// Neither pointer is owned; `brush` must outlive the viewport. Switches off the compression of mouse moves in the
+    /// Neither pointer is owned; `brush` must outlive the viewport. Turns off the compression of mouse moves for the
     /// whole program.
     explicit Viewport(BrushSettings* brush, QWidget* parent = nullptr);
     ~Viewport() override;
 
-    /// Where patches come from: called on the gui thread, once a frame, after patchReady(). An empty answer is fine.
+    /// Sets the function that returns the next patch, or none. It is called on the gui thread, once per frame, after
+    /// patchReady().
     void setPatchSource(std::function<std::optional<core::MeshPatch>()> patchSource);
 
-    /// Strokes, drags of the view, and what the pointer is on.
+    /// Returns the input, which handles strokes, drags of the view, and the place under the pointer.
     PointerInput* input() const;
     ViewNavigation* navigation() const;
     PointerSpotlight* spotlight() const;
     const KeyboardCursor* keyboardCursor() const;
-    /// On, arrow keys, Space and Return sculpt while the view has the focus, which it gets.
+    /// Turns the keyboard cursor on or off. If on, the view gets the focus, and arrow keys, Space and Return sculpt
+    /// while it has it.
     void setKeyboardCursor(bool on);
 
-    /// Another model: moves the ground under its box and frames it.
+    /// Shows a new model: moves the ground under its box and frames it.
     void showModel(const core::Box& box);
-    /// The same model has another box now; the ground stays under it.
+    /// Updates the box of the present model; the ground stays under it.
     void setBox(const core::Box& box);
 
-    /// Calm: the view jumps instead of flying, and the spotlight does not pulse.
+    /// Turns animation on or off: without it the view jumps instead of flying, and the spotlight does not pulse.
     void setReducesMotion(bool reducesMotion);
     bool reducesMotion() const;
     void setAppearance(const ViewAppearance& appearance);
     const ViewAppearance& appearance() const;
-    /// Each is seen while the view looks from its side.
+    /// Sets the reference images. Each is visible while the view looks from its side.
     void setReferences(const References& references);
-    /// Colours the model by shades (see PrintScale) until the next model or null; they belong to the mesh as it is
-    /// drawn.
+    /// Colours the model by shades (see PrintScale) until null is set or another model is shown. The shades must fit
+    /// the mesh as drawn.
     void setShades(const std::shared_ptr<const core::Footprint>& shades);
 
-    /// At its lower left; hidden where the appearance has none.
+    /// Returns the scale bar at the lower left; hidden if the appearance has none.
     QWidget* scaleBar() const;
     const OrbitCamera& camera() const;
     const ViewportStats& stats() const;
 
-    /// Shows somebody in the headset as a ghost over the clay, until the next call. Cost: nothing until the next frame.
+    /// Shows the user of the headset as a ghost over the clay until the next call. Cost: none until the next frame.
     void showAvatar(const std::optional<HeadsetAvatar>& avatar);
-    /// Shows the brush of a lesson's teacher as a ghost, too.
+    /// Shows the brush of a lesson's teacher as a ghost until the next call.
     void showTeacher(const std::optional<core::Sphere>& brush);
 
 public Q_SLOTS:
-    /// There is something to take. Coalesced: at most one frame is scheduled.
+    /// Schedules a frame that takes the waiting patch. Several calls before it cause only one frame.
     void patchReady();
 
 Q_SIGNALS:
