@@ -13,7 +13,7 @@ namespace ui
 {
 namespace
 {
-constexpr int tabBar = 2; ///< how thick the bar along the chosen tab is
+constexpr int tabBar = 2; ///< thickness of the bar along the selected tab, pixels
 
 QRect middleOf(const QRect& rect, Qt::Orientation along)
 {
@@ -22,7 +22,7 @@ QRect middleOf(const QRect& rect, Qt::Orientation along)
                                    : QRect(middle.x(), rect.top(), 1, rect.height());
 }
 
-/// The bar lies where the page begins.
+/// Draws a tab; the selected one has a bar at the edge towards its page.
 void drawTab(const QStyleOptionTab& tab, QPainter* painter)
 {
     const bool isChosen = tab.state & QStyle::State_Selected,
@@ -42,7 +42,7 @@ void drawTab(const QStyleOptionTab& tab, QPainter* painter)
     painter->fillRect(bar, tab.palette.highlight());
 }
 
-/// A tool button that is on: a frame in the highlight's colour, and a shade of it within.
+/// Draws a checked tool button: a frame in the highlight colour, filled with a translucent shade of it.
 void drawPressed(const QStyleOption& option, QPainter* painter)
 {
     const QColor frame = option.palette.color(QPalette::Highlight);
@@ -89,7 +89,7 @@ int AppStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const 
     }
 }
 
-/// Words do not touch the frame of their button.
+/// Widens push buttons, so that their text does not touch the frame.
 QSize AppStyle::sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size,
                                  const QWidget* widget) const
 {
@@ -99,7 +99,7 @@ QSize AppStyle::sizeFromContents(ContentsType type, const QStyleOption* option, 
     return whole;
 }
 
-/// A panel's title begins where what is below it does.
+/// Indents the titles of panels to align with their contents.
 QRect AppStyle::subElementRect(SubElement element, const QStyleOption* option, const QWidget* widget) const
 {
     const QRect rect = QProxyStyle::subElementRect(element, option, widget);
@@ -150,7 +150,7 @@ void AppStyle::drawControl(ControlElement element, const QStyleOption* option, Q
 void AppStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                              const QWidget* widget) const
 {
-    if (element == PE_IndicatorToolBarSeparator) { // it stands across the bar
+    if (element == PE_IndicatorToolBarSeparator) { // the line is drawn across the tool bar
         const bool isUpright = option->state & State_Horizontal;
         const QRect area =
             isUpright ? option->rect.adjusted(0, gap / 2, 0, -gap / 2) : option->rect.adjusted(gap / 2, 0, -gap / 2, 0);

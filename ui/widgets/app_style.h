@@ -5,13 +5,13 @@
 namespace ui
 {
 bool isDark(const QPalette& palette);
-/// The colour of a line that parts things: a fifth of the way from the window's colour to the text's.
+/// Returns the colour of separator lines: the text colour with an opacity of 20 %.
 QColor hairline(const QPalette& palette);
 
-/// Qt's Fusion style, but for what it draws badly in the dark: outlines of boxes to tick, lines that part things,
-/// shadows of what is disabled, and what is chosen among tabs and tool buttons, which has the highlight's colour here;
-/// and but for the buttons in the titles of panels, the arrow of a tool bar that has more, the signs beside questions
-/// and sentences, the pictures on a dialog's buttons, which are left out, and the room about their words.
+/// Qt's Fusion style with corrections, mainly for dark palettes. Draws the outlines of check boxes, separator lines,
+/// and selected tabs and tool buttons, which get the highlight colour. Draws no shadows under disabled text. Replaces
+/// the icons of panel titles, tool bar extensions and message boxes. Removes the icons of dialog buttons and widens the
+/// buttons.
 class AppStyle : public QProxyStyle
 {
 public:

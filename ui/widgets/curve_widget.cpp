@@ -12,8 +12,8 @@ namespace ui
 namespace
 {
 constexpr int margin = 8;
-constexpr int parts = 64;     ///< of the drawn line
-constexpr double fill = 0.25; ///< how much of the line's colour lies below it
+constexpr int parts = 64;     ///< number of segments in the drawn curve
+constexpr double fill = 0.25; ///< opacity of the area below the curve, 0 to 1
 } // namespace
 
 CurveWidget::CurveWidget(QWidget* parent) : QWidget(parent)

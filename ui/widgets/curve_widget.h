@@ -4,8 +4,8 @@
 
 namespace ui
 {
-/// A curve from 0 to 1 over 0 to 1 that is drawn in a frame and bent by dragging, or step by step by the arrow keys.
-/// Thread: gui.
+/// A widget that shows a curve over [0, 1] with values in [0, 1]. Dragging bends the curve, and arrow keys bend it step
+/// by step. Thread: gui.
 class CurveWidget : public QWidget
 {
     Q_OBJECT
@@ -16,11 +16,11 @@ public:
     QSize sizeHint() const override { return {200, 96}; }
 
 protected:
-    /// y, 0 to 1, at x, 0 to 1.
+    /// Returns the curve's value, 0 to 1, at x, 0 to 1.
     virtual double valueAt(double x) const = 0;
-    /// So that it passes as near to that place as it can; x and y 0 to 1.
+    /// Bends the curve to pass as near as possible to the point (x, y), 0 to 1 each.
     virtual void bendTo(double x, double y) = 0;
-    /// By one step, up (1) or down (-1).
+    /// Bends the curve by one step: 1 up, -1 down.
     virtual void step(int by) = 0;
 
     void paintEvent(QPaintEvent* event) override;

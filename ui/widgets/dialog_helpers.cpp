@@ -15,7 +15,7 @@ namespace ui
 {
 namespace
 {
-/// Is as large as its page, but for what a low screen has no room for.
+/// A scroll area as large as its page, but no higher than the screen allows.
 class PageArea : public QScrollArea
 {
 public:
@@ -29,7 +29,7 @@ public:
 
     QSize sizeHint() const override
     {
-        constexpr int others = 200; // what else stands in the dialog, and its frame
+        constexpr int others = 200; // pixels for the rest of the dialog and its frame
         const QSize whole = widget()->sizeHint().expandedTo(widget()->minimumSizeHint());
         const int available = std::max(screen()->availableGeometry().height() - others, minimumSizeHint().height());
         const bool isWhole = whole.height() <= available;

@@ -9,19 +9,19 @@ class QVBoxLayout;
 
 namespace ui
 {
-// Functions that the small dialogs share. Thread: gui.
+// Helper functions of the small dialogs. Thread: gui.
 
-inline constexpr int dialogMargin = 16, dialogGap = 8; ///< of the window's spacing grid
+inline constexpr int dialogMargin = 16, dialogGap = 8; ///< pixels, on the window's spacing grid
 
-/// Makes it a dialog of one column that is as large as what stands in it, and that deletes itself when it closes.
+/// Sets up a dialog with one column that fits its contents, and that is deleted when closed. Returns the column.
 QVBoxLayout* beginDialog(QDialog* dialog, const char* name, const QString& title);
 
-/// Adds a page to the dialog's column and returns the layout of that. It scrolls on a screen that is too low for it.
+/// Adds a page to the dialog's column and returns the page's layout. The page scrolls if the screen is too low for it.
 QVBoxLayout* addScrolledPage(QVBoxLayout* column);
 
-/// Sentences that break at `width`.
+/// Returns a label that wraps the sentences at `width` pixels.
 QLabel* dialogText(const QString& sentences, int width);
 
-/// Adds the last row: Cancel, and the accepting button, which is the default.
+/// Adds the last row with Cancel and the accepting button, which is the default. Returns the accepting button.
 QPushButton* addDialogButtons(QDialog* dialog, const QString& verb);
 } // namespace ui

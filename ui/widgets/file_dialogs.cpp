@@ -21,7 +21,7 @@ class FileDialogs
     Q_DECLARE_TR_FUNCTIONS(ui::FileDialogs)
 };
 
-/// "STL (*.stl)"
+/// Returns the filter of an extension: "STL (*.stl)".
 QString filterOf(const QString& ending)
 {
     return QStringLiteral("%1 (*.%2)").arg(ending.toUpper(), ending);
@@ -29,7 +29,7 @@ QString filterOf(const QString& ending)
 
 QFileDialog* makeDialog(QWidget* parent, const QString& title, QAnyStringView name, const QString& folder = {})
 {
-    static NameIcons icons; // the dialogs do not own it
+    static NameIcons icons; // static, because dialogs do not own their icon provider
     auto* dialog = named(new QFileDialog(parent, title, folder), name);
     dialog->setIconProvider(&icons);
     return dialog;
@@ -42,7 +42,7 @@ void show(QFileDialog* dialog, const PathCallback& callback)
     dialog->open();
 }
 
-/// The filter gives the ending if none is typed.
+/// Asks for a file to write. The chosen filter gives the extension if the user types none.
 void askForTarget(QWidget* parent, const QString& title, const QString& name, const QString& folder,
                   const QString& modelName, const QStringList& endings, const PathCallback& callback)
 {
@@ -82,7 +82,7 @@ void askForModel(QWidget* parent, ModelUse use, const QString& folder, PathCallb
                                                    : FileDialogs::tr("Open a Model");
     QFileDialog* dialog = makeDialog(parent, title, "openDialog", folder);
     dialog->setFileMode(QFileDialog::ExistingFile);
-    dialog->setOption(QFileDialog::HideNameFilterDetails); // there are too many to be read
+    dialog->setOption(QFileDialog::HideNameFilterDetails); // too many extensions to show
     const QString patterns = QStringLiteral("*.") + modelEndings().join(QStringLiteral(" *."));
     QStringList filters{FileDialogs::tr("Models (%1)").arg(patterns), FileDialogs::tr("All files (*)")};
     if (use == ModelUse::Open)

@@ -8,41 +8,41 @@ class QWidget;
 
 namespace ui
 {
-/// The dialogs for models. They return at once; `callback` is called with a path when one was chosen, and never else.
+/// Called with the path that the user chose. Not called if the dialog is cancelled. The functions below return at once.
 using PathCallback = std::function<void(const QString& path)>;
 
 enum class ModelUse { Open, Insert, Brush };
 void askForModel(QWidget* parent, ModelUse use, const QString& folder, PathCallback callback);
 
-// They suggest the model's name. The filter gives the ending if none is typed.
-/// First what holds all of the document.
+// The next two functions suggest the model's name. The chosen filter gives the extension if the user types none.
+/// Asks where to save the model. The first format suggested is the one that can store the whole document (GLB).
 void askForSaving(QWidget* parent, const QString& folder, const QString& modelName, PathCallback callback);
-/// `endings`: of the formats that are offered.
+/// Asks where to export the model. `endings`: extensions of the formats offered.
 void askForExport(QWidget* parent, const QString& folder, const QString& modelName, const QStringList& endings,
                   PathCallback callback);
 
-/// `endings`, here and below: of the formats that are offered, the first one suggested.
+/// Asks for an image file. `endings`, here and below: extensions of the formats offered, the suggested one first.
 void askForAlpha(QWidget* parent, const QString& folder, const QStringList& endings, PathCallback callback);
-/// Asks for a preset of a brush.
+/// Asks for a file with a brush preset.
 void askForPreset(QWidget* parent, PathCallback callback);
-/// Asks where a preset of that name is to be written.
+/// Asks where to write a brush preset. `presetName`: suggested name.
 void askForPresetTarget(QWidget* parent, const QString& presetName, PathCallback callback);
-/// A zip, or the lesson.json of a folder.
+/// Asks for a lesson: a zip file, or the lesson.json of a folder.
 void askForLesson(QWidget* parent, PathCallback callback);
-/// Where one is to be written: a zip, or a folder that is not there yet.
+/// Asks where to write a lesson: a zip file, or a new folder. `title`: suggested name.
 void askForLessonTarget(QWidget* parent, const QString& title, PathCallback callback);
-/// Asks where the handout of a lesson is to be written: a PDF. `title`: the name that is offered.
+/// Asks where to write the handout of a lesson, a PDF. `title`: suggested name.
 void askForHandout(QWidget* parent, const QString& title, PathCallback callback);
 void askForPicture(QWidget* parent, const QString& folder, PathCallback callback);
 
-/// One that is there.
+/// Asks for an existing folder.
 void askForFolder(QWidget* parent, const QString& folder, PathCallback callback);
-/// A class that is there.
+/// Asks for an existing class file.
 void askForClass(QWidget* parent, const QString& folder, PathCallback callback);
-/// Asks where a class is to be written. `title`: the name that is offered.
+/// Asks where to write a class file. `title`: suggested name.
 void askForClassFile(QWidget* parent, const QString& folder, const QString& title, PathCallback callback);
 
-/// For the sheet of drawings.
+/// Asks where to write the sheet of drawings.
 void askForDrawing(QWidget* parent, const QString& folder, const QString& modelName, const QStringList& endings,
                    PathCallback callback);
 

@@ -37,7 +37,7 @@ MessageBar::MessageBar(const char* name, const QString& title, QMainWindow* wind
     m_buttons->addStretch();
     view()->installEventFilter(this);
     window->installEventFilter(this);
-    installEventFilter(this); // its words and their font come later
+    installEventFilter(this); // to notice later changes of text and font
     show();
     raise();
     place();
@@ -49,7 +49,8 @@ QWidget* MessageBar::view() const
     return window->centralWidget() ? window->centralWidget() : window;
 }
 
-/// Returns the width of all in one line. A label that may wrap does not know the width of its sentence.
+/// Returns the width of sentence, controls and buttons in one line. Computed from the text, because a wrapping label
+/// does not report the width of its sentence.
 int MessageBar::lineWidth() const
 {
     const QMargins margins = m_rows->contentsMargins();
@@ -58,8 +59,8 @@ int MessageBar::lineWidth() const
     return controls + m_rows->spacing() + m_buttons->sizeHint().width() + margins.left() + margins.right();
 }
 
-/// Stands below the bars that came before, as wide as the view but for what stands in its right corner, or wider where
-/// that is too narrow.
+/// Puts the bar below earlier bars. It is as wide as the view without the widget in the view's top right corner, or
+/// wider if its contents need it.
 void MessageBar::place()
 {
     const QWidget* window = parentWidget();

@@ -9,9 +9,9 @@ class QPushButton;
 
 namespace ui
 {
-/// A sentence and a few buttons over the top of the view, which does not move for it, while work goes on: a question
-/// that waits. Where the view is too narrow for one line, the buttons stand below the sentence, which wraps. It stays
-/// until somebody chooses, or whoever made it takes it away. Thread: gui.
+/// A sentence and buttons over the top of the view, which does not move. Asks a question while work goes on. If the
+/// view is too narrow for one line, the sentence wraps and the buttons are below it. Stays until a button is pressed or
+/// dismiss() is called. Thread: gui.
 class MessageBar : public QFrame
 {
     Q_OBJECT
@@ -23,16 +23,16 @@ public:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 protected:
-    /// Shows itself in the window.
+    /// Creates the bar and shows it in the window.
     MessageBar(const char* name, const QString& title, QMainWindow* window);
 
-    /// `tip`: what the sentence had no room for.
+    /// Sets the sentence. `tip`: tool tip with further details.
     void setMessage(const char* name, const QString& sentence, const QString& tip);
-    /// Adds a control left of the buttons, right of those that came before.
+    /// Adds a control to the left of the buttons and to the right of earlier controls.
     void addControl(QWidget* control);
-    /// Return presses the button, as Space does.
+    /// Adds a button, which Return presses as Space does.
     QPushButton* addButton(const char* name, const QString& text, const QString& tip);
-    /// As much of it as there is room for.
+    /// Returns the file name, shortened in the middle if it is too long for the bar.
     QString shortened(const QString& fileName) const;
 
 private:

@@ -4,8 +4,8 @@
 
 namespace ui
 {
-/// Icons and kinds of files by their names. Qt's own provider reads files to know them, and waits for ever where one
-/// does not answer, such as /proc/kmsg. Thread: any.
+/// Determines icons and types of files from their names alone. Qt's own provider reads files, which blocks for ever on
+/// files such as /proc/kmsg. Thread: any.
 class NameIcons : public QFileIconProvider
 {
 public:

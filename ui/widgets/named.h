@@ -4,7 +4,7 @@
 
 namespace ui
 {
-/// Gives a new widget its object name, its tool tip, and an accessible name where it has no text. Returns the
+/// Sets a new widget's object name, tool tip, and accessible name (needed if the widget has no text). Returns the
 /// widget.
 template <class W> W* named(W* widget, QAnyStringView name, const QString& tip = {}, const QString& accessibleName = {})
 {

@@ -9,9 +9,9 @@ namespace ui
 {
 namespace
 {
-constexpr int distance = 16; ///< from the edges
-constexpr int between = 8;   ///< from the sibling
-/// Long enough to be read: a start, and so much a character.
+constexpr int distance = 16; ///< pixels from the parent's edges
+constexpr int between = 8;   ///< pixels from the sibling
+/// Duration of a message, milliseconds: a fixed part, and a part per character.
 constexpr int baseMs = 2500, msPerCharacter = 60;
 } // namespace
 

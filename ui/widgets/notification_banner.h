@@ -13,9 +13,9 @@ class NotificationBanner : public QLabel
 public:
     explicit NotificationBanner(QWidget* parent);
 
-    /// Stands above that sibling, which must outlive this, where it would cover it.
+    /// Keeps the banner from covering this sibling by moving above it. The sibling must outlive the banner.
     void stayAbove(QWidget* sibling);
-    /// Replaces what is shown.
+    /// Shows a sentence and replaces the one before.
     void showMessage(const QString& sentence);
 
 protected:

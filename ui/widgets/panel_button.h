@@ -7,8 +7,8 @@ class QToolButton;
 
 namespace ui
 {
-/// A small button of a panel: icon only, in the panel's tab order. `tip`: what it does, one sentence.
+/// Returns a small button of a panel: icon only, in the panel's tab order. `tip`: one sentence about its effect.
 QToolButton* panelButton(const QString& name, const QString& icon, const QString& text, const QString& tip);
-/// The same for a command of the table.
+/// Returns a small button that triggers an action of the action table.
 QToolButton* panelButton(QAction* action);
 } // namespace ui

@@ -7,7 +7,7 @@
 
 namespace ui
 {
-/// Returns a new layout of the page that stacks its widgets. Thread: gui.
+/// Sets up a vertical layout for the page and returns it. Thread: gui.
 inline QVBoxLayout* panelLayout(QWidget* page)
 {
     auto* rows = new QVBoxLayout(page);

@@ -12,7 +12,7 @@ bool endsEditing(const QKeyEvent& event)
     return event.key() == Qt::Key_Tab || event.key() == Qt::Key_Backtab || event.key() == Qt::Key_Escape;
 }
 
-/// Shift that only chooses the sign on the key, as for "?", is no part of it.
+/// Returns the key with its modifiers, but without Shift if Shift only selects the character, as for "?".
 QKeySequence keyOf(const QKeyEvent& event)
 {
     Qt::KeyboardModifiers held = event.modifiers() & ~Qt::KeyboardModifiers(Qt::GroupSwitchModifier);
@@ -29,7 +29,7 @@ ShortcutEdit::ShortcutEdit(QWidget* parent) : QKeySequenceEdit(parent)
     setKey({});
 }
 
-/// The words of an empty field are Qt's again after each change, and in some languages too long for it.
+/// Shows a key. Sets the placeholder text each time, because Qt restores its own, which is too long in some languages.
 void ShortcutEdit::setKey(const QKeySequence& key)
 {
     const QSignalBlocker quiet(this);
@@ -37,7 +37,7 @@ void ShortcutEdit::setKey(const QKeySequence& key)
     findChild<QLineEdit*>()->setPlaceholderText(tr("no key"));
 }
 
-/// Qt's own would take Tab and Escape for keys like others.
+/// Handles Tab and Escape as an ordinary widget, because QKeySequenceEdit would record them as keys.
 bool ShortcutEdit::event(QEvent* event)
 {
     if ((event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride) &&

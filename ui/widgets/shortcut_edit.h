@@ -4,8 +4,9 @@
 
 namespace ui
 {
-/// Takes one key with what is held, those of the number pad as such, and tells; nothing is shown before setKey().
-/// Backspace and Delete take the key away. Tab and Escape move on and close, as everywhere. Thread: gui.
+/// Field for entering one key with modifiers, where keys of the number pad count as such. Emits entered() but does not
+/// show the key before setKey(). Backspace and Delete mean no key. Tab and Escape work as usual: next field, close.
+/// Thread: gui.
 class ShortcutEdit : public QKeySequenceEdit
 {
     Q_OBJECT
@@ -16,7 +17,7 @@ public:
     void setKey(const QKeySequence& key);
 
 Q_SIGNALS:
-    /// Whatever it is, modifiers alone too. Empty: it is to go.
+    /// The user pressed a key, possibly a modifier alone. Empty: the shortcut is to be removed.
     void entered(const QKeySequence& key);
 
 protected:

@@ -20,7 +20,7 @@ namespace
 constexpr std::array<std::pair<SidePanel::State, const char*>, 3> stateNames{
     {{SidePanel::State::Open, "open"}, {SidePanel::State::Folded, "folded"}, {SidePanel::State::Hidden, "hidden"}}};
 
-/// A control whose value the wheel changes.
+/// Returns true for a control whose value the mouse wheel changes.
 bool isTurnedByWheel(const QObject* object)
 {
     return qobject_cast<const QComboBox*>(object) || qobject_cast<const QAbstractSpinBox*>(object) ||
@@ -28,7 +28,7 @@ bool isTurnedByWheel(const QObject* object)
 }
 } // namespace
 
-/// Is as wide as the widest panel and its scroll bar.
+/// The scroll area of the column. Its width is that of the widest panel plus the scroll bar.
 class SideColumn::Area : public QScrollArea
 {
 public:
@@ -109,7 +109,7 @@ void SideColumn::setPanelStates(const QStringList& states)
                 panel->setState(state);
 }
 
-/// Waits for the layout, which is made when events are handled.
+/// Scrolls to a panel, after the layout has been updated in the event loop.
 void SideColumn::scrollTo(SidePanel* panel)
 {
     QTimer::singleShot(0, panel, [this, panel] {
@@ -135,7 +135,7 @@ bool SideColumn::eventFilter(QObject* watched, QEvent* event)
         showWhatIsOpen();
     const bool isLaidOut = event->type() == QEvent::LayoutRequest && watched == m_area->widget();
     if (isLaidOut && m_area->minimumSizeHint().width() > m_area->size().width())
-        m_area->updateGeometry(); // another panel is the widest now
+        m_area->updateGeometry(); // a panel has become wider than the column
     return QDockWidget::eventFilter(watched, event);
 }
 } // namespace ui

@@ -10,9 +10,9 @@ class QVBoxLayout;
 
 namespace ui
 {
-/// Column of panels beside the model, which scrolls if they are higher than the window. As wide as its widest
-/// panel, open or not, so that the model does not move when panels come and go; gone when all are hidden. The wheel
-/// turns a control only while that has the keys' focus, and scrolls otherwise. Thread: gui.
+/// Column of panels beside the model, which scrolls if the panels are higher than the window. Its width is that of its
+/// widest panel, open or not, so that the model does not move when panels open. Hidden if all panels are hidden. The
+/// mouse wheel changes a control only while the control has the focus, and scrolls otherwise. Thread: gui.
 class SideColumn : public QDockWidget
 {
     Q_OBJECT
@@ -20,14 +20,14 @@ class SideColumn : public QDockWidget
 public:
     explicit SideColumn(QWidget* parent = nullptr);
 
-    /// Adds a panel below the others, and takes its content.
+    /// Adds a panel below the others, and takes ownership of its content.
     SidePanel* add(const QString& name, const QString& title, QWidget* content,
                    SidePanel::State first = SidePanel::State::Folded);
     const QList<SidePanel*>& panels() const { return m_panels; }
 
-    /// Returns one entry a panel, "name state", to be remembered.
+    /// Returns one entry per panel, "name state", for the settings.
     QStringList panelStates() const;
-    /// Panels that it does not name keep their state. Unknown names are ignored.
+    /// Restores the states of panels. Panels without an entry keep their state. Unknown names are ignored.
     void setPanelStates(const QStringList& states);
 
 protected:

@@ -17,7 +17,7 @@ namespace ui
 {
 namespace
 {
-constexpr int leastLines = 12; ///< of a content that scrolls by itself
+constexpr int leastLines = 12; ///< smallest height, in lines, of content that scrolls by itself
 
 bool grows(const QWidget* content)
 {
@@ -25,7 +25,7 @@ bool grows(const QWidget* content)
     return policy != QSizePolicy::Maximum && policy != QSizePolicy::Fixed;
 }
 
-/// Gives its content a height in which it can be used: nothing around it shrinks it further.
+/// Keeps its content at a usable height, below which no layout shrinks it.
 class PanelBody : public QWidget
 {
 public:
@@ -141,7 +141,7 @@ void SidePanel::clickHeader()
 
 void SidePanel::showFold()
 {
-    constexpr int most = 100; // of what the column has left; nearly nothing is for the room below the panels
+    constexpr int most = 100; // stretch factor for the remaining height; the stretch below the panels has 1
     const bool isOpen = !m_body->isHidden();
     QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Preferred);
     policy.setVerticalStretch(isOpen && m_grows ? most : 0);
@@ -159,7 +159,7 @@ bool SidePanel::event(QEvent* event)
     return QWidget::event(event);
 }
 
-/// Sets the header off from what is above and below it.
+/// Shades the header's background.
 void SidePanel::paintEvent(QPaintEvent*)
 {
     QColor shade = palette().color(QPalette::WindowText);

@@ -15,25 +15,25 @@ class SidePanel : public QWidget
 public:
     enum class State { Open, Folded, Hidden };
 
-    /// Takes the content, which gets the height that it asks for. A content without a fixed or a largest height (by its
-    /// size policy) shares what the column has left, and is never lower than a few lines.
+    /// Takes ownership of the content, which gets its preferred height. Content without a fixed or largest height (by
+    /// its size policy) shares the column's remaining height, but has at least a few lines.
     SidePanel(const QString& name, const QString& title, QWidget* content);
 
-    /// Returns whether the content shares what the column has left.
+    /// Returns true if the content shares the column's remaining height.
     bool grows() const { return m_grows; }
     State state() const;
     void setState(State state);
-    /// Shows or hides the panel: the entry of a menu.
+    /// Returns the menu action that shows or hides the panel.
     QAction* toggleViewAction() const { return m_toggle; }
-    /// Hides the panel until the action opens it.
+    /// Hides the panel until the action is triggered, which opens it.
     void openBy(const QAction* action);
-    /// Opens the panel and asks for a place in sight.
+    /// Opens the panel and requests scrolling to it.
     void bringForward();
 
 Q_SIGNALS:
-    /// The panel was opened and wants to be scrolled to.
+    /// The panel was opened and should be scrolled to.
     void broughtForward();
-    /// The header was clicked with Ctrl: all others are to be folded.
+    /// The header was clicked with Ctrl: all other panels should be folded.
     void soloRequested();
 
 protected:
@@ -47,7 +47,7 @@ private:
 
     QToolButton* m_header;
     QWidget *m_headerRow, *m_body;
-    bool m_grows; ///< takes what the column has left
+    bool m_grows; ///< shares the column's remaining height
     QAction* m_toggle;
 };
 } // namespace ui

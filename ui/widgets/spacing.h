@@ -2,6 +2,6 @@
 
 namespace ui
 {
-/// Of the window's spacing grid, in pixels.
+/// Unit of the window's spacing grid, pixels.
 inline constexpr int gap = 8;
 } // namespace ui

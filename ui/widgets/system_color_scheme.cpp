@@ -18,10 +18,10 @@ const QString interface = QStringLiteral("org.freedesktop.portal.Settings");
 const QString appearance = QStringLiteral("org.freedesktop.appearance");
 const QString colorScheme = QStringLiteral("color-scheme");
 
-/// The portal's numbers; 0 is no preference.
+/// Values of color-scheme in the portal; 0 means no preference.
 constexpr uint preferDark = 1, preferLight = 2;
 
-/// Read answers with a variant in a variant.
+/// Returns the value inside nested variants: the portal's Read wraps its answer in two.
 QVariant unwrapped(QVariant value)
 {
     while (value.userType() == qMetaTypeId<QDBusVariant>())
@@ -35,7 +35,7 @@ SystemColorScheme::SystemColorScheme(QObject* parent) : QObject(parent)
     QDBusConnection bus = QDBusConnection::sessionBus();
     if (!bus.isConnected())
         return;
-    qRegisterMetaType<QDBusVariant>(); // or the slot below is not found
+    qRegisterMetaType<QDBusVariant>(); // otherwise the slot below is not found
     bus.connect(service, path, interface, QStringLiteral("SettingChanged"), this,
                 SLOT(settingChanged(QString, QString, QDBusVariant)));
     QDBusMessage question = QDBusMessage::createMethodCall(service, path, interface, QStringLiteral("Read"));

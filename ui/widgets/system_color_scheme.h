@@ -7,8 +7,8 @@ class QDBusPendingCallWatcher;
 
 namespace ui
 {
-/// Whether the desktop is light or dark, as its portal says (org.freedesktop.portal.Settings, color-scheme). Asked once
-/// without waiting, then told. Where there is no session bus or no portal nothing is ever known. Thread: gui.
+/// The desktop's colour scheme, as reported by its portal (org.freedesktop.portal.Settings, color-scheme). Queried
+/// asynchronously once, then updated by signals. Stays Unknown without a session bus or portal. Thread: gui.
 class SystemColorScheme : public QObject
 {
     Q_OBJECT

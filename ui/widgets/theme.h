@@ -11,12 +11,12 @@ namespace ui
 QPalette lightPalette();
 QPalette darkPalette();
 
-/// So many times as large.
+/// Returns the font with its size multiplied by `factor`.
 QFont scaled(QFont font, double factor);
 
-/// The colours of the whole application: Qt's Fusion style with our own light or dark palette, as chosen or as the
-/// desktop is. A desktop that says nothing is as dark as its palette was when the program started. Thread: gui; one at
-/// a time, after QApplication was made.
+/// Colours of the whole application: AppStyle with a light or dark palette, by the user's choice or the desktop's
+/// colour scheme. If the scheme is unknown, the palette at program start decides. Thread: gui. Precondition:
+/// QApplication exists, and there is no other Theme.
 class Theme : public QObject
 {
     Q_OBJECT

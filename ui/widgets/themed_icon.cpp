@@ -12,7 +12,7 @@ namespace ui
 {
 namespace
 {
-/// The colour in the files that stands for the text's.
+/// Colour in the icon files that is replaced by the text colour.
 constexpr char inkInFile[] = "#000000";
 
 class ThemedIconEngine : public QIconEngine

@@ -4,7 +4,7 @@
 
 namespace ui
 {
-/// The drawing :/icons/<name>.svg in the palette's text colour, sharp at every size and ratio; it follows the palette.
-/// An empty icon if there is no such drawing.
+/// Returns the icon :/icons/<name>.svg in the palette's text colour, sharp at every size and pixel ratio. Follows
+/// changes of the palette. Empty if there is no such file.
 QIcon themedIcon(const QString& name);
 } // namespace ui
