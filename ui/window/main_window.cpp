@@ -57,7 +57,7 @@
 
 namespace ui
 {
-/// The state that each turn of a class begins with.
+/// State that each turn of a class begins with.
 struct TurnDefaults
 {
     QHash<QString, bool> switches;
@@ -77,7 +77,8 @@ struct MainWindow::State
     Actions actions;
     ModelFiles files;
     MainWindow* q;
-    std::unique_ptr<Viewport> spareViewport; ///< where there is no OpenGL, the viewport must stay out of the window
+    /// owns the viewport if there is no OpenGL, because it must not be in the window then
+    std::unique_ptr<Viewport> spareViewport;
     Viewport* viewport = nullptr;
     QToolBar* options = nullptr;
     SideColumn* column = nullptr;
@@ -95,9 +96,9 @@ struct MainWindow::State
     std::function<bool()> guard, canClose, isSettled;
     bool closesLater = false;
     ModelInfo model;
-    bool hasModel = false; ///< it was given one
+    bool hasModel = false; ///< setModel() has been called
     std::optional<Classroom> classroom;
-    TurnDefaults turnDefaults; ///< of the class
+    TurnDefaults turnDefaults; ///< used if a class is set
 
     void buildView();
     void buildBars();
@@ -115,9 +116,9 @@ struct MainWindow::State
     void save();
 };
 
-// --- what it is made of, and which part hears which
+// --- building and connecting the window
 
-/// Builds the viewport, or a label that says why there is none.
+/// Creates the viewport, or a label with the reason why it cannot be shown.
 void MainWindow::State::buildView()
 {
     const QString unable = graphicsProblem();
@@ -170,7 +171,7 @@ void MainWindow::State::buildBars()
     addToolPalette(q, &settings, actions);
 }
 
-/// Puts the options below the other bar where the window is too narrow for both.
+/// Moves the tool options below the other tool bar if the window is too narrow for both.
 void MainWindow::State::breakBars()
 {
     if (q->toolBarArea(options) != Qt::TopToolBarArea)
@@ -285,7 +286,7 @@ void MainWindow::State::showName()
     q->setWindowTitle(tr("%1[*] – Fettle").arg(model.name));
 }
 
-/// The radius with which another model begins.
+/// Returns the radius for a new model, as a fraction of its longest side.
 double MainWindow::State::firstRadiusShare() const
 {
     const ToolMemory& tools = *brush.tools();
@@ -323,7 +324,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), m_state(std::make
     m_state->restore();
 }
 
-/// The viewport goes while the brush that it looks at is there, and panels hide while their commands are.
+/// Hides the panels while their actions exist, and deletes the viewport while its brush exists.
 MainWindow::~MainWindow()
 {
     hide();
@@ -422,7 +423,7 @@ void MainWindow::showExported(const QString& path, const QString& verdict)
 
 void MainWindow::setModel(const ModelInfo& modelInfo)
 {
-    if (std::exchange(m_state->hasModel, true)) // the first one is there behind the start page
+    if (std::exchange(m_state->hasModel, true)) // the first model is loaded behind the start page
         m_state->start->close();
     m_state->model = modelInfo;
     m_state->showName();
@@ -449,7 +450,7 @@ void MainWindow::updateModelInfo(const ModelInfo& modelInfo)
 
 void MainWindow::showProblem(const QString& sentence)
 {
-    if (!m_state->problem || m_state->problem->isHidden()) { // one that was answered may not be gone yet
+    if (!m_state->problem || m_state->problem->isHidden()) { // an answered dialog may not have been deleted yet
         m_state->problem = new QMessageBox(QMessageBox::Warning, tr("Fettle"), {}, QMessageBox::Ok, this);
         m_state->problem->setObjectName(QStringLiteral("problem"));
         m_state->problem->setTextFormat(Qt::PlainText);
@@ -457,7 +458,7 @@ void MainWindow::showProblem(const QString& sentence)
         m_state->problem->open();
     }
     m_state->problem->setText(sentence);
-    for (QAbstractButton* button : m_state->problem->buttons()) // a remedy for what it said before
+    for (QAbstractButton* button : m_state->problem->buttons()) // removes remedies offered for the previous sentence
         if (m_state->problem->buttonRole(button) != QMessageBox::RejectRole &&
             m_state->problem->standardButton(button) == QMessageBox::NoButton)
             m_state->problem->removeButton(button);
@@ -515,7 +516,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
     event->accept();
 }
 
-// --- in a class
+// --- classes
 
 void MainWindow::setClassroom(const Classroom& classroom)
 {
@@ -528,7 +529,7 @@ void MainWindow::setClassroom(const Classroom& classroom)
                              m_state->column->panelStates(), m_state->viewport->camera().saved()};
 }
 
-/// Resets the settings before bars and switches: settings bring panels and switches back, of which a class has fewer.
+/// Resets the settings before bars and switches, because a reset shows panels and switches that a class does not have.
 void MainWindow::beginTurn()
 {
     const TurnDefaults& turnDefaults = m_state->turnDefaults;
@@ -537,7 +538,7 @@ void MainWindow::beginTurn()
         guide->hide();
     m_state->settings.reset();
     restoreState(turnDefaults.bars);
-    m_state->breakBars(); // the window may have another width than when the class began
+    m_state->breakBars(); // the window's width may have changed since the class began
     m_state->column->setPanelStates(turnDefaults.panels);
     m_state->brush.reset();
     m_state->brush.setRadiusShare(m_state->settings.get(&Setting::radiusShare));

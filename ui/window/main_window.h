@@ -24,8 +24,8 @@ class ModelPanel;
 class Settings;
 class Viewport;
 
-/// The desktop window: viewport, menus, tool bar, brush bar, status bar. Decides nothing about the document: its parts
-/// ask by signals, and it shows what it is told. Thread: gui.
+/// The desktop window: viewport, menus, tool bar, brush bar, panels, status bar. Does not own the document: its parts
+/// emit requests as signals, and it shows the model it is given. Thread: gui.
 class MainWindow : public QMainWindow
 {
     Q_OBJECT
@@ -38,63 +38,67 @@ public:
     BrushSettings* brush() const;
     HistoryPanel* history() const;
     ModelPanel* modelPanel() const;
-    /// Where models come from and go to.
+    /// Returns the object that handles opening, saving and exporting of models.
     ModelFiles* files() const;
     HeadsetActions* headset() const;
-    /// Long work, in the status bar. Save, Export and the commands of the model are disabled while it is shown.
+    /// Returns the progress display in the status bar. Save, Export and the commands of the model are disabled while it
+    /// is visible.
     ProgressBar* progress() const;
-    /// By its id in the action table. "edit.undo" and "edit.redo" start disabled; text and enablement are set by
-    /// whoever owns the undo stack: use setUndoText() for a translated, uniform wording.
+    /// Returns the action with this id in the action table. "edit.undo" and "edit.redo" start disabled; the owner of
+    /// the undo stack must enable them, and set their texts by setUndoText() and setRedoText().
     QAction* action(const QString& id) const;
-    /// `what` names the step ("Pull"), empty if there is none.
+    /// Sets the text of the undo action. `what`: translated name of the step ("Pull"), empty if there is none.
     void setUndoText(const QString& what);
     void setRedoText(const QString& what);
 
-    /// Asked before the window closes: false keeps it open. Without one it closes.
+    /// Sets a function that is called before the window closes; false keeps the window open. By default the window
+    /// closes.
     void setCanClose(std::function<bool()> canClose);
 
-    /// Asked before that: false while what the hand did is still on its way. The window then closes after
-    /// continueClosing().
+    /// Sets a function that is called before canClose; false while the user's last input is still being processed. The
+    /// window then closes in continueClosing().
     void setIsSettled(std::function<bool()> isSettled);
 
-    /// Asked first of all when the window is to be closed: false keeps it open, and everything as it is.
+    /// Sets a function that is called first when the window is to be closed; false refuses, without any change.
     void setGuard(std::function<bool()> guard);
 
-    /// From now on the window offers what that class may do, and nothing else, until it closes.
+    /// Restricts the window to what the class allows, until the window closes.
     void setClassroom(const ui::Classroom& classroom);
-    /// Null: it is nobody's class.
+    /// Returns the class; null if no class is set.
     const Classroom* classroom() const;
-    /// Brush, colours, switches and view are as they were when the class began.
+    /// Restores brush, colours, switches and view to their state at the beginning of the class.
     void beginTurn();
-    /// For what lies over the window.
+    /// Returns the actions, for widgets that cover the window.
     const Actions& commands() const;
 
 public Q_SLOTS:
-    /// Another model is shown from now on: title, figures, ground, default radius, and the view frames it.
+    /// Shows another model: title, figures, ground, default radius, and a view that frames the model.
     void setModel(const ui::ModelInfo& modelInfo);
-    /// The same model changed: figures; and if it is of quite another size now, the brush keeps its proportion to it.
+    /// Shows changed data of the present model. If its size has changed by more than a factor of 2, the brush's radius
+    /// keeps its proportion to the model.
     void updateModelInfo(const ui::ModelInfo& modelInfo);
 
-    /// A refusal, one sentence, in a dialog that does not block the caller. A second one replaces the text of the
-    /// first.
+    /// Shows an error sentence in a dialog that does not block the caller. If the dialog is already open, replaces its
+    /// text.
     void showProblem(const QString& sentence);
-    /// Adds a button to the problem that is shown.
+    /// Adds a button with a remedy to the error dialog that is open.
     void offerRemedy(const QString& text, const std::function<void()>& callback);
-    /// The model has that file now.
+    /// Shows that the model was saved in the file of `modelInfo`.
     void showSaved(const ui::ModelInfo& modelInfo);
-    /// It was written; the verdict, one line, is what the file was found to be.
+    /// Shows that a file was written. `verdict`: one line with the result of checking the file.
     void showExported(const QString& path, const QString& verdict = {});
-    /// Stamp becomes the tool, with the model of that file.
+    /// Selects the tool Stamp with the model in this file.
     void setBrushModel(const QString& path);
-    /// A small word over the view, which goes by itself.
+    /// Shows a short message over the view, which disappears after some seconds.
     void showNotice(const QString& sentence);
-    /// What the VR menu offers; the sentence stands in the status bar while nobody is quite out.
+    /// Updates the VR menu. The sentence is shown in the status bar unless the state is Out.
     void setHeadset(ui::HeadsetState state, const QString& sentence);
-    /// Retries closing, if that waits: something that it may wait for is done.
+    /// Closes the window if a close request was deferred until the input is processed. Call when the input
+    /// may have been processed.
     void continueClosing();
 
 Q_SIGNALS:
-    /// By dialog or menu.
+    /// The user requested a command on the model by dialog or menu.
     void commandRequested(const core::ModelCommand& command);
 
 protected:

@@ -9,24 +9,25 @@ class QToolButton;
 
 namespace ui
 {
-/// Something long that is going on: what, how far it is, and a button that ends it. Hidden while nothing is.
+/// Display of a long operation: its name, its progress, and a stop button. Hidden while there is none.
 class ProgressBar : public QWidget
 {
     Q_OBJECT
 
 public:
-    /// `stop` ends it; enabled while it can be ended. Not owned.
+    /// `stop`: action that stops the operation, enabled while that is possible. Not owned.
     explicit ProgressBar(QAction* stop, QWidget* parent = nullptr);
 
-    /// How far it is, is not known at first, nor whether it can be ended. While it goes on: it is called otherwise now.
+    /// Starts displaying an operation; at first without progress and stop button. During an operation, only changes its
+    /// name.
     void begin(const QString& what);
-    /// 0 to 1.
+    /// Sets the progress, 0 to 1.
     void setProgress(double share);
     void setStoppable(bool canStop);
     void end();
 
 Q_SIGNALS:
-    /// Each begin() and end().
+    /// begin() or end() was called.
     void activeChanged(bool isActive);
 
 private:

@@ -68,7 +68,7 @@ void ToolPalette::setShowsNames(bool showsNames)
     arrange();
 }
 
-/// Returns the size of one button: all are as large as the largest.
+/// Returns the size of a button: all buttons are as large as the largest.
 QSize ToolPalette::cell() const
 {
     QSize largest;
@@ -95,7 +95,7 @@ QSize ToolPalette::sizeHint() const
     return {m_columns * cell().width(), heightOf(mostColumns)};
 }
 
-/// Takes the fewest columns whose height there is.
+/// Arranges the buttons in the smallest number of columns that fits the height.
 void ToolPalette::arrange()
 {
     int columns = 1;

@@ -12,8 +12,8 @@ namespace ui
 class Actions;
 class Settings;
 
-/// The tools as buttons, in groups with a line between them: one column where the window is high enough, else as many
-/// as it takes to show each of them. Actions that are not visible have no button. Thread: gui.
+/// The tools as buttons, in groups with lines between them. Uses one column if the window is high enough, else as few
+/// columns as show all tools. Invisible actions have no button. Thread: gui.
 class ToolPalette : public QWidget
 {
     Q_OBJECT
@@ -21,10 +21,10 @@ class ToolPalette : public QWidget
 public:
     explicit ToolPalette(const QList<QList<QAction*>>& groups, QWidget* parent = nullptr);
 
-    /// Writes the tools' names below their icons.
+    /// Shows or hides the tools' names below their icons.
     void setShowsNames(bool showsNames);
 
-    /// Returns the width of the present columns, and the height of the most columns that there can be.
+    /// Returns the width of the present columns, and the height with the largest number of columns.
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
 
@@ -42,11 +42,12 @@ private:
     void arrange();
 
     QList<Group> m_groups;
-    QList<int> m_lines; ///< y of the lines between groups
+    QList<int> m_lines; ///< y of the lines between groups, pixels
     int m_columns = 1;
     bool m_showsNames = false;
 };
 
-/// Adds it at the window's left. view.toolNames writes the names, and the settings remember that.
+/// Adds the tool palette at the window's left. The action view.toolNames shows the names, and the settings store its
+/// state.
 void addToolPalette(QMainWindow* window, Settings* settings, const Actions& actions);
 } // namespace ui

@@ -12,9 +12,10 @@ namespace ui
 namespace
 {
 constexpr QSize firstSize{1280, 800};
-constexpr int barsVersion = 2; ///< of the window's state: one of another version names other bars and is left out
+constexpr int barsVersion = 2; ///< version of the stored state of the bars; a state of another version is ignored
 
-/// A window that was never shown does not know its frame; the title bar is the most of it.
+/// Shrinks the window to fit the screen. A window that was never shown does not know its frame, so the height of a
+/// title bar is assumed.
 void keepOnScreen(QMainWindow* window)
 {
     if (window->isMaximized() || window->isFullScreen())

@@ -7,8 +7,8 @@ namespace ui
 class Settings;
 class SideColumn;
 
-/// Where the window stands, and its panels within it, as they were kept; the first time in a size of our own. Never
-/// larger than the screen. Before the window is shown.
+/// Restores the window's position and its panels, or a default size at the first start. Never larger than the screen.
+/// Precondition: the window has not been shown yet.
 void restoreWindowGeometry(QMainWindow* window, SideColumn* column, const Settings& settings);
 void saveWindowGeometry(const QMainWindow& window, const SideColumn& column, Settings& settings);
 } // namespace ui
