@@ -9,7 +9,8 @@
 
 namespace vr
 {
-/// Without an X display it is Qt's offscreen platform, where tests that need GLX skip themselves.
+/// A test's QGuiApplication. Without an X display it uses Qt's offscreen platform, where tests that need GLX skip
+/// themselves.
 class GlxTestApplication
 {
 public:
@@ -30,7 +31,7 @@ private:
     if (const QString unable = glxProblem(); !unable.isEmpty())                                                        \
     QSKIP(qPrintable(unable))
 
-/// Why a runtime could not share OpenGL with us here; empty: it can.
+/// Returns why an OpenXR runtime cannot share OpenGL with the test program; empty if it can.
 inline QString glxProblem()
 {
     QOpenGLContext context;

@@ -14,7 +14,7 @@ using vr::FrameTimings;
 
 namespace
 {
-constexpr std::int64_t period = 11'111'111; ///< 90 Hz
+constexpr std::int64_t period = 11'111'111; ///< nanoseconds, for 90 Hz
 
 FrameTiming numbered(std::uint64_t number)
 {
@@ -24,7 +24,7 @@ FrameTiming numbered(std::uint64_t number)
     return timing;
 }
 
-/// Until this thread has had that much of a core.
+/// Keeps the CPU busy until this thread has used `ms` milliseconds of CPU time.
 void work(double ms)
 {
     for (const double start = vr::threadCpuMilliseconds(); vr::threadCpuMilliseconds() - start < ms;) {
@@ -60,8 +60,8 @@ void TestFrameTiming::theLastAreKept()
     QCOMPARE(timings.droppedFrames(), 2 * ((count + 2) / 3));
 }
 
-/// The writer never waits, so what it cannot put in at once it puts in with the next; the one after the reader's end
-/// brings all.
+/// Reads timings while another thread writes them. The writer never waits: entries that it cannot store at once are
+/// stored with the next one, so the first entry after the reader has ended completes the list.
 void TestFrameTiming::nothingIsMissedWhileSomebodyReads()
 {
     FrameTimings timings;

@@ -1,5 +1,4 @@
-// What a frame brings to a client and takes from it. Against the scripted runtime, with Khronos' validation layer
-// between.
+// Tests of a frame's inputs and outputs for a client, against the scripted runtime behind Khronos' validation layer.
 #include "tests/support/effort.h"
 #include "tests/support/test_main.h"
 #include "tests/vr/simulator/scripted_headset.h"
@@ -16,7 +15,7 @@ using vr::Side;
 
 namespace
 {
-/// As a picture holds a share of light.
+/// Returns the sRGB byte for a linear value, 0 to 1.
 int encoded(double linear)
 {
     return static_cast<int>(
@@ -68,11 +67,11 @@ private Q_SLOTS:
     void phasesAreMeasured();
 
 private:
-    /// Enters a headset that gives frames one by one, and sees that the focus is ours.
+    /// Enters the headset at pace "stepped" and checks that the session has the focus.
     void enter(Visitor& visitor);
     void leave(Visitor& visitor);
 
-    std::unique_ptr<ScriptedHeadset> m_headset; ///< null where we skip
+    std::unique_ptr<ScriptedHeadset> m_headset; ///< null if the tests are skipped
 };
 
 void TestHeadsetFrames::initTestCase()
@@ -104,7 +103,7 @@ void TestHeadsetFrames::leave(Visitor& visitor)
     QCOMPARE(visitor.client->glErrors, 0);
 }
 
-/// Linear light is written, and the picture has it in sRGB: not too dark, not too bright.
+/// Checks that linear colours appear in the image as sRGB, neither too dark nor too bright.
 void TestHeadsetFrames::picturesArrive()
 {
     Visitor visitor(*m_headset);
@@ -144,7 +143,7 @@ void TestHeadsetFrames::sizesAndViewsAreTheRuntimes()
     QFETCH(QString, step);
     QFETCH(QSize, size);
     QFETCH(int, views);
-    Visitor before(*m_headset); // a session of the usual kind
+    Visitor before(*m_headset); // a session with default settings before
     enter(before);
     leave(before);
     Visitor visitor(*m_headset);
@@ -165,8 +164,8 @@ void TestHeadsetFrames::sizesAndViewsAreTheRuntimes()
     leave(visitor);
 }
 
-/// Places triangles in eye space at z = -1, so that they lie at the edges of each eye's own view; another mask is taken
-/// when it comes.
+/// Places the mask's triangles in eye space at z = -1 and checks that they are at the edges of each eye's view. A new
+/// mask must be adopted.
 void TestHeadsetFrames::hiddenAreasAreTheRuntimes()
 {
     m_headset->load("{'start': {'pace': 'stepped', 'hidden': 0.25}}");
@@ -186,7 +185,7 @@ void TestHeadsetFrames::hiddenAreasAreTheRuntimes()
                 const Eigen::Vector2f a = corners[1] - corners[0], b = corners[2] - corners[0];
                 area += std::abs(a.x() * b.y() - a.y() * b.x()) / 2;
             }
-            seen.push_back(area / 4); // of clip space
+            seen.push_back(area / 4); // fraction of clip space
         }
         return seen;
     };
@@ -200,7 +199,7 @@ void TestHeadsetFrames::hiddenAreasAreTheRuntimes()
     leave(visitor);
 }
 
-/// The first answer's sizes are too small for the second.
+/// Lets the mask grow between the query of its size and the query of its data.
 void TestHeadsetFrames::hiddenAreasMayGrowWhileTheyAreRead()
 {
     Visitor visitor(*m_headset);
@@ -214,7 +213,8 @@ void TestHeadsetFrames::hiddenAreasMayGrowWhileTheyAreRead()
     leave(visitor);
 }
 
-/// An older mask would hide what is seen now. The next one is taken again.
+/// Lets queries of the mask fail. The old mask must not be kept, because it would hide visible areas; the next mask
+/// must be adopted.
 void TestHeadsetFrames::hiddenAreasMayBeRefused()
 {
     m_headset->load("{'start': {'pace': 'stepped', 'hidden': 0.25}}");
@@ -235,7 +235,7 @@ void TestHeadsetFrames::hiddenAreasMayBeRefused()
     leave(visitor);
 }
 
-/// Uses a runtime that does not offer them.
+/// Checks that masks are not queried from a runtime without the extension.
 void TestHeadsetFrames::hiddenAreasAreNotAskedForInVain()
 {
     m_headset->load("{'start': {'pace': 'stepped', 'hidden': 0.25, 'extensions': false}}");
@@ -247,7 +247,8 @@ void TestHeadsetFrames::hiddenAreasAreNotAskedForInVain()
     leave(visitor);
 }
 
-/// Asks for a depth of each eye, and told how to read it; a runtime that does not offer it gets none.
+/// Checks that each eye's depth is submitted with the data for reading it, and that a runtime without the extension
+/// gets none.
 void TestHeadsetFrames::depthComesWithThePictures()
 {
     for (const bool isOffered : {true, false}) {
@@ -278,7 +279,7 @@ void TestHeadsetFrames::depthComesWithThePictures()
     }
 }
 
-/// Asks that what the lost events told of is asked for: here another mask.
+/// Checks that after lost events the client queries their contents, here a new mask.
 void TestHeadsetFrames::lostEventsAreMadeUpFor()
 {
     Visitor visitor(*m_headset);
@@ -318,7 +319,7 @@ void TestHeadsetFrames::refreshRateIsTheNearestToTheWanted()
     leave(visitor);
 }
 
-/// The head looks along -Z from (0, 1.7, 0), with eyes 6.4 cm apart.
+/// Checks the eyes' poses for a head at (0, 1.7, 0) that looks along -Z, with an eye distance of 6.4 cm.
 void TestHeadsetFrames::eyesAreBesideEachOther()
 {
     Visitor visitor(*m_headset);
@@ -359,8 +360,8 @@ void TestHeadsetFrames::nothingIsDrawnThatIsNotShown()
     leave(visitor);
 }
 
-/// While only the head's place is not seen, the picture goes on from where the runtime takes it to be, or from where it
-/// was.
+/// Checks that nothing is shown without a head pose. If only the head's position is untracked, drawing continues from
+/// the position that the runtime assumes, or from the last one.
 void TestHeadsetFrames::lostHeadsShowNothing()
 {
     Visitor visitor(*m_headset);
@@ -413,7 +414,8 @@ void TestHeadsetFrames::wandsAreFeltAndSeen()
     leave(visitor);
 }
 
-/// At the time at which the frame is shown, not before: a tenth of the way farther with each.
+/// Checks that poses are predicted for the frame's display time: the movement takes ten frames, so each frame adds a
+/// tenth.
 void TestHeadsetFrames::handsAndHeadAreWhereTheyWillBeSeen()
 {
     Visitor visitor(*m_headset);
@@ -467,8 +469,8 @@ void TestHeadsetFrames::wandsMayChange()
     leave(visitor);
 }
 
-/// Asks that on the grip of a Touch a squeeze begins with more than a hand that rests does, and ends with less than it
-/// began.
+/// Checks the hysteresis of the squeeze on a Touch controller: it begins above the force of a resting hand, and ends
+/// below the force at which it began.
 void TestHeadsetFrames::restingHandsSqueezeNothing()
 {
     Visitor visitor(*m_headset);
@@ -526,7 +528,8 @@ void TestHeadsetFrames::theClientRecentres_data()
     QTest::newRow("it is not: the eyes are 1.5 m above it") << "'stage': false" << 1.5;
 }
 
-/// The head is then over the middle and looks along -Z, however it was tilted; and again, from there.
+/// Checks that recentring puts the head above the origin, looking along -Z, however it was tilted. Then recentres again
+/// from another pose.
 void TestHeadsetFrames::theClientRecentres()
 {
     QFETCH(QString, start);
@@ -552,8 +555,8 @@ void TestHeadsetFrames::theClientRecentres()
     leave(visitor);
 }
 
-/// Asks that without a stage the floor is that of LOCAL_FLOOR, if there is one: recentring leaves the eyes as high
-/// above it as they are. The validation layer knows no such space.
+/// Checks that a runtime without a stage space uses the floor of LOCAL_FLOOR, if offered: recentring keeps the eyes'
+/// height above it. Runs without the validation layer, which does not know this space.
 void TestHeadsetFrames::theFloorIsTheRuntimes()
 {
     const auto layer = m_headset->withoutLayer();
@@ -571,7 +574,7 @@ void TestHeadsetFrames::theFloorIsTheRuntimes()
     leave(visitor);
 }
 
-/// Our own recentring is void from the very frame on at which the runtime's takes place.
+/// Checks that the program's own recentring is discarded in the very frame in which the runtime recentres.
 void TestHeadsetFrames::theRuntimeRecentres()
 {
     Visitor visitor(*m_headset);
@@ -617,13 +620,14 @@ void TestHeadsetFrames::lateFramesAreCounted()
     enter(visitor);
     QVERIFY(m_headset->frames(5));
     QCOMPARE(visitor.thread.timings().droppedFrames(), quint64(0));
-    m_headset->step("{'late_ms': 40}"); // less than four periods of 11.1 ms: the display takes it at the fourth
+    m_headset->step("{'late_ms': 40}"); // less than four periods of 11.1 ms: the frame is displayed at the fourth
     QVERIFY(m_headset->frames(5));
     QCOMPARE(visitor.thread.timings().droppedFrames(), quint64(4));
     leave(visitor);
 }
 
-/// A frame is made of its phases, and no phase has more of a core than there is time; drawing is told apart.
+/// Checks that phases add up to the frame, that no phase uses more CPU time than has passed, and that draw calls are
+/// counted separately.
 void TestHeadsetFrames::phasesAreMeasured()
 {
     Visitor visitor(*m_headset);

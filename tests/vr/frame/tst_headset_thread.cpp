@@ -1,5 +1,5 @@
-// Visits to the headset: how they begin, go on, and end, and that another may follow. Against the scripted runtime,
-// with Khronos' validation layer between.
+// Tests of visits to the headset: how they begin, go on and end, and that another visit can follow. Against the
+// scripted runtime behind Khronos' validation layer.
 #include "tests/support/test_main.h"
 #include "tests/vr/simulator/scripted_headset.h"
 #include "tests/vr/vr_test.h"
@@ -28,7 +28,7 @@ struct Held
     int files = entriesOf("/proc/self/fd");
 };
 
-/// Whether a thread that rests 50 ms at a time asks no oftener, however long that is waited for here.
+/// Returns true if the thread polls for events at most every 50 ms during the next `ms` milliseconds.
 bool asksSeldom(const ScriptedHeadset& headset, int ms)
 {
     QElapsedTimer timer;
@@ -39,16 +39,16 @@ bool asksSeldom(const ScriptedHeadset& headset, int ms)
     return asked <= 2 + timer.elapsed() / 50;
 }
 
-/// Nobody looks at its pictures.
+/// A script with small images, for tests that ignore them.
 constexpr const char* small = "{'start': {'size': [64, 72]}}";
 
-/// With a runtime that is frozen for good.
+/// Time to wait for a runtime that stays frozen.
 constexpr auto littlePatience = std::chrono::milliseconds(300);
 
-/// When a call is made that a runtime is frozen in.
+/// Phase of a visit in which the runtime freezes in a call.
 enum class Moment { OnTheWayIn, During, OnTheWayOut };
 
-/// Every call of OpenXR that a visit makes, and may hear no to; but for those whose refusal is an answer.
+/// All OpenXR calls of a visit that may fail with an error, except those whose error is an expected answer.
 const char* const refusable[] = {
     "xrEnumerateViewConfigurations",
     "xrEnumerateEnvironmentBlendModes",
@@ -82,7 +82,7 @@ const char* const refusable[] = {
     "xrEndFrame",
 };
 
-/// A step for the simulator; %1: the version that the runtime asks for.
+/// A step for the simulator that refuses OpenGL; %1: the version that the runtime requires.
 constexpr const char* refusedOpenGl =
     "{'least_opengl': %1, 'fail': {'call': 'xrCreateSession', 'result': 'XR_ERROR_GRAPHICS_DEVICE_INVALID'}}";
 } // namespace
@@ -133,10 +133,10 @@ private Q_SLOTS:
 
 private:
     bool isFrozen() const { return m_headset->report()["is_frozen"].toBool(); }
-    /// What an ordinary visit leaves behind: drivers keep some for the next context.
+    /// Returns the resources held after an ordinary visit. Drivers keep some of them for the next context.
     Held heldAfterAVisit();
 
-    std::unique_ptr<ScriptedHeadset> m_headset; ///< null where we skip
+    std::unique_ptr<ScriptedHeadset> m_headset; ///< null if the tests are skipped
 };
 
 void TestHeadsetThread::initTestCase()
@@ -178,7 +178,7 @@ void TestHeadsetThread::entersAndLeaves()
     QCOMPARE(m_headset->report()["is_running"].toBool(), false);
 }
 
-/// Runtimes of OpenXR 1.0 are still common, and refuse a client of 1.1.
+/// Checks that the client requests OpenXR 1.0: runtimes of that version are common and refuse a client of 1.1.
 void TestHeadsetThread::asksForOpenXr10()
 {
     Visitor visitor(*m_headset);
@@ -187,7 +187,7 @@ void TestHeadsetThread::asksForOpenXr10()
     QVERIFY(visitor.leave());
 }
 
-/// Threads, files and contexts end with each visit.
+/// Checks that threads, files and contexts are released after each visit.
 void TestHeadsetThread::entersAgainAndAgain()
 {
     m_headset->load("{'start': {'pace': 'fast', 'size': [64, 72]}}");
@@ -202,7 +202,7 @@ void TestHeadsetThread::entersAgainAndAgain()
         QVERIFY(visitor.client->context.isNull());
         const Held now;
         if (!before)
-            before = now; // drivers keep some for the next context
+            before = now; // drivers keep some resources for the next context
         QCOMPARE(now.threads, before->threads);
         QCOMPARE(now.files, before->files);
     }
@@ -246,11 +246,11 @@ void TestHeadsetThread::leavesBeforeItIsIn()
     QVERIFY(visitor.enter());
     QVERIFY(visitor.leave());
     QCOMPARE(visitor.reports.last().end, HeadsetEnd::Left);
-    QCOMPARE(visitor.reports.size(), 1); // the start is not reported any more
+    QCOMPARE(visitor.reports.size(), 1); // the start is not reported after leaving
     QCOMPARE(visitor.client->creates, visitor.client->destroys);
 }
 
-/// This thread, which is the gui's, runs no event loop meanwhile.
+/// Checks that frames do not wait for the gui thread: this thread is the gui thread and runs no event loop meanwhile.
 void TestHeadsetThread::theGuiIsNotWaitedFor()
 {
     Visitor visitor(*m_headset);
@@ -283,7 +283,8 @@ void TestHeadsetThread::whatIsNotThereIsAnAnswer_data()
                                << "OpenGL";
 }
 
-/// The validation layer does not come through this: it has an answer of its own.
+/// Checks the reported reason if OpenXR or the headset is unavailable. Runs without the validation layer, which returns
+/// errors of its own.
 void TestHeadsetThread::whatIsNotThereIsAnAnswer()
 {
     QFETCH(QString, step);
@@ -327,7 +328,8 @@ void TestHeadsetThread::anOldOpenGlMayBeRefused()
     QCOMPARE(visitor.client->creates, visitor.client->destroys);
 }
 
-/// The runtime may have other reasons, such as a second graphics card.
+/// Checks that the OpenGL version is not blamed if it suffices. A runtime may refuse for other reasons, such as a
+/// second graphics card.
 void TestHeadsetThread::anOpenGlThatIsNotTooOldIsNotBlamed()
 {
     m_headset->step(qPrintable(QString(refusedOpenGl).arg("[3, 3]")));
@@ -358,7 +360,7 @@ void TestHeadsetThread::faults_data()
     }
 }
 
-/// Each ends the visit with a word, and another visit finds nothing amiss.
+/// Checks that each fault ends the visit with a message, and that the next visit works.
 void TestHeadsetThread::faults()
 {
     QFETCH(QString, step);
@@ -385,7 +387,7 @@ void TestHeadsetThread::refusals_data()
         QTest::newRow(call) << call;
 }
 
-/// Whatever call is refused, the visit ends, says which one it was, and leaves nothing behind: what was begun is ended.
+/// Checks that a refused call ends the visit, is named in the report, and that everything begun is ended.
 void TestHeadsetThread::refusals()
 {
     QFETCH(QString, call);
@@ -414,7 +416,7 @@ void TestHeadsetThread::wishesMayBeRefused_data()
         QTest::newRow(call) << call;
 }
 
-/// VR is entered without what they ask for.
+/// Checks that VR is entered even if these optional calls are refused.
 void TestHeadsetThread::wishesMayBeRefused()
 {
     QFETCH(QString, call);
@@ -440,7 +442,7 @@ void TestHeadsetThread::aClientThatCannotDraw()
     QCOMPARE(m_headset->report()["sessions"].toInt(), 0);
 }
 
-/// It says yes to the request, and goes on as if there had been none.
+/// Tests a runtime that accepts the request to exit but continues the session.
 void TestHeadsetThread::aRuntimeThatDoesNotLetGo()
 {
     m_headset->step("{'fail': {'call': 'xrRequestExitSession', 'result': 'XR_SUCCESS'}}");
@@ -451,7 +453,8 @@ void TestHeadsetThread::aRuntimeThatDoesNotLetGo()
     QCOMPARE(m_headset->calls("xrDestroySession"), 1);
 }
 
-/// It has ended the session, and does not say that all is over: the thread rests meanwhile.
+/// Tests a runtime that has ended the session but does not report the final state: the thread must poll seldom
+/// meanwhile.
 void TestHeadsetThread::aRuntimeThatTakesItsTime()
 {
     m_headset->step("{'fail': {'call': 'xrEndSession', 'result': 'XR_SUCCESS'}}");
@@ -490,7 +493,8 @@ void TestHeadsetThread::aFrozenRuntimeIsGivenUp_data()
     QTest::newRow("it dies") << "xrWaitFrame" << Moment::During << "{'freeze': '', 'lose_instance': 0}";
 }
 
-/// In whatever call. Its thread ends when the runtime wakes, which nobody is told of, and VR can be entered again.
+/// Freezes the runtime in a given call. VR can be entered again after the thread has ended, which happens silently when
+/// the runtime wakes.
 void TestHeadsetThread::aFrozenRuntimeIsGivenUp()
 {
     QFETCH(QString, call);
@@ -531,7 +535,7 @@ void TestHeadsetThread::aFrozenRuntimeIsGivenUp()
     QCOMPARE(visitor.reports.last().end, HeadsetEnd::EndedByRuntime);
 }
 
-/// Who has entered is gone before the runtime wakes. What the visit still holds goes then.
+/// Destroys the HeadsetThread before the frozen runtime wakes. Everything the visit holds is released when it wakes.
 void TestHeadsetThread::aFrozenRuntimeIsLeftBehind()
 {
     const Held before = heldAfterAVisit();
@@ -587,8 +591,8 @@ void TestHeadsetThread::whatIsDrawnIsDoneBeforeTheImagesGo_data()
                                    .arg(call);
 }
 
-/// A runtime may free them at once: whoever still drew there would end the program. cleanup() looks at what the runtime
-/// says.
+/// Checks that drawing has finished before images are destroyed: a runtime may free them at once, and drawing into them
+/// would crash. cleanup() checks the runtime's complaints.
 void TestHeadsetThread::whatIsDrawnIsDoneBeforeTheImagesGo()
 {
     QFETCH(QString, step);
@@ -603,7 +607,7 @@ void TestHeadsetThread::whatIsDrawnIsDoneBeforeTheImagesGo()
     QVERIFY(m_headset->calls("xrDestroySwapchain") > 0);
 }
 
-/// Without it nobody asks for the buttons, and the wands are at rest; the picture goes on.
+/// Checks that without focus, actions are not synced and wands are at rest, while drawing continues.
 void TestHeadsetThread::losesFocusAndGetsItBack()
 {
     Visitor visitor(*m_headset);
@@ -640,7 +644,7 @@ void TestHeadsetThread::isHidden()
     QCOMPARE(visitor.reports.last().end, HeadsetEnd::Left);
 }
 
-/// Meanwhile the session is ended, and the thread rests.
+/// Checks that taking the headset off ends the session, and that the thread then polls seldom.
 void TestHeadsetThread::isTakenOffAndPutOnAgain()
 {
     Visitor visitor(*m_headset);

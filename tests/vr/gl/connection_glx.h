@@ -1,4 +1,4 @@
 #pragma once
 
-/// Whether what is current on this thread draws over the connection to the X server that Qt has.
+/// Returns true if the current context uses Qt's own connection to the X server.
 bool usesQtsConnection();

@@ -16,7 +16,8 @@
 
 namespace vr
 {
-/// Without a display it is Qt's offscreen platform, where tests that need OpenGL skip themselves.
+/// A test's QGuiApplication. Without a display it uses Qt's offscreen platform, where tests that need OpenGL skip
+/// themselves.
 class GlTestApplication
 {
 public:
@@ -33,7 +34,7 @@ private:
 };
 } // namespace vr
 
-/// OpenGL without a window.
+/// An OpenGL 3.3 core context without a window.
 class OffscreenGl
 {
 public:
@@ -59,7 +60,7 @@ private:
     bool m_isUsable = false;
 };
 
-/// An image as a runtime would give it, and a framebuffer of one sample around it.
+/// A texture like those of an OpenXR runtime, with a framebuffer of one sample around it.
 class TestImage
 {
 public:
@@ -96,7 +97,7 @@ public:
     unsigned int format() const { return m_format; }
     QSize size() const { return m_size; }
 
-    /// As it lies in memory: of an sRGB image what a screen would show.
+    /// Returns the image as stored: for an sRGB format, the values a screen would show.
     QImage read() const
     {
         QImage picture(m_size, QImage::Format_RGBA8888);
@@ -105,7 +106,7 @@ public:
         m_gl->glReadPixels(0, 0, m_size.width(), m_size.height(), GL_RGBA, GL_UNSIGNED_BYTE, picture.bits());
         return picture.mirrored();
     }
-    /// Red, green, blue, alpha of each pixel, the lowest line first.
+    /// Returns red, green, blue and alpha of each pixel as floats, the lowest line first.
     std::vector<float> readFloats() const
     {
         std::vector<float> values(static_cast<std::size_t>(m_size.width() * m_size.height()) * 4);
@@ -120,7 +121,7 @@ private:
     unsigned int m_format, m_texture = 0, m_depth = 0, m_framebuffer = 0;
 };
 
-/// Tangents of an eye's half angles of view, all positive.
+/// Tangents of an eye's half field of view to each side, all positive.
 struct Tangents
 {
     double left = 1, right = 1, up = 1, down = 1;
@@ -139,7 +140,7 @@ inline Eigen::Matrix4f projectionOf(const Tangents& t, double nearest = 0.03, do
     return p.cast<float>();
 }
 
-/// An eye at that pose.
+/// Returns an eye at this pose, which draws into the image.
 inline vr::EyeView eyeAt(const vr::Pose& pose, const Tangents& tangents, const TestImage& image)
 {
     vr::EyeView eye;
@@ -151,7 +152,7 @@ inline vr::EyeView eyeAt(const vr::Pose& pose, const Tangents& tangents, const T
     return eye;
 }
 
-/// Somewhere, looking somewhere else, level.
+/// Returns the pose of a level head at `from` that looks at `at`.
 inline vr::Pose looking(const core::Vec3& from, const core::Vec3& at)
 {
     const core::Vec3 back = (from - at).normalized(), right = core::Vec3::UnitY().cross(back).normalized();

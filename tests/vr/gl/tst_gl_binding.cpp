@@ -1,4 +1,4 @@
-// Runs once more where OpenGL comes by EGL.
+// Run a second time in an environment where Qt creates OpenGL contexts by EGL.
 #include "tests/support/test_main.h"
 #include "tests/vr/gl/connection_glx.h"
 #include "tests/vr/simulator/scripted_headset.h"
@@ -47,7 +47,7 @@ void TestGlBinding::theCurrentContextIsTold()
     QVERIFY(!vr::currentGlBinding());
 }
 
-/// The scripted runtime takes OpenGL by GLX only.
+/// Checks that an unsupported way of creating OpenGL contexts is reported. The scripted runtime supports GLX only.
 void TestGlBinding::whatTheRuntimeDoesNotTakeIsSaid()
 {
     ScriptedHeadset headset;

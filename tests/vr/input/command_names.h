@@ -4,7 +4,7 @@
 
 #include <QString>
 
-/// A name for each action, with what a test can name of it: signs rather than amounts.
+/// Names of commands for comparison in tests. Amounts are reduced to their sign.
 struct CommandNames
 {
     static QString sign(double value)

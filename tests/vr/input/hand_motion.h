@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <vector>
 
-/// Frames a second that headsets have, and what a machine in trouble makes of them.
+/// Frame rates of headsets, and of overloaded computers, in frames per second.
 inline constexpr double frameRates[] = {5, 20, 90, 144};
 inline constexpr double frameLength = 1 / 90.0; ///< seconds
 
-/// The times of so many seconds, the last included.
+/// Returns the times of the frames in [0, seconds], both ends included.
 inline std::vector<double> frameTimes(double seconds, double rate)
 {
     std::vector<double> times;
@@ -18,7 +18,7 @@ inline std::vector<double> frameTimes(double seconds, double rate)
     return times;
 }
 
-/// A wand that is there, in nobody's way, with nothing pressed.
+/// Returns a tracked, active wand with nothing pressed or touched.
 inline vr::WandState restingWand()
 {
     vr::WandState wand;
@@ -70,13 +70,13 @@ inline vr::WandState pushing(const Eigen::Vector2d& stick)
     return wand;
 }
 
-/// Whether `time` lies in [from, to).
+/// Returns true if `time` is in [from, to).
 inline bool isWithin(double time, double from, double to)
 {
     return time >= from - 1e-9 && time < to - 1e-9;
 }
 
-/// From one place to another in that time, resting before and after.
+/// A thumb's movement from one place to another, which rests before `begins` and after `ends`.
 struct ThumbWay
 {
     double begins, ends;

@@ -22,7 +22,7 @@ namespace
 {
 constexpr ButtonPreset presets[] = {ButtonPreset::Paper, ButtonPreset::Studio, ButtonPreset::OneHand};
 
-/// What one gesture of a hand does, with its panel closed and with it open.
+/// Expected functions of one gesture, with the hand's panel closed and open.
 struct Place
 {
     HandRole hand;
@@ -34,7 +34,8 @@ constexpr HandRole support = HandRole::Support, dominant = HandRole::Sculpting; 
 constexpr std::optional<WandFunction> nothing;
 using F = WandFunction;
 
-/// Section 4.1, sentence by sentence; what it does not name does nothing. A slide across is one that is not up or down.
+/// The bindings of the paper, section 4.1. Gestures that the paper does not mention do nothing. Gesture::Slide is any
+/// slide except up and down.
 const Place paper[] = {
     {support, Gesture::PadLeft, F::TurnClockwise, F::PreviousTool},
     {support, Gesture::PadRight, F::TurnAnticlockwise, F::NextTool},
@@ -62,7 +63,7 @@ const Place paper[] = {
     {dominant, Gesture::SqueezeHold, F::RestoreModel, F::RestoreModel},
 };
 
-/// What other programs agree on; saving and restoring are on panels.
+/// The bindings common in other programs. Saving and restoring are on panels.
 const Place studio[] = {
     {support, Gesture::PadLeft, F::Undo, F::Undo},
     {support, Gesture::PadRight, F::Redo, F::Redo},
@@ -90,7 +91,7 @@ const Place studio[] = {
     {dominant, Gesture::SqueezeHold, nothing, nothing},
 };
 
-/// All by the one hand; here `open` is the colour panel, which counts before the tools.
+/// Bindings for one hand. The column `open` is for the colour panel, which takes precedence over the tools.
 const Place oneHand[] = {
     {support, Gesture::PadLeft, nothing, nothing},
     {support, Gesture::PadRight, nothing, nothing},
@@ -128,7 +129,7 @@ bool isHeld(Gesture gesture)
     return gesture == Gesture::SqueezeHold || gesture == Gesture::MenuHold;
 }
 
-/// Says of each text which context it was asked in.
+/// A translator that returns each text with its context, to show which context was used.
 class ContextCollector : public QTranslator
 {
 public:
@@ -166,7 +167,7 @@ private Q_SLOTS:
         }
     }
 
-    /// With the tools before it, one hand steps through them and scales the model.
+    /// Checks the bindings of one hand with the tool menu open: it steps through tools and scales the model.
     void oneHandHasTheToolMenuToo()
     {
         const auto withTools = [](Gesture gesture) {
@@ -181,7 +182,7 @@ private Q_SLOTS:
         QVERIFY(hands.modeOf(vr::Side::Right) == HandMode::Plain && hands.modeOf(vr::Side::Left) == HandMode::Plain);
     }
 
-    /// What writes files, and what throws away the most, is never done by one press.
+    /// Checks that saving and restoring need a long press, because they write files or discard work.
     void savingAndRestoringAreHeld()
     {
         for (const ButtonPreset preset : presets)
@@ -190,7 +191,7 @@ private Q_SLOTS:
                     QVERIFY(isHeld(row.gesture));
     }
 
-    /// Each hand's panel is its own; one hand has both.
+    /// Checks that each hand's bindings use only the modes of its own panel. For one hand there are both panels.
     void rowsAreOfTheHandsOwnModes()
     {
         for (const ButtonPreset preset : presets)

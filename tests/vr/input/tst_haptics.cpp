@@ -44,7 +44,7 @@ HapticInput sculpting(double pressure)
     return feeling;
 }
 
-/// One frame of a kind, to a hand that felt nothing before.
+/// Returns the input of one frame with a single sensation.
 HapticInput one(Sensation what)
 {
     HapticInput feeling;
@@ -57,7 +57,7 @@ HapticInput one(Sensation what)
     return feeling;
 }
 
-/// What a hand feels of it in the long run: texture follows contact.
+/// Returns the pulses after a sensation lasted for two steps: texture is felt only after contact.
 std::vector<HapticPulse> pulsesOf(Sensation what, const HapticLevels& levels = {})
 {
     Haptics haptics(levels);
@@ -81,7 +81,7 @@ constexpr Sensation sensations[] = {Sensation::Contact, Sensation::Texture,  Sen
 constexpr Sensation events[] = {Sensation::Contact, Sensation::Fusion, Sensation::Refusal, Sensation::MenuStep,
                                 Sensation::Hold};
 
-/// Of the time, filled by pulses, each until the next of the same hand.
+/// Returns the fraction of the time during which a pulse is active. A pulse ends when the next begins.
 double filled(const std::vector<TimedPulse>& pulses, double seconds)
 {
     double sum = 0;
@@ -143,7 +143,8 @@ private Q_SLOTS:
         }
     }
 
-    /// As many pulses a second as the train has, or as there are frames; as much of the time, either way.
+    /// Checks pulses per second, limited by the frame rate, and the active fraction of the time, which must not depend
+    /// on it.
     void theTextureFeelsTheSameAtAnyFrameRate()
     {
         Haptics haptics(silent(Sensation::Contact));
@@ -193,7 +194,7 @@ private Q_SLOTS:
         QVERIFY(felt > 10 && felt <= 21);
     }
 
-    /// Fusion in the middle of sculpting: one clear pulse that no texture cuts short.
+    /// Checks that fusion during sculpting gives one clear pulse, which texture pulses do not cut short.
     void theTextureWaitsForWhatMatters()
     {
         for (const double rate : frameRates) {
@@ -215,7 +216,8 @@ private Q_SLOTS:
         }
     }
 
-    /// Four ticks that grow, the last when the ring is full; none while it empties.
+    /// Checks four ticks of increasing strength while the ring of a long press fills, the last when it is full, and
+    /// none while it empties.
     void aHoldTicksAsItsRingFills()
     {
         for (const double rate : frameRates) {
@@ -230,7 +232,7 @@ private Q_SLOTS:
         }
     }
 
-    /// Clay that does not give way refuses every dab.
+    /// Checks that a continuing sensation is felt only at its beginning, as of clay that refuses every dab.
     void whatGoesOnIsFeltWhenItBegins()
     {
         for (const Sensation what : {Sensation::Fusion, Sensation::Refusal})

@@ -19,13 +19,13 @@ constexpr unsigned placementSeed = 20261122;
 const core::Box someBox(Vec3(-30, -10, -50), Vec3(40, 60, 20));
 const std::vector<Vec3> somePoints{{0, 0, 0}, {40, 60, 20}, {-30, 0, -50}, {7, -3, 11}};
 
-/// A head that looks along that direction from there.
+/// Returns the pose of a head at `from`, with yaw and pitch in radians.
 Pose looking(const Vec3& from, double yaw, double pitch)
 {
     return {Eigen::AngleAxisd(yaw, Vec3::UnitY()) * Eigen::AngleAxisd(pitch, Vec3::UnitX()), from};
 }
 
-/// In front of somebody who stands at the origin and looks along -Z.
+/// Returns a placement in front of a person who stands at the origin and looks along -Z.
 ModelPlacement placed(const core::Box& box = someBox)
 {
     ModelPlacement placement(box);
@@ -44,7 +44,7 @@ public:
     double between(double a, double b) { return std::uniform_real_distribution<double>(a, b)(m_engine); }
     Vec3 point(double reach) { return {between(-reach, reach), between(-reach, reach), between(-reach, reach)}; }
     Pose pose() { return {Eigen::Quaterniond(Eigen::AngleAxisd(between(0, pi), point(1).normalized())), point(2)}; }
-    /// A little way from another.
+    /// Returns a random pose near another.
     Pose near(const Pose& pose)
     {
         const Eigen::Quaterniond turn(Eigen::AngleAxisd(between(-0.3, 0.3), point(1).normalized()));
@@ -73,7 +73,7 @@ class TestModelPlacement : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    /// Wherever the head is, a person sees the model's front upright before them.
+    /// Checks that the model's front is upright before the user's eyes, for many head poses.
     void aModelIsPlacedBeforeTheEyes()
     {
         for (const double height : {1.75, 1.15, 0.0})
@@ -126,7 +126,7 @@ private Q_SLOTS:
                 QVERIFY(areClose(placement.matrix() * p, placement.toRoom(p)));
                 QVERIFY(areClose(placement.directionToModel(placement.directionToRoom(p)), p));
             }
-            // a similarity: lengths between points scale as lengths do
+            // the mapping is a similarity: it scales all lengths equally
             const Vec3 &a = somePoints[1], &b = somePoints[2];
             QVERIFY(std::abs((placement.toRoom(a) - placement.toRoom(b)).norm() -
                              placement.lengthToRoom((a - b).norm())) < tolerance);
@@ -134,7 +134,7 @@ private Q_SLOTS:
         }
     }
 
-    /// The paper's clockwise: seen from above. What faces the person goes to the left.
+    /// Checks the sense of clockwise turns, seen from above as in the paper: points facing the user move to the left.
     void turningIsAboutTheVertical()
     {
         ModelPlacement placement = placed();
@@ -153,19 +153,20 @@ private Q_SLOTS:
             QVERIFY(areClose(placement.toRoom(p), placed().toRoom(p)));
     }
 
-    /// The axis is the document's Y axis, and above is the room's, however the model stands and has grown.
+    /// Checks that turning is about the document's Y axis, however the model is tilted and has grown. The sense is as
+    /// seen from above in the room.
     void aTiltedModelTurnsAboutItsOwnAxis()
     {
         for (const double tilt : {0.35, 1.0, 2.5}) {
             ModelPlacement placement = placed();
             const Pose hand{Eigen::Quaterniond::Identity(), placement.middle()};
             placement.move(hand, {Eigen::Quaterniond(Eigen::AngleAxisd(tilt, Vec3::UnitX())), placement.middle()});
-            placement.setModel(core::Box(Vec3(-50, -50, -50), Vec3(90, 50, 50))); // a lug at one side
+            placement.setModel(core::Box(Vec3(-50, -50, -50), Vec3(90, 50, 50))); // a protrusion at one side
             const ModelPlacement before = placement;
             placement.turn(0.4);
             for (const double y : {-40.0, 0.0, 70.0})
                 QVERIFY(areClose(placement.toRoom({0, y, 0}), before.toRoom({0, y, 0})));
-            const double sense = tilt < pi / 2 ? 1 : -1; // upside down it goes the other way about its axis
+            const double sense = tilt < pi / 2 ? 1 : -1; // an upside-down model turns the other way about its own axis
             const Vec3 turned = placement.toModel(before.toRoom({10, 20, 0}));
             QVERIFY(areClose(turned, 10 * Vec3(std::cos(0.4), 2, sense * std::sin(0.4))));
         }
@@ -184,7 +185,7 @@ private Q_SLOTS:
             QVERIFY(areClose(placement.middle(), middle));
             QCOMPARE(placement.lengthToRoom(1), scale);
             const Eigen::Quaterniond upright = placement.rotation();
-            placement.level(); // changes nothing: it stands already
+            placement.level(); // no effect on an upright model
             QVERIFY(upright.angularDistance(placement.rotation()) < tolerance);
         }
     }
@@ -204,7 +205,7 @@ private Q_SLOTS:
         QVERIFY(areClose(placement.middle(), middle));
     }
 
-    /// A hand holds it: what is at the hand stays there, and is turned as the hand is.
+    /// Checks that a point of the model at the hand stays there and turns with the hand.
     void oneHandCarriesTheModel()
     {
         Random random;
@@ -221,7 +222,7 @@ private Q_SLOTS:
         }
     }
 
-    /// Two hands hold it: each stays where it took hold.
+    /// Checks that each hand stays at the point of the model that it grabbed.
     void twoHandsCarryAndStretchTheModel()
     {
         Random random;
@@ -238,8 +239,8 @@ private Q_SLOTS:
         QVERIFY(shownSize(placement) != ModelPlacement::comfortableSize);
     }
 
-    /// Out of bounds the middle between the hands still holds; hands that come together, or change places, break
-    /// nothing.
+    /// Checks that at the limits of size the middle between the hands still stays fixed, and that hands which meet or
+    /// swap sides do no harm.
     void stretchingStopsAtTheBounds()
     {
         ModelPlacement placement = placed();
@@ -258,7 +259,7 @@ private Q_SLOTS:
         QCOMPARE(shownSize(placement), before);
     }
 
-    /// Sculpting makes it larger, or an object is added: what is seen stays, and so does the axis.
+    /// Checks that a model that grows by sculpting or an added object keeps its place and axis in the room.
     void aModelThatGrowsStaysInView()
     {
         ModelPlacement placement = placed();
@@ -268,7 +269,7 @@ private Q_SLOTS:
         for (const Vec3& p : somePoints)
             QCOMPARE(placement.toRoom(p), before.toRoom(p));
         QVERIFY(shownSize(placement, grown) > ModelPlacement::maxSize);
-        placement.scale(1.1); // no larger, and no jump back into the bounds either
+        placement.scale(1.1); // cannot grow further, but does not jump back into the limits either
         QCOMPARE(placement.lengthToRoom(1), before.lengthToRoom(1));
         placement.scale(0.9);
         QVERIFY(std::abs(placement.lengthToRoom(1) - 0.9 * before.lengthToRoom(1)) < tolerance);

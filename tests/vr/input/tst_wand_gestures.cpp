@@ -42,7 +42,7 @@ Vector2d middleOf(Sector sector)
     return {};
 }
 
-/// A wand that has been there for a frame, with nothing pressed.
+/// Returns a reader that has read one frame of a wand with nothing pressed.
 GestureReader awake(bool isStick = false)
 {
     GestureReader reader;
@@ -50,7 +50,7 @@ GestureReader awake(bool isStick = false)
     return reader;
 }
 
-/// A frame is a 90th of a second.
+/// Reads a sequence of states, one per frame of 1/90 second.
 std::vector<WandGestures> readAll(GestureReader& reader, const std::vector<WandState>& wands)
 {
     std::vector<WandGestures> all;
@@ -66,7 +66,7 @@ std::vector<WandGestures> readAll(const std::vector<WandState>& wands)
     return readAll(reader, wands);
 }
 
-/// The sector of a press there, by a thumb that came down there.
+/// Returns the sector of a press at a place where the thumb has just touched down.
 std::optional<Sector> pressAt(const Vector2d& pad)
 {
     return readAll({pressing(pad)})[0].pad.pressed;
@@ -80,7 +80,7 @@ Vector2d slid(const std::vector<WandGestures>& all)
     return sum;
 }
 
-/// What a motion comes to.
+/// Counts of the gestures in a movement.
 struct Tally
 {
     int pulls = 0, releases = 0, menus = 0, taps = 0, menuHolds = 0, squeezes = 0, sideHolds = 0;
@@ -119,7 +119,7 @@ Tally tallyOf(const std::function<WandState(double)>& motion, double seconds, do
     return tally;
 }
 
-/// A bit of everything; nothing shorter than two frames at 5 Hz.
+/// Returns a state that changes over time, with every kind of gesture. Nothing is shorter than two frames at 5 Hz.
 WandState everything(double time)
 {
     WandState wand = restingWand();
@@ -194,7 +194,8 @@ private Q_SLOTS:
         }
     }
 
-    /// Also one that begins in the dead centre, which is none.
+    /// Checks that a press keeps its sector wherever the thumb moves. A press that begins in the dead centre keeps
+    /// having none.
     void aPressStaysWhatItWasWhereverTheThumbGoes()
     {
         for (const Sector sector : allSectors) {
@@ -215,7 +216,7 @@ private Q_SLOTS:
         QCOMPARE(centre[4].pad.pressed, std::optional(Sector::Right));
     }
 
-    /// A thumb that trembles on an edge stays on its side of it.
+    /// Checks that a thumb trembling at the border of two sectors stays in its sector.
     void edgesHaveHysteresis()
     {
         GestureReader reader = awake();
@@ -264,7 +265,8 @@ private Q_SLOTS:
         QVERIFY(std::abs(sum.y() - (0.6 - vr::slideThreshold)) < 1e-12);
     }
 
-    /// Nor is what some runtimes say of it for a frame, which is 0, 0.
+    /// Checks that touching down or lifting is not a slide, nor the position (0, 0) that some runtimes report for one
+    /// frame then.
     void whereAThumbComesDownOrLiftsIsNoSlide()
     {
         WandState lifted = restingWand();
@@ -292,7 +294,7 @@ private Q_SLOTS:
         QVERIFY(read[6].pad.slide.y() < 0);
     }
 
-    /// And then it moved nothing in the end. One that took its time was meant.
+    /// Checks that a slide is undone if it ends in a press, but not if it took longer than maxSlideBeforePress.
     void aThumbOnItsWayToPressSlidesBack()
     {
         for (const double rate : frameRates)
@@ -308,7 +310,7 @@ private Q_SLOTS:
             }
     }
 
-    /// One slide at a time: what was slid before it lifted stays.
+    /// Checks that only the slide that leads to the press is undone, and not a slide before the thumb lifted.
     void onlyTheWayToThePressIsSlidBack()
     {
         GestureReader reader = awake();
@@ -348,7 +350,8 @@ private Q_SLOTS:
             QVERIFY(!reader.read(squeezing(), frameLength).side.holdDone);
     }
 
-    /// Who squeezes a wand to sculpt means no button at its sides.
+    /// Checks that buttons at the wand's sides do not start a long press while the trigger is pulled, because a firm
+    /// grip presses them by accident.
     void noHoldRunsWhileTheTriggerIsDown()
     {
         WandState buttons = squeezing();
@@ -411,10 +414,10 @@ private Q_SLOTS:
                 sum += gestures.pad.slide.y();
                 before = time;
             }
-            const double ramp = (1 - vr::stickDeadZone) / 2; // second 1 to 2, on average
+            const double ramp = (1 - vr::stickDeadZone) / 2; // average of second 1 to 2
             QVERIFY(std::abs(sum - vr::stickSlide * (ramp + 1)) < 0.25 / rate);
 
-            QVERIFY(!reader.read(pushing({0, 1}), 1 / rate).pad.pressed); // unclicked, but still pushed
+            QVERIFY(!reader.read(pushing({0, 1}), 1 / rate).pad.pressed); // not clicked any more, but still pushed
             reader.read(pushing({0, 0}), 1 / rate);
             QVERIFY(reader.read(pushing({0, 1}), 1 / rate).pad.pressed);
         }
@@ -477,8 +480,8 @@ private Q_SLOTS:
         }
     }
 
-    /// Whatever comes: what went down goes up before it goes down again, a sector is held from its press on, and nobody
-    /// slides while pressing.
+    /// Feeds random states and checks consistency: a button that went down goes up before it goes down again, a sector
+    /// is held from its press on, and there are no slides while pressing.
     void atRandomItAllGoesTogether()
     {
         constexpr unsigned seed = 20261122;

@@ -61,7 +61,7 @@ template <class T> std::vector<T> all(const std::vector<WandCommand>& commands)
     return found;
 }
 
-/// Two wands at rest where hands are, 90 frames a second.
+/// A person with two resting wands, at 90 frames per second.
 class Player
 {
 public:
@@ -78,7 +78,7 @@ public:
 
     WandState& wand(Side side) { return m_frame.wands[indexOf(side)]; }
     void rest(Side side) { set(side, restingWand()); }
-    /// The wand stays where it is.
+    /// Sets the buttons; the wand stays where it is.
     void set(Side side, const WandState& state)
     {
         const WandState before = wand(side);
@@ -93,14 +93,14 @@ public:
     }
     void pointAtPanel(Side side, bool points) { m_frame.pointsAtPanel[indexOf(side)] = points; }
 
-    /// One frame.
+    /// Plays one frame.
     std::vector<WandCommand> step()
     {
         m_frame.time += frameLength;
         return m_hands.step(m_frame);
     }
 
-    /// The wands stay as they are.
+    /// Plays frames for this many seconds with unchanged wands.
     std::vector<WandCommand> play(double seconds)
     {
         std::vector<WandCommand> commands;
@@ -110,7 +110,7 @@ public:
         return commands;
     }
 
-    /// Holds the button for so long, and lets go.
+    /// Holds the button for this many seconds, then releases it.
     std::vector<WandCommand> press(Side side, const WandState& pressed, double seconds = 0.2)
     {
         set(side, pressed);
@@ -126,11 +126,11 @@ private:
     InputFrame m_frame;
 };
 
-/// What a hand can do with its wand, and which gestures that is.
+/// A movement of the thumb or fingers on a wand, and its gestures.
 struct Move
 {
     const char* name;
-    WandState from, to; ///< the last, too: half a second from one to the other
+    WandState from, to; ///< states at the beginning and the end, half a second apart
     double holdFor;
     std::vector<Gesture> gestures;
 };
@@ -153,7 +153,7 @@ const Move moves[] = {
     {"squeeze, held", squeezing(), squeezing(), 1.0, {Gesture::Squeeze, Gesture::SqueezeHold}},
 };
 
-/// While the hand itself moves.
+/// Plays a movement while the hand itself moves.
 std::vector<WandCommand> play(Player& player, Side side, const Move& move)
 {
     std::vector<WandCommand> commands;
@@ -175,7 +175,7 @@ std::vector<WandCommand> play(Player& player, Side side, const Move& move)
     return commands;
 }
 
-/// The words that a function is told in, by that move.
+/// Returns the names of the commands that a function sends for a movement.
 std::set<QString> commandNames(WandFunction function, const Move& move, bool isOpen)
 {
     const QString sign = (move.to.pad - move.from.pad).sum() > 0 ? QStringLiteral("+") : QStringLiteral("-");
@@ -228,7 +228,7 @@ std::set<QString> commandNames(WandFunction function, const Move& move, bool isO
     return {};
 }
 
-/// What happens once a press, and is not told frame by frame.
+/// Returns true if a command is sent once per press rather than in every frame.
 bool isOnce(const QString& word)
 {
     return !word.startsWith(QStringLiteral("turn")) && !word.startsWith(QStringLiteral("scale")) &&
@@ -236,14 +236,14 @@ bool isOnce(const QString& word)
            word != QStringLiteral("move") && word != QStringLiteral("point");
 }
 
-/// By its menu button.
+/// Opens the hand's panel by its menu button.
 void openPanel(Player& player, Side side)
 {
     player.press(side, pressingMenu());
     player.play(0.1);
 }
 
-/// Both wands at random; a hand does several things at once, and sometimes none is seen for a while.
+/// Random states of both wands. A hand does several things at once, and sometimes no wand is tracked for a while.
 class RandomWands
 {
 public:
@@ -295,7 +295,7 @@ void apply(const vr::WandAction& action, vr::ModelPlacement& placement)
         placement.stretch(stretch->from, stretch->to);
 }
 
-/// Counts, and sums of what slides.
+/// Counts of single commands, and sums of sliding commands.
 struct Outcome
 {
     std::map<QString, int> once;
@@ -317,7 +317,8 @@ struct Outcome
     }
 };
 
-/// A little of everything, with the Paper's hands. Nothing is shorter than two frames at 5 Hz.
+/// Returns the states of both wands for a session with the preset Paper that uses a little of everything. Nothing is
+/// shorter than two frames at 5 Hz.
 vr::Wands paperSession(double time)
 {
     WandState left = restingWand(), right = restingWand();
@@ -426,7 +427,7 @@ void TestWandMapping::everyRowDoesItsFunctionAndNothingElseDoesAnything()
         QVERIFY(done.contains({row.function, row.gesture}));
 }
 
-/// Before the palm, the way the wand points, whatever the origin of its aim.
+/// Checks that the tip is in front of the palm in the wand's direction, independent of the origin of its aim pose.
 void TestWandMapping::theBrushIsAtTheWandsTip()
 {
     WandState wand = restingWand();
@@ -502,7 +503,8 @@ void TestWandMapping::aStrokeGoesOnOverAPanel()
     QCOMPARE(words(player.step()), QStringList(QStringLiteral("end")));
 }
 
-/// Who squeezes a wand to sculpt presses the rest of it, before, meanwhile and until after.
+/// Checks that buttons pressed before, during and until after a stroke are ignored, because a firm grip presses them by
+/// accident.
 void TestWandMapping::aHandThatDrawsDoesNothingElse()
 {
     for (const ButtonPreset preset : everyPreset)
@@ -531,7 +533,8 @@ void TestWandMapping::aHandThatDrawsDoesNothingElse()
             }
 }
 
-/// And what they do is told before the point: the stroke is where the model is by then.
+/// Checks that the other hand can transform the model during a stroke. Its command comes before the stroke's point,
+/// which uses the new placement.
 void TestWandMapping::theOtherHandMayTurnMoveAndScaleMeanwhile()
 {
     for (const WandState& other : {pressing({-0.8, 0}), pulling(1), touching({0, 0.2})}) {
@@ -591,7 +594,8 @@ void TestWandMapping::aLostWandEndsItsStroke()
     QVERIFY(player.play(1).empty());
 }
 
-/// It leaves a gap in the points, which core's path bridges.
+/// Checks that a short loss of tracking does not end a stroke. It leaves a gap between points, which core's path
+/// bridges.
 void TestWandMapping::aBlinkIsNoLoss()
 {
     Player player;
@@ -632,8 +636,8 @@ void TestWandMapping::theOtherTriggerSmooths()
     QCOMPARE(words(player.step()), QStringList(end));
 }
 
-/// The same as one step from where the hand took hold to where it let go; a hand that is not seen for a while takes
-/// hold anew.
+/// Checks that carrying the model adds up to one step from where the hand grabbed it to where it let go. A hand that
+/// was untracked for a while grabs again.
 void TestWandMapping::oneHandCarriesTheModel()
 {
     const struct
@@ -676,7 +680,7 @@ void TestWandMapping::oneHandCarriesTheModel()
     }
 }
 
-/// The second hand that comes, and the first that goes, make nothing jump.
+/// Checks that the model does not jump when the second hand joins or the first lets go.
 void TestWandMapping::twoHandsStretchTheModel()
 {
     Player player({ButtonPreset::Studio, Side::Right});
@@ -714,8 +718,8 @@ void TestWandMapping::twoHandsStretchTheModel()
     QVERIFY((placement.toRoom(atRight) - player.wand(Side::Right).grip.position).norm() < 1e-9);
 }
 
-/// With that hand: the other may hold it meanwhile. Squeezed before or after, the side button counts again when it was
-/// let go.
+/// Checks that starting a stroke releases that hand's hold on the model; the other hand may keep holding it. The side
+/// button, pressed before or after, counts again only after it was released.
 void TestWandMapping::whoSculptsLetsGoOfTheModel()
 {
     Player player({ButtonPreset::Studio, Side::Right});
@@ -781,7 +785,7 @@ void TestWandMapping::channelsComeRoundAndOpenAndCloseWithThePanel()
     QCOMPARE(words(player.press(Side::Right, pressing({-0.8, 0}))), QStringList(QStringLiteral("undo")));
 }
 
-/// And the finest step is one.
+/// Checks that sliding over the pad's full height changes a channel by half its range, in steps of at least 1.
 void TestWandMapping::thePadsHeightIsHalfAChannel()
 {
     Player player;
@@ -818,14 +822,14 @@ void TestWandMapping::whatGoesOnEndsWhenHandsAreChosenAnew()
     QCOMPARE(words(player.step()), QStringList({QStringLiteral("begin smooth no"), QStringLiteral("point")}));
 }
 
-/// Nobody let go of what was pressed when everything was ended.
+/// Checks that buttons held when everything was ended have no effect until they are released.
 void TestWandMapping::whatIsPressedMeanwhileMustBeLetGo()
 {
     for (const ButtonPreset preset : everyPreset)
         for (const Side side : sides)
             for (const Move& move : moves) {
                 if (move.from.padTouched && !move.from.padPressed)
-                    continue; // a thumb may lie on the pad
+                    continue; // a thumb may rest on the pad
                 Player player({preset, Side::Right});
                 player.set(side, move.from);
                 player.step();

@@ -64,7 +64,7 @@ void TestRuntimeThread::ended_comesWhenAllIsGone()
 void TestRuntimeThread::ended_mayBeginOtherWork()
 {
     RuntimeThread thread;
-    int more = 3, done = 0; // each work's after the other
+    int more = 3, done = 0; // one work after the other
     const auto begin = [&] { thread.start([&](const auto&) { ++done; }); };
     QObject::connect(&thread, &RuntimeThread::ended, &thread, [&] {
         if (more-- > 0)
@@ -100,7 +100,7 @@ void TestRuntimeThread::finishedWork_isNotLeft()
     QVERIFY(!RuntimeThread::hasAbandonedWork());
 }
 
-/// It goes on, and its tasks are dropped.
+/// Checks that abandoned work goes on and that its tasks are dropped.
 void TestRuntimeThread::work_isLeftBehind()
 {
     struct Shared

@@ -13,7 +13,7 @@ using vr::SessionStep;
 
 namespace
 {
-/// All that OpenXR knows, and one that it may know some day.
+/// All states that OpenXR defines, and an unknown one.
 const XrSessionState states[] = {
     XR_SESSION_STATE_UNKNOWN,          XR_SESSION_STATE_IDLE,    XR_SESSION_STATE_READY,
     XR_SESSION_STATE_SYNCHRONIZED,     XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_FOCUSED,
@@ -21,7 +21,7 @@ const XrSessionState states[] = {
     static_cast<XrSessionState>(1234),
 };
 
-/// In which a session has frames.
+/// States in which a session has frames.
 const std::vector<XrSessionState> running{XR_SESSION_STATE_READY, XR_SESSION_STATE_SYNCHRONIZED,
                                           XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_FOCUSED};
 
@@ -35,7 +35,7 @@ std::vector<SessionStatus> statuses()
     return all;
 }
 
-/// What a runtime may tell next, by the specification's figure of a session's life. Losing may come at any time.
+/// Returns the states that a runtime may report next, by the specification's state diagram. Loss may follow any state.
 std::vector<XrSessionState> successors(XrSessionState state)
 {
     switch (state) {
@@ -101,8 +101,8 @@ void TestSessionState::whatWasToldIsRemembered()
     }
 }
 
-/// Random lives that a runtime may give a session: it is begun and ended in turns, is run in exactly those states that
-/// have frames, and is left at its end and not before.
+/// Plays random state sequences that a runtime may report. The session must be begun and ended alternately, run exactly
+/// in the states that have frames, and be left at the end but not before.
 void TestSessionState::aLifeAsInTheSpecification()
 {
     std::mt19937 random(6);
@@ -120,8 +120,8 @@ void TestSessionState::aLifeAsInTheSpecification()
     }
 }
 
-/// From everywhere in such a life, once we have asked to leave, the runtime's way out is short, and we do not begin
-/// again on it.
+/// Checks, from every running state, that after a request to exit the runtime's final states are few and the session is
+/// not begun again.
 void TestSessionState::leavingComesToAnEnd()
 {
     const std::vector<XrSessionState> wayOut{XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_SYNCHRONIZED,

@@ -1,4 +1,5 @@
-// Every suggestion is legal for its wand, by the tables of section 6.4 of the OpenXR specification.
+// Checks that every suggested binding is legal for its profile, by the tables of section 6.4 of the OpenXR
+// specification.
 #include "vr/openxr/xr_bindings.h"
 
 #include "tests/support/test_main.h"
@@ -14,7 +15,7 @@ using vr::Control;
 
 namespace
 {
-/// What a profile has below each hand's path; where the hands differ, below one.
+/// Paths of a profile below each hand's path; paths that only one hand has are in `left` or `right`.
 struct Legal
 {
     QStringList both, left, right;
@@ -53,7 +54,8 @@ const QMap<QString, Legal> legalPaths{
       {}}},
 };
 
-/// A two-dimensional action takes the parent of x and y.
+/// Returns true if an action of this type may be bound to the path. A two-dimensional action is bound to the parent of
+/// x and y.
 bool isLegal(const QStringList& paths, const QString& path, XrActionType type)
 {
     if (type == XR_ACTION_TYPE_VECTOR2F_INPUT)
@@ -110,7 +112,7 @@ void TestXrBindings::paths_areLegal()
     }
 }
 
-/// No control has two parts of a wand, and no part is two controls.
+/// Checks that no control has two parts of a wand, and no part has two controls.
 void TestXrBindings::controls_haveOnePartEach()
 {
     for (const vr::WandProfile& profile : vr::wandProfiles()) {
@@ -127,7 +129,8 @@ void TestXrBindings::controls_haveOnePartEach()
     }
 }
 
-/// Every wand can point, press, call the menu and be felt, with either hand; and all but the simplest have everything.
+/// Checks that every wand can aim, press, open the menu and vibrate with either hand, and that all except the simplest
+/// have every control.
 void TestXrBindings::wands_canSculpt()
 {
     const QSet<Control> least{Control::Grip, Control::Aim, Control::Trigger, Control::Menu, Control::Pulse};

@@ -20,7 +20,7 @@ Eigen::Quaterniond turn(double angle, const Vec3& axis)
     return Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis.normalized()));
 }
 
-/// A vertex as OpenGL clips it, divided.
+/// Returns a vertex in OpenGL's normalised device coordinates.
 Eigen::Vector3f projected(const Eigen::Matrix4f& projection, const Eigen::Vector3f& at)
 {
     return (projection * at.homogeneous()).hnormalized();
@@ -48,7 +48,7 @@ void TestXrConvert::posesComeBack()
     QVERIFY(back.position.isApprox(pose.position, 1e-6));
     QVERIFY(std::abs(back.rotation.norm() - 1) < 1e-12);
 
-    // a half turn about Y: what was ahead is behind
+    // half a turn about Y: +Z is ahead
     const XrPosef behind{{0, 1, 0, 0}, {1, 2, 3}};
     QVERIFY(vr::fromXr(behind).forward().isApprox(Vec3::UnitZ(), 1e-6));
 }
@@ -83,7 +83,7 @@ void TestXrConvert::validAndTracked()
     QVERIFY(!vr::isValid(located(XR_SPACE_LOCATION_POSITION_VALID_BIT)));
 }
 
-/// A runtime may say that it knows what it has never seen.
+/// Checks that invalid numbers are not accepted as a pose, even if the runtime marks the pose as valid.
 void TestXrConvert::whatIsNoPose_isNotValid()
 {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN(), endless = std::numeric_limits<float>::infinity();
@@ -100,7 +100,8 @@ void TestXrConvert::whatIsNoPose_isNotValid()
         QVERIFY(!isKnown({{0, 0, 0, 1}, place}));
 }
 
-/// Seen from there the head is above the origin at its own height, and looks along -Z as far as it looks anywhere.
+/// Checks that seen from the level pose, the head is above the origin at its own height and looks towards -Z
+/// horizontally.
 void TestXrConvert::levelBelowHasYawAndPlaceOnly()
 {
     std::mt19937 random(1);

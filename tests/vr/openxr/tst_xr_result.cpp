@@ -49,7 +49,7 @@ private Q_SLOTS:
         QCOMPARE(items, (std::vector<int>{1, 2, 3}));
     }
 
-    /// Asks for an error in place of a loop without end.
+    /// Checks that a list that never fits throws an error instead of being queried for ever.
     void listsThatNeverFitAreRefused()
     {
         const auto ask = [](std::uint32_t capacity, std::uint32_t* count, int*) {

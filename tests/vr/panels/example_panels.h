@@ -12,9 +12,9 @@ class QTranslator;
 class TestTranslation
 {
 public:
-    /// Longer by two fifths, as a translation may be.
+    /// Makes every text longer by two fifths, as a translation may be.
     static TestTranslation longer();
-    /// Of translations/fettle_<language>.ts.
+    /// Loads translations/fettle_<language>.ts.
     static TestTranslation ofLanguage(const QString& language);
     TestTranslation(TestTranslation&&) = default;
     ~TestTranslation();
@@ -31,6 +31,6 @@ struct ExamplePanel
     vr::PanelContent content;
 };
 
-/// Each panel in each of its states.
+/// Returns every panel in each of its states.
 std::vector<ExamplePanel> examplePanels();
 vr::PanelLayout exampleLayout(int index);

@@ -12,7 +12,7 @@ using vr::ToolPanel;
 
 namespace
 {
-/// As frames ask: until it is there.
+/// Shows the content in every frame until its image is ready, and returns the image.
 PanelImage awaited(PanelImages& pictures, const vr::PanelContent& content, const vr::PanelTouches& touches = {})
 {
     for (;;) {
@@ -85,7 +85,7 @@ void TestPanelImages::aTouch_isANewPicture()
     QVERIFY(awaited(pictures, ToolPanel()).image == plain);
 }
 
-/// However fast it changes.
+/// Checks that the image of the newest content is delivered, however fast the content changes.
 void TestPanelImages::theNewest_comesLast()
 {
     PanelImages pictures;

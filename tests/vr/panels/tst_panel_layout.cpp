@@ -18,21 +18,21 @@ using vr::PanelLayout;
 
 namespace
 {
-/// Of a panel's point in dmm: metres from its middle.
+/// Converts a point of the panel in dmm to metres from the panel's middle. (1 dmm is 1 mm at a distance of 1 m.)
 Eigen::Vector2d inRoom(const PanelLayout& layout, const QPointF& point)
 {
     return Eigen::Vector2d(point.x() - layout.size.width() / 2, layout.size.height() / 2 - point.y()) *
            layout.distance / 1000;
 }
 
-/// They share more than an edge.
+/// Returns true if the rectangles share more than an edge.
 bool overlap(const QRectF& a, const QRectF& b)
 {
     const QRectF shared = a & b;
     return shared.width() > 1e-6 && shared.height() > 1e-6;
 }
 
-/// What the examples' panels let people want.
+/// Returns all actions that the example panels offer.
 std::vector<PanelAction> offered()
 {
     std::vector<PanelAction> all;
@@ -128,7 +128,7 @@ void TestPanelLayout::addExamples()
         QTest::newRow(examples[i].name) << static_cast<int>(i);
 }
 
-/// Points everywhere, also beside the panel.
+/// Checks random points, also outside the panel: an item is hit within its area and nowhere else.
 void TestPanelLayout::aPart_isHitAllOverAndNowhereElse()
 {
     QFETCH(int, index);
@@ -162,7 +162,8 @@ void TestPanelLayout::parts_keepApartAndWithinThePanel()
         const PanelItem& item = layout.items[i];
         QVERIFY(inside.contains(item.area));
         if (item.action)
-            QVERIFY(item.area.width() >= 60 && item.area.height() >= 60); // 3.4 degrees: a hand that trembles meets it
+            // 3.4 degrees: large enough for trembling hands
+            QVERIFY(item.area.width() >= 60 && item.area.height() >= 60);
         for (std::size_t j = 0; j < i && !std::holds_alternative<vr::WellLook>(item.look); ++j)
             QVERIFY(std::holds_alternative<vr::WellLook>(layout.items[j].look) ||
                     !overlap(item.area, layout.items[j].area));
@@ -193,7 +194,7 @@ void TestPanelLayout::whatCannotBe_isNotHit()
     files.files << vr::FileTile{QStringLiteral("a"), QStringLiteral("a"), {}, true};
     QVERIFY(!files.layout().itemFor(vr::ChooseFile{QStringLiteral("a")}));
     QVERIFY(!files.layout().itemFor(vr::OpenFile{}));
-    for (const char* path : {"a", "b"}) { // broken, and gone
+    for (const char* path : {"a", "b"}) { // one broken, one deleted
         files.chosen = QString::fromLatin1(path);
         QVERIFY(!files.layout().itemFor(vr::OpenFile{files.chosen}));
     }
@@ -204,7 +205,8 @@ void TestPanelLayout::whatCannotBe_isNotHit()
     QVERIFY(!files.layout().itemFor(PanelCommand::SaveModel) && !files.layout().itemFor(vr::OpenFile{files.chosen}));
 }
 
-/// From end to end, in steps, and beyond the ends the ends; and a value's own place means that value.
+/// Checks that a slider takes the value under the point, in steps, and its end values beyond the ends. The place of a
+/// value must give that value.
 void TestPanelLayout::aSlider_takesTheValueUnderThePoint()
 {
     QFETCH(int, index);
@@ -230,7 +232,8 @@ void TestPanelLayout::aSlider_takesTheValueUnderThePoint()
     }
 }
 
-/// From where it is read, a dmm is a thousandth of the distance: seen at the same angle on every panel.
+/// Checks the panel's size in metres: from the reading distance, 1 dmm is a thousandth of the distance, so text looks
+/// equally large on every panel.
 void TestPanelLayout::aPanel_isAsLargeAsItLooks()
 {
     QFETCH(int, index);

@@ -22,7 +22,7 @@ namespace
 {
 constexpr double sharpness = vr::panelSharpness;
 
-/// Pixels that differ; null: none.
+/// Returns the rectangle that contains all pixels that differ; null: none.
 QRect difference(const QImage& a, const QImage& b)
 {
     QRect all;
@@ -40,7 +40,7 @@ QRect difference(const QImage& a, const QImage& b)
     return all;
 }
 
-/// In pixels, and all that it touches of them.
+/// Returns the pixels that the area, in dmm, touches.
 QRect pixels(const QRectF& area)
 {
     return QRectF(area.topLeft() * sharpness, area.size() * sharpness)
@@ -70,7 +70,8 @@ QStringList iconsOf(const PanelLayout& layout)
     return names;
 }
 
-/// What is appended to a text that is cut is not seen.
+/// Returns true if the item's text is not cut off. Letters appended to a cut text are invisible, so the image does not
+/// change.
 bool isWhole(const PanelLayout& layout, std::size_t item, const QImage& painted)
 {
     PanelLayout more = layout;
@@ -128,7 +129,7 @@ void TestPanelPainter::addExamples()
         QTest::newRow(examples[i].name) << static_cast<int>(i);
 }
 
-/// Nothing beside it changes, and the change reaches from edge to edge.
+/// Checks that highlighting an item changes pixels from edge to edge of its area, and none outside it.
 void TestPanelPainter::whatIsPointedAt_isLitWhereItIsHit()
 {
     QFETCH(int, index);
@@ -169,8 +170,8 @@ void TestPanelPainter::aHold_fillsItsRing()
     }
 }
 
-/// A text of any length changes nothing outside its part, and is not cut off by the part's edges: its last row of
-/// pixels stays as it is.
+/// Checks that a text of any length changes nothing outside its item and is not cut off by the item's lower edge: the
+/// last row of pixels stays unchanged.
 void TestPanelPainter::texts_keepWithinTheirParts()
 {
     QFETCH(int, index);
@@ -225,7 +226,7 @@ void TestPanelPainter::noTranslation_isCut()
     }
 }
 
-/// What is chosen has wider letters.
+/// Checks the names of selected tools, which have wider letters.
 void TestPanelPainter::aChosenTool_isNotCut()
 {
     QFETCH(QString, language);
@@ -319,7 +320,7 @@ void TestPanelPainter::aValue_isSeen_data()
     row("notice", 12, [](vr::NoticePanel& notice) { notice.text = QStringLiteral("Opened."); });
 }
 
-/// Equal values have equal pictures, and others have others.
+/// Checks that different values give different images.
 void TestPanelPainter::aValue_isSeen()
 {
     QFETCH(int, before);
@@ -363,7 +364,8 @@ void TestPanelPainter::pictures_ofThemAll_data()
     QTest::newRow("longer") << QString();
 }
 
-/// To be looked at, in the dark: in the folder "panels" beside the test. Some item is pressed, another pointed at.
+/// Writes images of all panels for inspection, on a dark background, to the folder "panels" beside the test. One item
+/// is pressed and another one is pointed at.
 void TestPanelPainter::pictures_ofThemAll()
 {
     QFETCH(QString, language);

@@ -20,7 +20,7 @@ const Eigen::Vector2d size(0.43, 0.35);
 
 struct HeadAngles
 {
-    double yaw = 0, pitch = 0, roll = 0; ///< degrees; left, up, to the left shoulder
+    double yaw = 0, pitch = 0, roll = 0; ///< degrees; positive: left, up, to the left shoulder
 };
 
 Pose head(const Vec3& position, const HeadAngles& angles)
@@ -36,13 +36,13 @@ Vec3 normalOf(const Pose& panel)
     return panel.rotation * Vec3::UnitZ();
 }
 
-/// Right-handed, of unit length.
+/// Returns true if the pose's rotation has unit length and its position is finite.
 bool isRotation(const Pose& pose)
 {
     return std::abs(pose.rotation.norm() - 1) < 1e-9 && pose.position.allFinite();
 }
 
-/// Heads and hands as people have them, and some as they have not.
+/// Calls `look` with random poses of heads and hands, some of them unusual.
 void forManyPeople(const std::function<void(const Pose& head, const Pose& grip)>& look)
 {
     std::mt19937 random(5);
@@ -93,7 +93,7 @@ void TestPanelPlacement::atAHand_itFacesTheHead()
     });
 }
 
-/// A head that is not tilted to a shoulder, and looks at the panel, sees its lines level.
+/// Checks that the lines of a panel are level for a head that looks at it without tilting.
 void TestPanelPlacement::atAHand_itIsUprightToTheEyes()
 {
     for (double yaw = -180; yaw < 180; yaw += 15)
@@ -119,7 +119,7 @@ void TestPanelPlacement::atAHand_itStandsAboveTheWand()
     }
 }
 
-/// Hands and heads tremble: by millimetres, and so does the panel.
+/// Checks that trembling by millimetres moves the panel only by millimetres.
 void TestPanelPlacement::atAHand_itMovesNoFartherThanTheHandsDo()
 {
     std::mt19937 random(9);
@@ -143,7 +143,7 @@ void TestPanelPlacement::atAHand_itKeepsClearOfTheModel_data()
     QTest::newRow("right") << -1.0;
 }
 
-/// Wherever the hand goes beside the model or before it, and without leaps.
+/// Moves the hand beside and in front of the model. The panel must stay clear of the model and move without jumps.
 void TestPanelPlacement::atAHand_itKeepsClearOfTheModel()
 {
     QFETCH(double, turnsTo);
@@ -170,7 +170,7 @@ void TestPanelPlacement::atAHand_itKeepsClearOfTheModel()
     }
 }
 
-/// One that is as large as a house hides it anywhere.
+/// Checks that a model so large that the panel is hidden anywhere does not move the panel.
 void TestPanelPlacement::atAHand_inTheModelItStaysThere()
 {
     forManyPeople([](const Pose& eyes, const Pose& grip) {
@@ -223,7 +223,8 @@ void TestPanelPlacement::ahead_itKeepsClearOfTheModel_data()
             QTest::addRow("%g, %g", yaw, turnsTo) << yaw << turnsTo;
 }
 
-/// Of a model as people find it. It neither stands in it nor behind it.
+/// Checks that a panel opened in front of the user is neither in the model nor behind it, for a model of comfortable
+/// size.
 void TestPanelPlacement::ahead_itKeepsClearOfTheModel()
 {
     QFETCH(double, yaw);
@@ -246,13 +247,13 @@ void TestPanelPlacement::ahead_itKeepsClearOfTheModel()
     const auto awayFromGaze = [&](const Pose& pose) {
         return (pose.position - vr::placeAhead(eyes, {.size = large}).position).norm();
     };
-    for (const double side : {1.0, -1.0}) // neither side has a nearer one
+    for (const double side : {1.0, -1.0}) // no nearer place on either side
         QVERIFY(isWanted ||
                 awayFromGaze(panel) <=
                     awayFromGaze(vr::placeAhead(eyes, {.size = large, .aside = side * 1.9, .clear = model})) + 1e-9);
 }
 
-/// Wherever the user looks while the model is somewhere else.
+/// Checks that a panel opens in sight wherever the user looks while the model is elsewhere.
 void TestPanelPlacement::ahead_itIsInSight()
 {
     using vr::PanelKind;
@@ -273,7 +274,8 @@ void TestPanelPlacement::ahead_itIsInSight()
         }
 }
 
-/// Tools hang beside the model, at a hand; the user looks at them, or past them at the model.
+/// Opens a panel while the tool panel is at a hand beside the model, with the user looking at the tool panel or past it
+/// at the model.
 void TestPanelPlacement::ahead_itTakesAnothersPlace()
 {
     vr::ModelPlacement placement;
@@ -303,7 +305,7 @@ void TestPanelPlacement::ahead_whereNothingIsClear_itIsAhead()
     QVERIFY((vr::placeAhead(eyes, {.clear = behind}).position - vr::placeAhead(eyes, {}).position).norm() < 1e-12);
 }
 
-/// Files, settings and performance, all open, with the model of usual size between them.
+/// Opens the files, settings and performance panels around a model of comfortable size.
 void TestPanelPlacement::ahead_noneHidesAnother()
 {
     vr::PanelManager::Sight sight{head({0, 1.6, 0}, {30, -15, 0}), {}, vr::Side::Right, {}};
@@ -327,7 +329,7 @@ void TestPanelPlacement::ahead_noneHidesAnother()
                 }
 }
 
-/// Finds it as the eye does, along rays.
+/// Compares overlap() with rays from the eye.
 void TestPanelPlacement::overlap_isInSight()
 {
     const Pose eyes = head({0, 1.6, 0}, {20, -10, 0});

@@ -22,13 +22,13 @@ PlacedPanel placed(const vr::PanelContent& content, const Vec3& middle)
     return {{Eigen::Quaterniond::Identity(), middle}, std::make_shared<const vr::PanelLayout>(vr::layoutOf(content))};
 }
 
-/// A wand before some panels that face +Z.
+/// A wand in front of panels that face +Z.
 class Wand
 {
 public:
     explicit Wand(std::vector<PlacedPanel> panels) : m_panels(std::move(panels)) {}
 
-    /// At a place of a panel's item: 0 its left and upper edge, 1 the right and the lower one.
+    /// Aims at a place of a panel's item. `share`: (0, 0) is its upper left corner, (1, 1) its lower right corner.
     std::optional<PanelAction> at(std::size_t panel, const PanelAction& item, const QPointF& share = {0.5, 0.5})
     {
         return to(placeOf(panel, item, share));
@@ -45,7 +45,7 @@ public:
     }
     std::optional<PanelAction> to(const Vec3& target) { return aim(ahead(core::Ray{from, target - from})); }
     std::optional<PanelAction> away() { return aim(ahead(core::Ray{from, Vec3::UnitZ()})); }
-    /// The tip at that place and depth behind the panel, pointing straight at it.
+    /// Puts the tip `depth` metres behind the panel at the item, pointing straight at the panel.
     std::optional<PanelAction> poke(std::size_t panel, const PanelAction& item, double depth, bool mayPoke = true)
     {
         constexpr double length = 0.13;
@@ -53,7 +53,7 @@ public:
         return aim(vr::PanelPointer::Aim{{palm, -Vec3::UnitZ()}, length, mayPoke});
     }
     std::optional<PanelAction> lost() { return aim(std::nullopt); }
-    /// Nothing moves for so long. What is wanted in any of the frames.
+    /// Keeps the wand still for this many seconds. Returns the last action of any frame.
     std::optional<PanelAction> wait(double seconds)
     {
         std::optional<PanelAction> wanted;
@@ -62,7 +62,7 @@ public:
                 wanted = action;
         return wanted;
     }
-    /// No frame comes for so long.
+    /// Delivers one frame, this many seconds after the last one.
     std::optional<PanelAction> stall(double seconds)
     {
         m_time += seconds - frame;
@@ -291,7 +291,8 @@ void TestPanelPointer::aHold_isNoClick()
     QVERIFY(!wand.pointer.release(isClick));
 }
 
-/// Who let go meanwhile is heard in the frame after.
+/// Checks that a long gap between frames does not count as holding: a release during the gap is only seen in the next
+/// frame.
 void TestPanelPointer::aHold_isNotHeldByAStall()
 {
     Wand wand = beforeTools();
@@ -344,7 +345,7 @@ void TestPanelPointer::aPanelThatGoes_takesThePressAlong()
     QVERIFY(!wand.pointer.release(isClick));
 }
 
-/// What it shows may change while it is pressed.
+/// Checks that a press continues on an item whose contents change meanwhile.
 void TestPanelPointer::anItemThatChanges_isStillTheSame()
 {
     Wand wand = beforeTools();
@@ -361,7 +362,7 @@ void TestPanelPointer::anItemThatChanges_isStillTheSame()
     QVERIFY(!wand.pointer.release(isClick));
 }
 
-/// Somebody at the window sculpts between the press and its end.
+/// Checks an item that must be held instead of clicked after somebody at the window sculpts between press and release.
 void TestPanelPointer::anItemThatMustBeHeldByNow_isNotClicked()
 {
     vr::FilesPanel files;
@@ -389,14 +390,14 @@ void TestPanelPointer::aPoke_actsWhenItIsDrawnBack()
         QVERIFY(!wand.poke(0, paint, -0.03));
         QVERIFY(!wand.poke(0, paint, depth));
         QVERIFY((wand.pointer.touch(vr::PanelKind::Tools) == vr::PanelTouch{paint, true, 0}));
-        QVERIFY(wand.pointer.spot()); // also for a trigger: it presses, and does not sculpt
+        QVERIFY(wand.pointer.spot()); // also for the trigger: it presses instead of sculpting
         QVERIFY(wand.poke(0, paint, -0.01) == paint);
         QVERIFY(!wand.poke(0, paint, -0.03));
     }
 }
 
-/// Moves the tip from behind, from the side, out at the side or over another item, and by a hand that does something
-/// else.
+/// Moves the tip through an item from behind, from the side, out at the side, over another item, and with a hand that
+/// is busy.
 void TestPanelPointer::aPoke_fromElsewhereDoesNothing()
 {
     Wand wand = beforeTools();
@@ -432,7 +433,7 @@ void TestPanelPointer::aTriggerWithinAPoke_actsOnce()
     QVERIFY(!wand.poke(0, paint, -0.03));
 }
 
-/// While it sculpts, what is behind does not look as if the trigger pressed it.
+/// Checks that a hand that sculpts does not highlight items of a panel behind.
 void TestPanelPointer::aHandElsewhere_pointsAtNothing()
 {
     Wand wand = beforeTools();
@@ -441,7 +442,7 @@ void TestPanelPointer::aHandElsewhere_pointsAtNothing()
     QVERIFY(!wand.pointer.touch(vr::PanelKind::Tools) && !wand.pointer.spot());
     wand.at(0, paint);
     wand.pointer.press();
-    wand.pointer.lookAway(); // what it presses it holds
+    wand.pointer.lookAway(); // a pressed item stays pressed
     QVERIFY(wand.pointer.release(isClick) == paint);
 }
 

@@ -14,7 +14,8 @@ namespace
 {
 constexpr double period90 = 1000.0 / 90;
 
-/// A phase takes its number in tenths of a millisecond, and Draw draws half a millisecond more.
+/// Returns a timing in which phase i takes (i + 1) tenths of a millisecond, with half a millisecond of draw calls added
+/// to Draw.
 FrameTiming timing(double factor = 1)
 {
     FrameTiming made{.drawCallMs = 0.5 * factor, .periodMs = period90, .isShown = true};
@@ -59,7 +60,7 @@ void TestPerformancePanel::withoutFrames_allIsNothing()
     QVERIFY(PerformancePanel::of(many(300, hidden), 0) == PerformancePanel());
 }
 
-/// The phases and their sum are without them.
+/// Checks that draw calls are not included in the phases and their sum.
 void TestPerformancePanel::drawCalls_areTheirOwn()
 {
     const PerformancePanel panel = PerformancePanel::of(many(90), 0);

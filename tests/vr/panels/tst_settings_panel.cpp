@@ -15,7 +15,7 @@ using vr::Slide;
 
 namespace
 {
-/// All that the page's items offer for that choice; sliders both their ends.
+/// Returns all actions that the page's items offer for these settings, with both ends of each slider.
 std::vector<PanelAction> offers(const HeadsetSettings& choice, SettingsPage page)
 {
     std::vector<PanelAction> all;
@@ -131,7 +131,7 @@ void TestSettingsPanel::whatIsNoSetting_changesNothing()
         QVERIFY(after(action) == HeadsetSettings());
 }
 
-/// By what the pages offer.
+/// Checks that each setting can be reached by the actions that the pages offer.
 void TestSettingsPanel::everySetting_canBeReached()
 {
     const auto canBecome = [](const auto& isSo) {
@@ -163,7 +163,7 @@ void TestSettingsPanel::whatWasChosen_isShownAsChosen()
             QVERIFY(std::get<vr::ButtonLook>(item->look).isChosen);
         if (const auto* slide = std::get_if<Slide>(&action))
             QCOMPARE(std::get<Slide>(*item->action).value, slide->value);
-        if (const auto* ground = std::get_if<vr::ShowFloor>(&action)) // its item wants the other from now on
+        if (const auto* ground = std::get_if<vr::ShowFloor>(&action)) // the item then offers the opposite action
             QVERIFY(!item && layout.itemFor(vr::ShowFloor{!ground->isShown}));
     }
 }

@@ -2,5 +2,5 @@
 
 #include <atomic>
 
-/// Counts the calls of `new` in this program, by any thread. counted_allocations.cpp replaces the library's functions.
+/// Number of calls of `new` in this program, by any thread. counted_allocations.cpp replaces the library's functions.
 extern std::atomic<long> allocations;

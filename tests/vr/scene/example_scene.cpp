@@ -14,9 +14,9 @@ using vr::WandPart;
 using vr::WandSpot;
 
 constexpr double degree = std::numbers::pi / 180;
-const core::Vec3 brushPlace(0.095, 1.345, -0.635); ///< at the model's surface
+const core::Vec3 brushPlace(0.095, 1.345, -0.635); ///< at the model's surface, metres
 
-/// Turned about the room's Y, then raised about its own X.
+/// Returns a rotation about the room's Y by `yaw` and about its own X by `pitch`, degrees.
 Eigen::Quaterniond turned(double yaw, double pitch)
 {
     return Eigen::Quaterniond(Eigen::AngleAxisd(yaw * degree, core::Vec3::UnitY()) *

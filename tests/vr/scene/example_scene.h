@@ -4,11 +4,11 @@
 
 #include <QImage>
 
-/// A person at work: a model before them, a wand in each hand, whatever a frame can show. For pictures and
-/// measurements.
+/// A person at work: a model in front of them, a wand in each hand, and everything that a frame can show. For images
+/// and measurements.
 namespace example
 {
 vr::SceneState scene(const core::Box& box);
-/// As a panel might be painted.
+/// Returns an image that looks like a painted panel.
 QImage panelPicture();
 } // namespace example

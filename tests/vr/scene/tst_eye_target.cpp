@@ -60,7 +60,7 @@ private:
 void TestEyeTarget::whatIsDrawn_comesIntoTheImage_data()
 {
     QTest::addColumn<unsigned int>("format");
-    QTest::addColumn<float>("inMemory"); ///< of light 0.2140, which is sRGB 127.5
+    QTest::addColumn<float>("inMemory"); ///< stored value of linear light 0.2140, which is sRGB 127.5
     QTest::newRow("sRGB") << unsigned(GL_SRGB8_ALPHA8) << 0.5F;
     QTest::newRow("half floats") << unsigned(GL_RGBA16F) << 0.214F;
     QTest::newRow("ten bits") << unsigned(GL_RGB10_A2) << 0.214F;
@@ -80,7 +80,8 @@ void TestEyeTarget::whatIsDrawn_comesIntoTheImage()
                          inMemory) < 0.003F);
 }
 
-/// The same name is given for images of one kind; a runtime may make others at any time.
+/// Checks that images of the same size and format share a framebuffer, and that a runtime may provide others at any
+/// time.
 void TestEyeTarget::sizesAndFormats_mayChange()
 {
     const TestImage left(m_gl, imageSize), right(m_gl, imageSize), large(m_gl, {300, 211}),
@@ -99,7 +100,7 @@ void TestEyeTarget::sizesAndFormats_mayChange()
     }
 }
 
-/// A pixel half covered by white shines half as bright: sRGB 188, not 128.
+/// Checks that antialiasing mixes linear light: a pixel half covered by white is sRGB 188, not 128.
 void TestEyeTarget::edges_areMixedOfLight()
 {
     struct Plate : vr::Program

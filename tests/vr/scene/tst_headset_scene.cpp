@@ -14,7 +14,7 @@
 namespace
 {
 constexpr QSize size(270, 300);
-constexpr Tangents leftEye{1.39, 1.23, 1.47, 1.46}, rightEye{1.23, 1.39, 1.47, 1.46}; ///< a Vive's
+constexpr Tangents leftEye{1.39, 1.23, 1.47, 1.46}, rightEye{1.23, 1.39, 1.47, 1.46}; ///< as of a Vive
 constexpr double eyeDistance = 0.063;
 
 using vr::SceneState;
@@ -33,7 +33,7 @@ int differing(const QImage& a, const QImage& b, int tolerance = 0)
     return count;
 }
 
-/// Where a point of the room is seen; pixels from the top left.
+/// Returns the pixel, from the top left, at which an eye sees a point of the room.
 QPointF pixelOf(const core::Vec3& point, const vr::EyeView& eye)
 {
     const Eigen::Vector4f clip = eye.projection * (eye.view * core::Vec3f(point.cast<float>())).homogeneous();
@@ -46,7 +46,7 @@ QColor colorAt(const QImage& picture, const QPointF& at)
     return picture.pixelColor(static_cast<int>(at.x()), static_cast<int>(at.y()));
 }
 
-/// Of a plain colour, with premultiplied alpha.
+/// Returns an image of one colour, with premultiplied alpha.
 QImage plain(const QColor& color)
 {
     QImage image(64, 64, QImage::Format_ARGB32_Premultiplied);
@@ -98,7 +98,7 @@ private:
     }
     QImage picture(const SceneState& state) { return picture(state, eye(state.head)); }
     QImage picture(const SceneState& state, const vr::EyeView& view);
-    /// Nothing but a dome; a model of mm, 1 m before the head.
+    /// Returns a scene with only a dome, and a place for a model in mm, 1 m in front of the head.
     static SceneState bare();
     unsigned int texture(const QColor& color);
 
@@ -172,7 +172,7 @@ void TestHeadsetScene::ball_coversThePixelsThatItShould_data()
     QTest::newRow("half out of view") << Tangents() << 1.0 << 1.6 << -1.0 << 0.3;
 }
 
-/// Which they are is said by rays from the eye, without OpenGL.
+/// Compares the pixels covered by the ball with rays from the eye, computed without OpenGL.
 void TestHeadsetScene::ball_coversThePixelsThatItShould()
 {
     QFETCH(Tangents, tangents);
@@ -204,7 +204,7 @@ void TestHeadsetScene::ball_coversThePixelsThatItShould()
     QCOMPARE(wrong, 0);
 }
 
-/// By as many pixels as the distance of the eyes and that of the ball say.
+/// Checks that the ball's image shifts between the eyes by as many pixels as their distance and the ball's imply.
 void TestHeadsetScene::eyes_seeTheBallApart()
 {
     SceneState state = bare();
@@ -232,7 +232,7 @@ void TestHeadsetScene::eyes_seeTheBallApart()
     }
 }
 
-/// In each direction the same, whatever an eye's field of view.
+/// Checks that the dome has the same colour in each direction, for any field of view of an eye.
 void TestHeadsetScene::eyes_seeTheSameDome()
 {
     SceneState state = bare();
@@ -248,11 +248,11 @@ void TestHeadsetScene::eyes_seeTheSameDome()
             darkest = std::min(darkest, gray);
             lightest = std::max(lightest, gray);
         }
-    QVERIFY(darkest > 20); // nowhere black
+    QVERIFY(darkest > 20); // not black anywhere
     QVERIFY(lightest > darkest + 15);
 }
 
-/// Strokes, and their undo, which give slots back: patch by patch, and in one.
+/// Compares patches applied one by one with a whole patch, after strokes and after their undo, which frees slots.
 void TestHeadsetScene::patches_showWhatAWholePatchShows()
 {
     core::Sculptor sculptor(mesh_asserts::sculptable(core::icosphere(3, 50)));
@@ -260,7 +260,7 @@ void TestHeadsetScene::patches_showWhatAWholePatchShows()
     sculptor.takePatch();
     SceneState state = bare();
     state.model = Eigen::Translation3d(0, 1.6, -0.6) * Eigen::UniformScaling(6e-3);
-    state.isFlat = true; // each triangle is seen
+    state.isFlat = true; // makes each triangle visible
     const auto isAsWhole = [&] {
         const QImage seen = picture(state);
         m_scene.destroy();
@@ -291,7 +291,8 @@ void TestHeadsetScene::patches_showWhatAWholePatchShows()
     QCOMPARE(differing(before, picture(state)), 0);
 }
 
-/// At the first frame of a visit that is at once; later, the model before is seen until then, frame by frame.
+/// Checks that a large model replaces the one before only when loaded completely, over several frames. In the first
+/// frame of a visit it is loaded at once.
 void TestHeadsetScene::largeModel_isSeenWhenItIsThereWhole()
 {
     const SceneState state = bare();
@@ -316,7 +317,7 @@ void TestHeadsetScene::largeModel_isSeenWhenItIsThereWhole()
     QCOMPARE(m_scene.wholeUploads(), 3U);
 }
 
-/// OpenXR takes an image that is not sRGB for linear light.
+/// Checks that images in linear and sRGB formats look the same. OpenXR interprets formats that are not sRGB as linear.
 void TestHeadsetScene::images_ofLightAndOfSrgbShowTheSame()
 {
     const SphereModel model;
@@ -340,10 +341,10 @@ void TestHeadsetScene::images_ofLightAndOfSrgbShowTheSame()
             for (int channel = 0; channel < 3; ++channel)
                 most = std::max(
                     most, std::abs(colors[channel] - core::io::srgbFromLinear(static_cast<double>(value[channel]))));
-            QVERIFY(std::abs(value[3] - 1) < 0.01F); // what is seen through leaves the image whole
+            QVERIFY(std::abs(value[3] - 1) < 0.01F); // transparent shapes leave the image opaque
             QCOMPARE(qAlpha(seen), 255);
         }
-    QVERIFY2(most <= 3, qPrintable(QString::number(most))); // blending rounds, layer upon layer
+    QVERIFY2(most <= 3, qPrintable(QString::number(most))); // blending rounds the values of each layer
 }
 
 void TestHeadsetScene::clayBehindTheEye_changesNothing()
@@ -374,7 +375,8 @@ void TestHeadsetScene::noClay_isNoTrouble()
     QCOMPARE(differing(before, picture(state)), 0);
 }
 
-/// A black translucent shape can only darken, so what is lighter is tinted; in the mirror image, too.
+/// Checks the tint at the brush and at its mirror image. The brush is black and can only darken, so lighter pixels are
+/// tinted.
 void TestHeadsetScene::brush_tintsWhatItWouldTake()
 {
     m_scene.apply(SphereModel(200, 5).whole());
@@ -391,7 +393,7 @@ void TestHeadsetScene::brush_tintsWhatItWouldTake()
     QVERIFY(blue(with, image) == blue(without, image));
     state.symmetry = core::Symmetry::X;
     QVERIFY(blue(picture(state), image) > blue(without, image) + 15);
-    std::get<vr::BallBrush>(state.brush).center.z() += 0.2; // takes nothing
+    std::get<vr::BallBrush>(state.brush).center.z() += 0.2; // moves the brush away from the model
     QVERIFY(blue(picture(state), at) <= blue(without, at));
 }
 
@@ -434,14 +436,14 @@ void TestHeadsetScene::ray_endsAtItsHit()
     QVERIFY(changed(hit, from + 0.5 * (point - from)));
     QVERIFY(!changed(hit, from + 1.3 * (point - from)));
     QVERIFY(changed(hit, point));  // the dot
-    for (int i = 0; i < 16; ++i) { // the ring, and between it and the dot nothing
+    for (int i = 0; i < 16; ++i) { // the ring; between ring and dot nothing changes
         const double turn = 2 * std::numbers::pi * i / 16;
         const core::Vec3 out(std::cos(turn), std::sin(turn), 0);
         QVERIFY(changed(hit, point + 0.079 * out));
         QVERIFY(i == 11 || i == 12 || i == 13 || i == 14 ||
-                !changed(hit, point + 0.05 * out)); // where the ray comes in
+                !changed(hit, point + 0.05 * out)); // except where the ray passes
     }
-    state.symmetry = core::Symmetry::Z; // the image is on the far side: hidden, but for a hint
+    state.symmetry = core::Symmetry::Z; // the mirror image is on the far side, where clay hides it almost completely
     QVERIFY(differing(hit, picture(state)) > 0);
 
     state.symmetry = core::Symmetry::None;
@@ -465,7 +467,7 @@ void TestHeadsetScene::plane_isSeenAroundTheClay()
         return colorAt(with, pixelOf(state.model * at, view)) != colorAt(without, pixelOf(state.model * at, view));
     };
     QVERIFY(changed({210, 210, 0}) && changed({-210, 210, 0}) && changed({230, 0, 0}));
-    QVERIFY(!changed({0, 0, 200}) && !changed({80, 60, 100})); // clay hides it
+    QVERIFY(!changed({0, 0, 200}) && !changed({80, 60, 100})); // clay hides the plane there
     QVERIFY(!changed({300, 0, 0}));
     state.box.setEmpty();
     QVERIFY(differing(with, picture(state)) > 100);
@@ -500,7 +502,7 @@ void TestHeadsetScene::panels_areBlendedByTheirAlpha()
                                                                (1 - alpha) * light(behind.red()))) <= 3);
         QVERIFY(std::abs(seen.green() - core::io::srgbFromLinear(alpha * light(c.color.green()) +
                                                                  (1 - alpha) * light(behind.green()))) <= 3);
-        // And nothing beside it.
+        // No change beside the panel.
         QCOMPARE(colorAt(with, pixelOf(at + core::Vec3(0.22, 0, 0), view)),
                  colorAt(without, pixelOf(at + core::Vec3(0.22, 0, 0), view)));
         QCOMPARE(colorAt(with, pixelOf(at + core::Vec3(0, 0.17, 0), view)),
@@ -515,7 +517,7 @@ void TestHeadsetScene::panels_hideWhatIsBehindThem_data()
     QTest::newRow("far first") << false;
 }
 
-/// In whatever order they are given; so they do rays and labels.
+/// Checks that panels hide rays, labels and panels behind them, in whatever order they are given.
 void TestHeadsetScene::panels_hideWhatIsBehindThem()
 {
     QFETCH(bool, nearFirst);
@@ -525,7 +527,8 @@ void TestHeadsetScene::panels_hideWhatIsBehindThem()
     state.panels = nearFirst ? std::vector{near, far} : std::vector{far, near};
     state.lasers[1] = vr::Laser{{-1, 1.6, -0.8}, {1, 1.6, -0.8}};
     const QImage seen = picture(state);
-    QCOMPARE(colorAt(seen, QPointF(size.width() / 2, size.height() / 2)), QColor(200, 0, 0)); // before panel and laser
+    // in front of panel and laser
+    QCOMPARE(colorAt(seen, QPointF(size.width() / 2, size.height() / 2)), QColor(200, 0, 0));
     QCOMPARE(colorAt(seen, pixelOf({0.32, 1.7, -1}, eye(state.head))), QColor(0, 200, 0));
     for (vr::Panel& panel : state.panels)
         panel.opacity = panel.textureId == near.textureId ? 0.5F : 1;
@@ -582,7 +585,7 @@ void TestHeadsetScene::wandParts_lightUp()
     vr::ShownWand& wand = state.wands[0];
     wand.isShown = true;
     wand.grip = {Eigen::Quaterniond(Eigen::AngleAxisd(1.4, core::Vec3::UnitX())),
-                 {0, 1.6, -0.16}}; // its pad to the face
+                 {0, 1.6, -0.16}}; // its pad faces the user
     const QImage before = picture(state);
     wand.isLit[static_cast<std::size_t>(part)] = true;
     const QImage after = picture(state);
@@ -639,7 +642,7 @@ void TestHeadsetScene::holdRing_fills()
     QCOMPARE(amber(1.7), full);
 }
 
-/// A triangle of either winding across the middle of the ball: black, and all beside it as without.
+/// Draws a hidden area of either winding across the ball. It must stay black, without a change beside it.
 void TestHeadsetScene::hiddenArea_isNotDrawn()
 {
     m_scene.apply(SphereModel(200, 4).whole());

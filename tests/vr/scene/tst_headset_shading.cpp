@@ -1,4 +1,4 @@
-// The same clay, drawn for the desktop and for an eye of the headset that looks from the same place.
+// Compares the clay drawn for the desktop with the clay drawn for an eye of the headset at the same place.
 #include "tests/support/test_main.h"
 #include "tests/ui/sphere_model.h"
 #include "tests/vr/gl/offscreen_gl.h"
@@ -20,7 +20,7 @@ struct Difference
     int compared = 0, most = 0;
 };
 
-/// Of the colours, where the mask has clay.
+/// Returns the largest difference of colours where the mask shows clay.
 Difference difference(const QImage& a, const QImage& b, const QImage& mask)
 {
     Difference result;
@@ -57,9 +57,10 @@ private Q_SLOTS:
 private:
     void show(bool isSharp);
     QImage desktop(const ui::MeshView& picture);
-    /// The model shrunk to metres and put somewhere in the room, turned; the head where the desktop's camera is.
+    /// Returns the scene with the model scaled to metres, moved and turned in the room, and with the head at the
+    /// desktop camera's place.
     vr::SceneState state(const core::Shading& shading) const;
-    /// With the camera's field of view.
+    /// Returns an eye with the camera's field of view.
     vr::EyeView eye(const vr::Pose& pose, const TestImage& image) const;
     QImage headset(const vr::SceneState& state, const vr::EyeView& view, const TestImage& image);
 
@@ -68,7 +69,7 @@ private:
     vr::Scene m_scene;
     ui::OrbitCamera m_camera;
     SphereModel m_model;
-    QImage m_mask; ///< transparent where no clay is
+    QImage m_mask; ///< transparent where there is no clay
 };
 
 void TestHeadsetShading::initTestCase()
@@ -94,7 +95,8 @@ void TestHeadsetShading::initTestCase()
         }
 }
 
-/// A ball painted on one side, with a hollow on the other; perhaps as if there were an edge at each vertex of its top.
+/// Shows a ball with paint on one side and hollow curvature on the other. `isSharp`: with a sharp edge at each vertex
+/// of its top.
 void TestHeadsetShading::show(bool isSharp)
 {
     core::MeshPatch patch = m_model.whole();
@@ -191,7 +193,8 @@ void TestHeadsetShading::clay_looksAsOnTheDesktop()
     QVERIFY2(found.most <= 2, qPrintable(QString::number(found.most)));
 }
 
-/// The lights go around the model with who looks at it, but do not turn with the head.
+/// Checks that turning the head does not change the shading: the lights follow the viewer's position around the model,
+/// but not the head's rotation.
 void TestHeadsetShading::headsTurn_changesNoShade()
 {
     vr::SceneState shown = state(ui::shadingOf(ui::Material::Clay));

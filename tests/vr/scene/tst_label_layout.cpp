@@ -16,7 +16,7 @@ struct Case
     vr::LabelAspects aspects;
 };
 
-/// A wand within reach, held anyhow; a head that looks at it, more or less.
+/// Returns random poses of a wand within reach and of a head that looks roughly at it.
 Case randomCase(StrokeFuzzer& random)
 {
     Case made;
@@ -77,7 +77,7 @@ void TestLabelLayout::labels_faceTheHeadAndDoNotOverlap()
     }
 }
 
-/// A plate is never seen under less than 2.3 degrees, of which the letters take some 45 %.
+/// Checks that a label always appears at least 2.3 degrees high, of which letters take some 45 %.
 void TestLabelLayout::labels_areReadableAtAnyDistance()
 {
     StrokeFuzzer random(7);
@@ -93,7 +93,8 @@ void TestLabelLayout::labels_areReadableAtAnyDistance()
     }
 }
 
-/// A wand that has dipped into the clay has its labels before that, and they are as readable there.
+/// Checks that labels are in front of the wand, clear of clay that the wand has dipped into, and equally readable
+/// there.
 void TestLabelLayout::labels_standBeforeTheWand()
 {
     StrokeFuzzer random(11);
@@ -108,7 +109,7 @@ void TestLabelLayout::labels_standBeforeTheWand()
     }
 }
 
-/// Right-handed and unit, even where the head is at the very place, or looks straight up.
+/// Checks that the axes are orthonormal and right-handed even if the head is at the same place or looks straight up.
 void TestLabelLayout::axes_areFiniteAnywhere()
 {
     const Eigen::Quaterniond up(Eigen::AngleAxisd(std::numbers::pi / 2, core::Vec3::UnitX()));

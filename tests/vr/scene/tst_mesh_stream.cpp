@@ -9,7 +9,7 @@ using core::Slot;
 
 namespace
 {
-/// What MeshBuffer has in OpenGL.
+/// A replacement of MeshBuffer that keeps the contents in memory.
 struct MemoryBuffer
 {
     struct Counters
@@ -19,7 +19,7 @@ struct MemoryBuffer
 
     std::vector<core::DrawVertex> vertices;
     std::vector<core::Triangle> faces;
-    std::size_t maxBytes = 0; ///< in one patch
+    std::size_t maxBytes = 0; ///< most bytes in one patch
     Counters sent;
 
     void create(int*) {}
@@ -72,7 +72,7 @@ core::Triangle face(StrokeFuzzer& random)
     return {static_cast<Slot>(random.below(1 << 20)), 1, 2};
 }
 
-/// Values for all slots, or for some spans of them.
+/// Fills values for all slots, or for random spans of slots.
 template <class Value, class Make>
 void fill(std::vector<core::SlotSpan>& spans, std::vector<Value>& values, Slot slots, bool all, const Make& make)
 {
@@ -107,7 +107,7 @@ MeshPatch patch(StrokeFuzzer& random, Slot vertices, Slot faces, bool whole)
     return made;
 }
 
-/// Another model: often one that takes several frames.
+/// Returns a whole patch for another model, often one that takes several frames to load.
 MeshPatch wholePatch(StrokeFuzzer& random)
 {
     const Slot size = random.below(3) == 0 ? 0 : random.below(2) == 0 ? 1000 : 150'000;
@@ -115,7 +115,7 @@ MeshPatch wholePatch(StrokeFuzzer& random)
                  true);
 }
 
-/// The mesh has grown, or become smaller.
+/// Returns a patch after which the mesh is larger or smaller.
 MeshPatch nextPatch(StrokeFuzzer& random, const MemoryBuffer& mesh)
 {
     const auto changed = [&](std::size_t slots) {
@@ -124,7 +124,7 @@ MeshPatch nextPatch(StrokeFuzzer& random, const MemoryBuffer& mesh)
     };
     const Slot vertices = changed(mesh.vertices.size()), faces = changed(mesh.faces.size());
     MeshPatch made = patch(random, vertices, faces, false);
-    // slots that are new are always said
+    // a patch must contain all new slots
     const auto complete = [&](auto& spans, auto& values, std::size_t before, Slot now, const auto& make) {
         const Slot said = spans.empty() ? 0 : spans.back().first + spans.back().count;
         const Slot from = std::max(static_cast<Slot>(before), said);
@@ -159,7 +159,7 @@ private Q_SLOTS:
     void spansAreKept();
 };
 
-/// What is shown is always a mesh that was: the newest, or while one loads, the last before it.
+/// Checks that the mesh shown is always a complete one: the newest, or while that is loading, the last one before it.
 void TestMeshStream::anySequence_endsAsIfAppliedDirectly()
 {
     StrokeFuzzer random(20261122);
@@ -216,7 +216,7 @@ void TestMeshStream::smallModels_areThereAtOnce()
     stream.apply(patch(random, 200'000, 400'000, true));
     QVERIFY(stream.isLoading());
     stream.step();
-    stream.apply(small); // in place of the one that was coming
+    stream.apply(small); // replaces the model that was loading
     QVERIFY(!stream.isLoading() && stream.shown().shows(direct));
     QCOMPARE(stream.wholeUploads(), 2U);
 }
@@ -241,7 +241,7 @@ void TestMeshStream::largeModels_comeInSlices()
     QCOMPARE(shown.vertices.size(), 200'000U);
 }
 
-/// A whole patch may have more than one span, and end within a slice.
+/// Checks whole patches with several spans, which may end within a slice.
 void TestMeshStream::spansAreKept()
 {
     StrokeFuzzer random(4);

@@ -22,11 +22,11 @@ namespace
 {
 constexpr Side sides[] = {Side::Left, Side::Right};
 constexpr double degree = std::numbers::pi / 180;
-/// With a frame to spare, even at 5 a second.
+/// seconds after which labels have appeared or disappeared, with a frame to spare at 5 frames per second
 constexpr double appears = vr::labelFadeIn + 0.3, goes = vr::labelFadeOut + 0.3;
 const Eigen::Vector2d padLeft(-0.8, 0), padTop(0, 0.8), padMiddle(0, 0);
 
-/// A head that looks ahead, wands low before it, far from where it looks, and time that passes in frames.
+/// A person whose head looks ahead, with wands held low outside the view direction, and time that passes in frames.
 class Player
 {
 public:
@@ -46,7 +46,7 @@ public:
     vr::WandMapping& hands() { return m_hands; }
     void pointAtPanel(Side side, bool points = true) { m_frame.pointsAtPanel[static_cast<std::size_t>(side)] = points; }
 
-    /// So many degrees aside of the wand's buttons.
+    /// Looks in a direction at this angle, in degrees, from the wand's buttons.
     void look(Side side, double degrees)
     {
         const core::Vec3 to = wand(side).grip * vr::placeOf(WandSpot::PadMiddle) - m_head.position;
@@ -55,7 +55,7 @@ public:
     }
     void lookAhead() { m_head.rotation = Eigen::Quaterniond::Identity(); }
 
-    /// At least one frame.
+    /// Plays frames for this many seconds, at least one.
     void play(double seconds)
     {
         const double end = m_frame.time + seconds;
@@ -79,7 +79,7 @@ public:
     vr::WandLabel label(Side side, WandSpot spot) const { return labels(side)[static_cast<std::size_t>(spot)]; }
     QString text(Side side, WandSpot spot) const { return label(side, spot).text; }
     float opacity(Side side, WandSpot spot) const { return label(side, spot).opacity; }
-    /// Of all texts.
+    /// Returns true if all labels with a text have this opacity.
     bool allAre(float opacity) const
     {
         for (const Side side : sides)
@@ -94,12 +94,12 @@ private:
     vr::WandMapping m_hands;
     vr::WandLabels m_labels;
     vr::InputFrame m_frame;
-    std::vector<vr::WandCommand> m_commands; ///< since they were taken
+    std::vector<vr::WandCommand> m_commands; ///< commands since the last call of takeCommands()
     vr::Pose m_head;
     double m_period;
 };
 
-/// Parts that a wand is made of.
+/// Kinds of wands, by their parts.
 enum class Kind { Pad, Stick, Simple };
 constexpr Kind kinds[] = {Kind::Pad, Kind::Stick, Kind::Simple};
 constexpr ButtonPreset presets[] = {ButtonPreset::Paper, ButtonPreset::Studio, ButtonPreset::OneHand};
@@ -109,11 +109,11 @@ vr::WandState ofKind(vr::WandState wand, Kind kind)
     wand.isStick = kind == Kind::Stick;
     wand.isSimple = kind == Kind::Simple;
     if (wand.isStick && wand.padPressed)
-        wand.padPressed = wand.padTouched = false; // a pushed stick is a press
+        wand.padPressed = wand.padTouched = false; // pushing the stick is the press
     return wand;
 }
 
-/// Effects that two people, who know no preset, find out of a part of a wand by trying it.
+/// Finds the effects of a wand's parts by trying them, like a user who does not know the preset.
 class Trial
 {
 public:
@@ -163,7 +163,7 @@ private:
             m_player.set(side, ofKind(restingWand(), m_kind));
         m_player.play(0.3);
     }
-    /// The hand moves meanwhile.
+    /// Shows a state of the wand for this many seconds while the hand moves.
     void show(Side side, const vr::WandState& wand, double seconds)
     {
         m_player.set(side, ofKind(wand, m_kind));
@@ -187,13 +187,14 @@ private:
     {
         return m_kind == Kind::Simple ? std::set<QString>() : words(side, pressing(pad), 0.2);
     }
-    /// Asks that what needs a long press is done by that only.
+    /// Returns the effects of a short press, and those of a long press marked with "Hold:" if a short press does not
+    /// have them.
     std::set<QString> held(Side side, const vr::WandState& wand)
     {
         std::set<QString> done = words(side, wand, 0.2);
         const bool opened = done.contains(QStringLiteral("Tools")) || done.contains(QStringLiteral("Colour"));
         if (opened)
-            show(side, wand, 0.2); // and closed again
+            show(side, wand, 0.2); // closes it again
         for (const QString& word : words(side, wand, vr::holdSeconds + 0.3))
             if (!done.contains(word))
                 done.insert(QStringLiteral("Hold: ") + word.toLower());
@@ -217,7 +218,7 @@ private:
             done.insert(how + wordOf(commandName(command)));
         return done;
     }
-    /// A trigger that does nothing alone does something to what the other one does.
+    /// Returns the effect of a trigger that has none alone: it may change the effect of the other hand's trigger.
     std::set<QString> withOther(Side side, std::set<QString> done)
     {
         const Side other = side == Side::Left ? Side::Right : Side::Left;
@@ -341,7 +342,7 @@ void TestWandLabels::labels_areTrueInEveryMode_data()
                     << preset << sculpting << kind;
 }
 
-/// A label is at each part that does something, and says just that, whichever panels are open.
+/// Checks that each part with an effect has a label with exactly that effect, whichever panels are open.
 void TestWandLabels::labels_areTrueInEveryMode()
 {
     QFETCH(ButtonPreset, preset);
@@ -388,7 +389,7 @@ void TestWandLabels::labels_changeWithTheHandsMode()
     QCOMPARE(player.text(Side::Right, WandSpot::PadLeft), QStringLiteral("Previous channel"));
     QCOMPARE(player.text(Side::Right, WandSpot::PadUp), QString());
     QCOMPARE(player.text(Side::Right, WandSpot::Trigger), QStringLiteral("Sculpt"));
-    QVERIFY(player.opacity(Side::Right, WandSpot::PadLeft) < 1); // a new word comes softly
+    QVERIFY(player.opacity(Side::Right, WandSpot::PadLeft) < 1); // a changed text fades in
     QCOMPARE(player.opacity(Side::Right, WandSpot::Trigger), 1.0F);
     QCOMPARE(player.text(Side::Left, WandSpot::PadLeft), QStringLiteral("Turn clockwise"));
     player.play(appears);
@@ -408,7 +409,7 @@ void TestWandLabels::labels_fadeIn()
     QVERIFY(player.allAre(1));
 }
 
-/// Each by its own gesture, and no other with it.
+/// Checks that a label disappears after its own gesture is used, and that no other label does.
 void TestWandLabels::labels_stayUntilTheyAreUsed()
 {
     QFETCH(double, rate);
@@ -493,7 +494,7 @@ void TestWandLabels::pressedPanels_areNoUse()
     QVERIFY(player.allAre(1));
 }
 
-/// Also where it is looked at.
+/// Checks that a wand pointing at a panel shows no labels, even when looked at.
 void TestWandLabels::wandAtAPanel_hasNoLabels()
 {
     Player player;
@@ -509,7 +510,7 @@ void TestWandLabels::wandAtAPanel_hasNoLabels()
     QVERIFY(player.allAre(1));
 }
 
-/// Twenty centimetres beside each other there is no room for both.
+/// Checks wands 20 cm apart, where there is room for only one wand's labels.
 void TestWandLabels::fartherOfTwoCloseWands_hasNoLabels()
 {
     Player player;
@@ -525,7 +526,7 @@ void TestWandLabels::fartherOfTwoCloseWands_hasNoLabels()
     };
     hold({-0.1, 1.4, -0.5}, {0.1, 1.4, -0.4});
     QVERIFY(allOf(Side::Left, 0) && allOf(Side::Right, 1));
-    hold({-0.1, 1.4, -0.4}, {0.1, 1.4, -0.41}); // they tremble
+    hold({-0.1, 1.4, -0.4}, {0.1, 1.4, -0.41}); // trembling hands
     QVERIFY(allOf(Side::Left, 0) && allOf(Side::Right, 1));
     hold({-0.1, 1.4, -0.4}, {0.1, 1.4, -0.5});
     QVERIFY(allOf(Side::Left, 1) && allOf(Side::Right, 0));
@@ -548,7 +549,7 @@ void TestWandLabels::refusedPresses_areNoUse()
     player.play(appears);
     player.set(Side::Right, pulling(1));
     player.play(0.1);
-    player.doOnce(Side::Left, pressing(padLeft)); // nothing is undone while a stroke is open
+    player.doOnce(Side::Left, pressing(padLeft)); // undo has no effect while a stroke is open
     player.play(goes);
     QCOMPARE(player.opacity(Side::Left, WandSpot::PadLeft), 1.0F);
     player.set(Side::Right, restingWand());
@@ -638,7 +639,8 @@ void TestWandLabels::otherChoice_hasNewLabels()
     QVERIFY(player.allAre(1));
 }
 
-/// But for the part of a frame by which it sees the press later.
+/// Compares fades at several frame rates. They may differ only by the fraction of a frame in which the press is noticed
+/// later.
 void TestWandLabels::fades_areTheSameAtAnyRate()
 {
     for (const double after : {0.2, 0.4, 0.6, 0.8, 1.0}) {
@@ -648,7 +650,7 @@ void TestWandLabels::fades_areTheSameAtAnyRate()
             player.set(Side::Right, pressing(padLeft));
             player.play(after);
             const double wanted = 1 - after / vr::labelFadeOut,
-                         slack = 1 / rate / vr::labelFadeOut + 0.05; // a press is told from a slide
+                         slack = 1 / rate / vr::labelFadeOut + 0.05; // time to distinguish a press from a slide
             QVERIFY(std::abs(player.opacity(Side::Right, WandSpot::PadLeft) - wanted) < slack);
         }
     }

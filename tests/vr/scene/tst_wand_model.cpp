@@ -34,7 +34,8 @@ core::Box boxOf(WandPart part)
 }
 } // namespace
 
-/// The wands' model: each part a sound solid, about as large as the true one, each button where its label says.
+/// Tests of the wands' model: each part is a sound solid of about its true size, and each button is where its label
+/// points.
 class TestWandModel : public QObject
 {
     Q_OBJECT
@@ -123,13 +124,13 @@ void TestWandModel::places_lieOnTheirParts()
     }
 }
 
-/// Where a button's own place is, no body is.
+/// Checks that the place of each button is not inside the wand's body.
 void TestWandModel::buttons_standOutOfTheBody()
 {
     const core::TriangleMesh body = welded(vr::wandPartModel(WandPart::Body));
     for (std::size_t spot = 0; spot < vr::wandSpotCount; ++spot) {
         const core::Vec3 place = vr::placeOf(static_cast<WandSpot>(spot));
-        double turns = 0; // the solid angle under which the body is seen from there
+        double turns = 0; // the solid angle of the body seen from the place
         for (const core::Triangle& face : body.triangles) {
             const auto from = [&](std::size_t i) { return core::Vec3(body.points[face[i]].cast<double>() - place); };
             const core::Vec3 a = from(0), b = from(1), c = from(2);
@@ -152,7 +153,8 @@ void TestWandModel::pad_isWhereThumbsAre()
     QVERIFY(boxOf(WandPart::PadUp).max().z() < boxOf(WandPart::PadDown).min().z());
 }
 
-/// Leans as far for a push beyond the rim as for one to it; the foot stays in the body.
+/// Checks that a push beyond the stick's rim leans it as far as a push to the rim, and that the stick's foot stays in
+/// the body.
 void TestWandModel::stick_leansToWhereItIsPushed()
 {
     const core::Box rest = boxOf(WandPart::Stick);

@@ -34,11 +34,11 @@ ModelPlacement somePlacement()
     return placement;
 }
 
-/// The dabs of a wand that goes straight from here to there in two seconds and rests before and after.
+/// Returns the dabs of a wand that moves straight for two seconds and rests before and after.
 std::vector<Vec3> dabsAt(double rate, const BrushState& brush, const ModelPlacement& placement)
 {
     core::StrokeSettings settings = vr::strokeSettings(brush, {}, placement);
-    settings.airbrush = 0; // of where it rests
+    settings.airbrush = 0; // no airbrush dabs while resting
     core::StrokePath path(settings);
     std::vector<Vec3> dabs;
     for (const double time : frameTimes(3, rate)) {
@@ -70,7 +70,8 @@ private Q_SLOTS:
         QVERIFY(brush.radius >= vr::minRadius && brush.radius <= vr::maxRadius);
     }
 
-    /// The paper's plane lies level; that of a face parts left and right. One that was chosen stays.
+    /// Checks the first plane of symmetry: level for the paper's preset, left to right for the others. A chosen plane
+    /// is kept.
     void theFirstPlaneIsThePresets()
     {
         const std::pair<ButtonPreset, core::Symmetry> firsts[] = {{ButtonPreset::Paper, core::Symmetry::Y},
@@ -112,7 +113,7 @@ private Q_SLOTS:
         const std::vector<core::Tool> first(order.begin(), order.begin() + 5), others(order.begin() + 5, order.end());
         QCOMPARE(first, (std::vector{Pull, Push, Flatten, Smooth, Paint}));
         QVERIFY(std::ranges::is_sorted(others));
-        QVERIFY(std::ranges::is_sorted(vr::toolOrder(vr::ButtonPreset::Studio))); // as the palette
+        QVERIFY(std::ranges::is_sorted(vr::toolOrder(vr::ButtonPreset::Studio))); // in the order of the palette
     }
 
     void whatIsToggledTwiceIsAsBefore()
@@ -172,7 +173,8 @@ private Q_SLOTS:
         QCOMPARE(vr::strokeSettings(brush, {}, somePlacement()).strength, 2.0);
     }
 
-    /// The ball where a ball that pulls begins in empty space.
+    /// Checks that only a new stroke of the spherical brush may add a ball, and only if it pulls: Pull, or inverted
+    /// Push. The ball is added where such a stroke begins in empty space.
     void onlyAPullThatBeginsMayAdd()
     {
         BrushState brush;
@@ -187,8 +189,8 @@ private Q_SLOTS:
         QVERIFY(!vr::strokeSettings(brush, {}, somePlacement()).add);
     }
 
-    /// A single stroke joins the ball with what it crosses. The ball waits for the end of smoothing, and of an open
-    /// stroke.
+    /// Checks that the next stroke adds a ball and joins it with what it crosses. Smoothing strokes and continued
+    /// strokes do not use up the ball.
     void theNextStrokeAddsABall()
     {
         BrushState brush = vr::changed(BrushState(), vr::PanelAction(core::Tool::Flatten));
@@ -231,7 +233,8 @@ private Q_SLOTS:
         }
     }
 
-    /// A model shown twice as large has a brush half as large; the hand's place and way are told in the model's space.
+    /// Checks that samples are in model space: a model shown twice as large gets a brush half as large, and the wand's
+    /// pose is converted.
     void samplesAreInTheModelsSpace()
     {
         const BrushState brush;
@@ -264,7 +267,8 @@ private Q_SLOTS:
         }
     }
 
-    /// The paper's preset adapts the mesh, the others keep its detail; panel and pad choose, and uniform is left again.
+    /// Checks the topology: the preset Paper adapts the mesh, the others keep its detail. Panel and pad choose another
+    /// topology, and Uniform can be left again.
     void topologyIsThePresetsUntilItIsChosen()
     {
         using core::Topology;
@@ -280,7 +284,7 @@ private Q_SLOTS:
         QCOMPARE(brush.stroke.topology, Topology::Adaptive);
     }
 
-    /// However the frames fall.
+    /// Checks that dabs are evenly spaced at any frame rate.
     void dabsStandEvenly()
     {
         const BrushState brush;

@@ -1,4 +1,4 @@
-// What the client in the headset does with the document when frames stop: without a runtime, and without a picture.
+// Tests how the client in the headset treats the document when frames stop. Runs without a runtime and without images.
 #include "vr/sculpt/sculpt_client.h"
 #include "vr/sculpt/wand_brush.h"
 
@@ -12,7 +12,7 @@ using vr::Side;
 
 namespace
 {
-/// A document that takes every stroke, and notes what it is told.
+/// A document that accepts every stroke and records its calls.
 class RecordingPort : public vr::DocumentPort
 {
 public:
@@ -40,7 +40,7 @@ public:
     vr::AvatarState seen;
 };
 
-/// A person with two wands, frame by frame.
+/// A person with two wands, played frame by frame.
 struct Person
 {
     void frame(double trigger)
@@ -70,7 +70,8 @@ private Q_SLOTS:
     void aToolChosenHere_getsTheWindowsValues();
 };
 
-/// The trigger is pulled all the time: no frame has shown another, and none after does anything before it was let go.
+/// Checks that the open stroke ends when frames stop. The trigger stays pulled in all frames, and must be released
+/// before it works again.
 void TestSculptClient::idle_endsTheStroke()
 {
     Person person;
@@ -92,7 +93,8 @@ void TestSculptClient::idle_endsTheStroke()
     QCOMPARE(person.port->begun, 2);
 }
 
-/// A runtime may count from 1970: strokes' times must fit into a file all the same.
+/// Checks that stroke times count from the start of the visit: a runtime's clock may count from 1970, which does not
+/// fit stroke files.
 void TestSculptClient::times_areTheVisits()
 {
     Person person;
@@ -105,7 +107,8 @@ void TestSculptClient::times_areTheVisits()
     QVERIFY(std::abs(person.port->last.time - 1.1) < 1e-5);
     person.frame(0);
     person.frame(1);
-    QVERIFY(std::abs(person.port->last.time - 1.122) < 1e-5); // the visit's, not the stroke's
+    // seconds since the start of the visit, not of the stroke
+    QVERIFY(std::abs(person.port->last.time - 1.122) < 1e-5);
 }
 
 void TestSculptClient::aToolChosenHere_getsTheWindowsValues()
@@ -118,7 +121,7 @@ void TestSculptClient::aToolChosenHere_getsTheWindowsValues()
     vr::BrushState chosen = brush.state();
     chosen.stroke.tool = core::Tool::Clay;
     brush.change(chosen);
-    update.brush.strength = 3; // of the tool before: it was on its way
+    update.brush.strength = 3; // a value of the previous tool, sent before the change arrived
     brush.take(update, vr::ModelPlacement());
     QCOMPARE(brush.state().stroke.strength, 1.0);
     update.brush.tool = core::Tool::Clay;
@@ -126,7 +129,7 @@ void TestSculptClient::aToolChosenHere_getsTheWindowsValues()
     update.brush.falloff = 9;
     update.smoothStrength = 0.25;
     const double radius = brush.state().radius;
-    brush.take(update, vr::ModelPlacement()); // an answer, no change of the window's
+    brush.take(update, vr::ModelPlacement()); // an answer, not a change made in the window
     QVERIFY(brush.state().stroke.tool == core::Tool::Clay && brush.state().stroke.strength == 0.5);
     QVERIFY(brush.state().stroke.falloff == 9 && brush.state().smoothStrength == 0.25);
     QCOMPARE(brush.state().radius, radius);

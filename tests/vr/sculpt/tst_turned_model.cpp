@@ -1,4 +1,4 @@
-// A hand that rests while the model turns under it (paper, section 3.5.4).
+// Tests a resting hand that sculpts while the model turns under it (paper, section 3.5.4).
 #include "vr/sculpt/brush_state.h"
 
 #include "tests/support/clay.h"
@@ -19,12 +19,13 @@ using vr::Pose;
 namespace
 {
 constexpr double pi = std::numbers::pi;
-constexpr double ringHeight = 0.4; ///< of the ring on the ball of radius 1
+constexpr double ringHeight = 0.4; ///< height of the ring on a ball of radius 1
 const double ringRadius = std::sqrt(1 - ringHeight * ringHeight);
-constexpr int frames = 540; ///< of one turn: 6 seconds at 90 a second
-constexpr int turns = 2;    ///< in the first the place where it began gets only half of the dabs that others got
+constexpr int frames = 540; ///< frames of one turn: 6 seconds at 90 frames per second
+/// in the first turn, the place of the beginning gets only half as many dabs as other places
+constexpr int turns = 2;
 
-/// A ball with a lug at one side, below the ring.
+/// Returns a ball with a protrusion at one side, below the ring.
 std::unique_ptr<core::Sculptor> ballWithALug()
 {
     auto sculptor = clay::unitBall();
@@ -59,7 +60,7 @@ void TestTurnedModel::aRestingHand_makesAnEvenRing_data()
             QTest::addRow("tilted by %g degrees, radius %g", tilt, radius) << tilt << radius;
 }
 
-/// The axis stays that of the document, wherever the middle of the model has gone, and however it stands.
+/// Checks that the model turns about the document's Y axis, even if its middle has moved and however it is tilted.
 void TestTurnedModel::aRestingHand_makesAnEvenRing()
 {
     QFETCH(double, tilt);

@@ -17,7 +17,7 @@ namespace
 constexpr XrPosef noPose{{0, 0, 0, 1}, {0, 0, 0}};
 constexpr int manyFrames = 1000;
 
-/// Of the context that is current.
+/// Returns the binding of the current context.
 XrGraphicsBindingOpenGLXlibKHR currentBinding(QOpenGLContext& gl)
 {
     XrGraphicsBindingOpenGLXlibKHR binding{};

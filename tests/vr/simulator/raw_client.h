@@ -10,8 +10,8 @@
 
 #define QSUCCEEDS(EXPRESSION) QCOMPARE(EXPRESSION, XR_SUCCESS)
 
-/// The least that an OpenXR client can be: it does as the specification says and leaves what is wrong to be done to the
-/// test. What a test wants to see is public. Everything is on one thread.
+/// A minimal OpenXR client that follows the specification. Tests provoke errors through its public members. Uses one
+/// thread.
 class RawClient
 {
 public:
@@ -27,28 +27,29 @@ public:
     RawClient(const RawClient&) = delete;
     RawClient& operator=(const RawClient&) = delete;
 
-    /// Each returns the first result that is an error, or the last.
+    /// Each of these functions returns the first error, or else the last result.
     XrResult createInstance(std::vector<const char*> extensions = {"XR_KHR_opengl_enable"});
     XrResult createSession();
     XrResult createSwapchain(const XrSwapchainCreateInfo& info, Eye& eye);
     XrResult createSwapchains();
     XrResult createSpaces();
-    /// The three above.
+    /// Calls createSession(), createSwapchains() and createSpaces().
     XrResult prepare();
-    /// From nothing to the focus.
+    /// Does everything from creating the instance to having the focus.
     XrResult enter();
 
-    /// Takes all events, and begins and ends the session as they say.
+    /// Handles all events, and begins and ends the session accordingly.
     XrResult poll();
-    /// poll() and one frame, of both eyes where the runtime says that it is seen; `inFrame` runs between begin and end.
+    /// Calls poll() and submits one frame, with both eyes if the runtime says that it is visible. `inFrame` is called
+    /// between xrBeginFrame and xrEndFrame.
     XrResult frame(const std::function<void()>& inFrame = {});
-    /// Frames until the session is in that state, or an error, or many frames have passed.
+    /// Submits frames until the session is in this state, an error occurs, or 1000 frames have passed.
     XrResult framesUntil(XrSessionState state);
-    /// Asks to leave, and follows until the session may be destroyed.
+    /// Requests to exit, and continues until the session may be destroyed.
     XrResult leave();
 
-    /// For the next frames: what the eyes see, the left one's lower half red and its upper half blue, the right one all
-    /// green.
+    /// Draws an eye's image: red in the lower half and blue in the upper half for the left eye, all green for the right
+    /// one.
     void draw(const Eye& eye, std::uint32_t image, bool isLeft);
     void putProjection(std::vector<XrCompositionLayerProjectionView>& views);
 
@@ -60,7 +61,7 @@ public:
     XrViewConfigurationType views = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
     XrSpace local = XR_NULL_HANDLE, view = XR_NULL_HANDLE;
     std::vector<Eye> eyes;
-    std::vector<XrSessionState> states; ///< all that were told
+    std::vector<XrSessionState> states; ///< all states that were reported
     std::vector<XrEventDataBuffer> otherEvents;
     XrFrameState frameState{XR_TYPE_FRAME_STATE, nullptr, 0, 0, XR_FALSE};
     bool isRunning = false;

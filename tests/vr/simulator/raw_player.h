@@ -8,7 +8,7 @@
 
 inline constexpr const char* viveProfile = "/interaction_profiles/htc/vive_controller";
 
-/// All that a space's location can say.
+/// All flags of a space location.
 inline constexpr XrSpaceLocationFlags locatedWholly =
     XR_SPACE_LOCATION_POSITION_VALID_BIT | XR_SPACE_LOCATION_POSITION_TRACKED_BIT |
     XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT;
@@ -50,7 +50,7 @@ public:
         return made;
     }
 
-    /// For both hands.
+    /// Suggests bindings for both hands.
     XrResult bind(const char* profile, const std::vector<std::pair<XrAction, const char*>>& inputs)
     {
         std::vector<XrActionSuggestedBinding> bindings;
@@ -70,7 +70,7 @@ public:
         return xrAttachSessionActionSets(session, &info);
     }
 
-    /// A frame in which the actions are read.
+    /// Submits a frame in which the actions are synced.
     XrResult play()
     {
         XrResult synced = XR_ERROR_RUNTIME_FAILURE;
@@ -120,7 +120,7 @@ public:
         return made;
     }
 
-    /// At the last frame's display time.
+    /// Locates a space at the display time of the last frame.
     XrSpaceLocation locate(XrSpace space, XrSpace base, XrSpaceVelocity* velocity = nullptr)
     {
         XrSpaceLocation location{XR_TYPE_SPACE_LOCATION, velocity, 0, {}};

@@ -14,7 +14,7 @@
 #include <functional>
 #include <mutex>
 
-/// What a frame was to a client.
+/// The inputs of a frame as the client received them.
 struct SeenFrame
 {
     vr::Wands wands;
@@ -24,7 +24,7 @@ struct SeenFrame
     bool roomMoved = false;
 };
 
-/// Fills each eye with a colour and notes all that it is told.
+/// A client that fills each eye with a colour and records its calls.
 class RecordingClient : public vr::FrameClient
 {
 public:
@@ -35,14 +35,16 @@ public:
     double drawCallMs() const override { return m_clock.milliseconds(); }
     void destroy() override;
 
-    /// Given back with the next frame.
+    /// Sets the output that the next frame returns.
     void answer(const vr::FrameOutput& output);
     SeenFrame last() const;
-    std::vector<vr::EyeImage> images() const; ///< by eye, of the last frame; none if it was not drawn
-    std::vector<vr::EyeView> views() const;   ///< the same
+    std::vector<vr::EyeImage> images() const; ///< images of the last frame, by eye; empty if it was not drawn
+    std::vector<vr::EyeView> views() const;   ///< views of the last frame, by eye; empty if it was not drawn
 
-    static QColor linear(std::size_t eye);                                  ///< what it is filled with
-    static double depth(std::size_t eye) { return eye == 0 ? 0.25 : 0.75; } ///< the same, where it is wanted
+    /// linear colour that the eye is filled with
+    static QColor linear(std::size_t eye);
+    /// depth that the eye is filled with, if depth is requested
+    static double depth(std::size_t eye) { return eye == 0 ? 0.25 : 0.75; }
 
     std::atomic<bool> canDraw = true;
     std::atomic<int> creates = 0, destroys = 0, frames = 0, draws = 0, idleCalls = 0, moves = 0, glErrors = 0;
@@ -59,25 +61,25 @@ private:
     vr::DrawCallTimer m_clock;
 };
 
-/// The scripted runtime behind Khronos' validation layer, with a folder for what they write. Words are written with '
-/// in place of ".
+/// The scripted runtime behind Khronos' validation layer, with a folder for their output. Scripts are written with '
+/// instead of ".
 class ScriptedHeadset
 {
 public:
     ScriptedHeadset();
 
-    /// Without the layer, as long as that lives.
+    /// Turns the layer off while the returned object exists.
     [[nodiscard]] std::shared_ptr<void> withoutLayer() const;
 
-    /// Begins anew.
+    /// Loads a script and restarts the runtime with it.
     void load(const char* script);
     void step(const char* step);
     bool frames(int count);
     QJsonObject report() const { return m_runtime.report(); }
     int calls(const char* name) const;
-    /// What the runtime and the layer found wrong with us.
+    /// Returns the errors that the runtime and the layer found in the client.
     QString complaints() const;
-    /// The picture of a frame that was kept; null if there is none.
+    /// Returns the image of a frame that was kept; null if there is none.
     QImage picture(int session, int frame, const char* eye) const;
 
 private:
@@ -85,17 +87,17 @@ private:
     ScriptedRuntime m_runtime;
 };
 
-/// A thread with a client, and what it has reported.
+/// A HeadsetThread with a client, and the reports that it has sent.
 class Visitor
 {
 public:
     explicit Visitor(ScriptedHeadset& headset,
                      std::chrono::milliseconds exitTimeout = vr::RuntimeThread::responseTimeout);
-    ~Visitor(); ///< the runtime then gives frames freely and answers, so that a test that has failed comes to an end
+    ~Visitor(); ///< makes the runtime deliver frames freely and answer calls, so that a failed test ends
 
     bool enter();
     bool enterAndRun();
-    /// Waits for the end.
+    /// Leaves and waits for the end of the visit.
     bool leave();
     bool waitForEnd();
     bool waitFor(vr::HeadsetStage stage);

@@ -5,39 +5,41 @@
 #include <QJsonObject>
 #include <QStringList>
 
-/// The OpenXR runtime of vr/simulator, in the process of the test: the loader takes it from now on, and the test steers
-/// it. The words are in vr/simulator/control_api.h; a word that is not understood ends the test. Any thread.
+/// The OpenXR runtime of vr/simulator, loaded into the test's process and controlled by the test. Its commands are
+/// described in vr/simulator/control_api.h; an unknown command ends the test. Thread: any.
 class ScriptedRuntime
 {
 public:
-    /// Begins anew; no instance may exist. Log and pictures go where FETTLE_XR_LOG and FETTLE_XR_FRAMES say.
+    /// Restarts the runtime. Precondition: no OpenXR instance exists. Log and images are written to the paths in
+    /// FETTLE_XR_LOG and FETTLE_XR_FRAMES.
     explicit ScriptedRuntime(const QByteArray& script = "{}");
 
-    /// The loader takes it from now on, here and in processes that are started from here. It does what FETTLE_XR_SCRIPT
-    /// says, unless one was loaded.
+    /// Makes the OpenXR loader choose this runtime from now on, here and in child processes. The runtime follows the
+    /// script in FETTLE_XR_SCRIPT unless another was loaded.
     static void choose();
-    /// What is wrong with a script; empty: it is in force.
+    /// Loads a script. Returns its error, or an empty text if it is now used.
     static QString load(const QByteArray& script);
 
-    /// Does a step now: the next frame sees it.
+    /// Executes a step immediately: the next frame is affected.
     void set(const QByteArray& step);
-    /// Waits until the client has ended so many more frames; at pace "stepped" they go only now.
+    /// Waits until the client has ended this many more frames; at pace "stepped" it releases them first.
     bool frames(int count);
     QJsonObject report() const;
-    /// What the left eye saw in the newest frame since this was last asked, which asks for the next; null: nothing new.
+    /// Returns the left eye's image of the newest frame since the last call, and requests the next image; null: no new
+    /// image.
     QImage picture();
-    /// Both must be empty of a client that knows the rules.
+    /// Errors and warnings about the client. Both are empty for a correct client.
     QStringList clientErrors() const;
     QStringList clientWarnings() const;
 };
 
-/// The fastest pace.
+/// Returns a script with the fastest pace.
 inline QByteArray fastScript()
 {
     return R"({"start": {"pace": "fast", "size": [64, 48]}})";
 }
 
-/// The fastest pace, with tiny pictures and such steps.
+/// Returns a script with the fastest pace, tiny images and these steps.
 inline QByteArray fastWith(const QByteArray& steps)
 {
     return R"({"start": {"pace": "fast", "size": [16, 16]}, "steps": [)" + steps + "]}";

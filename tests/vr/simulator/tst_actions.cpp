@@ -1,4 +1,4 @@
-// What a client hears of buttons, and what the wands feel of it.
+// Tests of a client's button inputs and of the wands' vibration.
 #include "tests/support/test_main.h"
 #include "tests/vr/simulator/raw_player.h"
 #include "tests/vr/simulator/scripted_runtime.h"
@@ -81,7 +81,7 @@ void TestActions::convertsInputs()
                                         {clicked, "/input/trigger/click"},
                                         {never, "/input/trigger"},
                                         {parent, "/input/trigger"}}));
-    QCOMPARE(runtime.clientWarnings().size(), 2); // the vector, of each hand
+    QCOMPARE(runtime.clientWarnings().size(), 2); // two warnings: the vector action, for each hand
     QSUCCEEDS(player.attach());
     QSUCCEEDS(player.framesUntil(XR_SESSION_STATE_FOCUSED));
     for (int frame = 3; frame <= 5; ++frame)
@@ -89,7 +89,7 @@ void TestActions::convertsInputs()
     QCOMPARE(player.boolean(pressed).currentState, XrBool32(XR_TRUE));
     QCOMPARE(player.number(amount).currentState, 1.F);
     QCOMPARE(player.boolean(clicked).currentState, XrBool32(XR_FALSE));
-    QCOMPARE(player.boolean(parent).currentState, XrBool32(XR_FALSE)); // the click, as there is one
+    QCOMPARE(player.boolean(parent).currentState, XrBool32(XR_FALSE)); // the click, because the input has one
     QCOMPARE(player.vector(never).isActive, XrBool32(XR_FALSE));
     QSUCCEEDS(player.play());
     QCOMPARE(player.boolean(clicked).currentState, XrBool32(XR_TRUE));
@@ -111,7 +111,7 @@ void TestActions::tellsChanges()
         changes << (state.changedSinceLastSync == XR_TRUE);
         changedAt = frame == 5 ? player.frameState.predictedDisplayTime : changedAt;
         QCOMPARE(player.number(trigger, player.hands[1]).changedSinceLastSync,
-                 state.changedSinceLastSync); // reading changes nothing
+                 state.changedSinceLastSync); // reading does not change it
         if (frame >= 5)
             QCOMPARE(state.lastChangeTime, changedAt);
     }
@@ -306,7 +306,7 @@ void TestActions::refusesBadBindings_data()
     row("valve/index_controller", "/input/squeeze/force", true);
     row("valve/index_controller", "/input/squeeze/click", false);
     row("oculus/touch_controller", "/input/squeeze/value", true);
-    row("oculus/touch_controller", "/input/x/click", false); // on the left hand only
+    row("oculus/touch_controller", "/input/x/click", false); // only the left hand has it
     row("microsoft/motion_controller", "/input/thumbstick", true);
     row("microsoft/motion_controller", "/input/trigger/click", false);
     row("acme/stick", "/input/menu/click", false);

@@ -1,4 +1,4 @@
-// Each fault that a script can put in a client's way, once.
+// Tests of each fault that a script can cause for a client.
 #include "tests/support/test_main.h"
 #include "tests/vr/simulator/raw_client.h"
 #include "tests/vr/simulator/scripted_runtime.h"
@@ -190,7 +190,7 @@ void TestFaults::pacesFrames()
         QSUCCEEDS(client.frame());
     QVERIFY(timer.elapsed() >= 80);
     runtime.set(R"({"hz": 5})");
-    timer.start(); // before the frame from whose beginning the next one counts
+    timer.start(); // before the frame whose beginning the next one is counted from
     QSUCCEEDS(client.frame());
     QCOMPARE(client.frameState.predictedDisplayPeriod, 200'000'000);
     QSUCCEEDS(client.frame());
@@ -244,7 +244,7 @@ void TestFaults::answersInACallsStead()
     QCOMPARE(runtime.clientErrors(), QStringList());
 }
 
-/// The call goes on where it was as soon as another is named; others are answered meanwhile.
+/// Checks that a frozen call continues when another call is named, and that other calls are answered meanwhile.
 void TestFaults::freezes()
 {
     ScriptedRuntime runtime(fastScript());

@@ -1,5 +1,5 @@
-// The tool that other tests lean on: it keeps the specification's rules, does what its script says, and sees what a
-// client does wrong.
+// Tests of the scripted runtime itself, which other tests rely on: it follows the specification, executes its script,
+// and detects a client's errors.
 #include "tests/support/test_main.h"
 #include "tests/vr/simulator/raw_client.h"
 #include "tests/vr/simulator/scripted_runtime.h"
@@ -38,7 +38,7 @@ private Q_SLOTS:
     void initTestCase() { SKIP_WITHOUT_GLX(); }
     void init();
 
-    void followsTheEnvironment(); // first: later ones load scripts of their own
+    void followsTheEnvironment(); // must be first: later tests load scripts of their own
     void livesThroughASession();
     void keepsPictures();
     void showsPictures();
@@ -123,7 +123,7 @@ void TestRuntime::keepsPictures()
     QCOMPARE(right.pixel(32, 24), qRgb(0, 255, 0));
 }
 
-/// Only pictures that are asked for are made, and each is shown once.
+/// Checks that images are made only when requested, and that each is shown once.
 void TestRuntime::showsPictures()
 {
     ScriptedRuntime runtime(R"({"start": {"pace": "fast", "size": [64, 48]}})");
@@ -138,14 +138,15 @@ void TestRuntime::showsPictures()
     QSUCCEEDS(client.frame());
     QVERIFY(!runtime.picture().isNull());
     QSUCCEEDS(client.frame());
-    runtime.set(R"({"should_render": false})"); // nothing new to see: what was seen is shown once, too
+    runtime.set(R"({"should_render": false})"); // no new image from now on; the last one drawn is still shown once
     QSUCCEEDS(client.frame());
     QVERIFY(!runtime.picture().isNull());
     QSUCCEEDS(client.frame());
     QVERIFY(runtime.picture().isNull());
 }
 
-/// A client that is slower than the display: its time goes by the clock at pace "live", by its frames at pace "real".
+/// Tests a client that is slower than the display: predicted time follows the clock at pace "live", and counts the
+/// client's frames at pace "real".
 void TestRuntime::liveTime_isTheClocks()
 {
     constexpr int frames = 8;
@@ -169,7 +170,8 @@ void TestRuntime::liveTime_isTheClocks()
     }
 }
 
-/// One with alpha in a linear format on an array's second layer, and one that covers.
+/// Checks images of two quad layers: one with alpha, in a linear format, on the second layer of an array texture, and
+/// one opaque.
 void TestRuntime::keepsQuads()
 {
     constexpr std::int64_t linear = 0x8058, texture2DArray = 0x8C1A; // GL_RGBA8, GL_TEXTURE_2D_ARRAY
@@ -187,7 +189,7 @@ void TestRuntime::keepsQuads()
     QSUCCEEDS(xrAcquireSwapchainImage(panel.swapchain, nullptr, &image));
     const XrSwapchainImageWaitInfo wait{XR_TYPE_SWAPCHAIN_IMAGE_WAIT_INFO, nullptr, 0};
     QSUCCEEDS(xrWaitSwapchainImage(panel.swapchain, &wait));
-    const std::vector<unsigned char> grey(8 * 4 * 4, 55); // of red, green, blue and alpha
+    const std::vector<unsigned char> grey(8 * 4 * 4, 55); // red, green, blue and alpha of each pixel
     client.gl.functions()->glBindTexture(texture2DArray, panel.images[image]);
     client.gl.extraFunctions()->glTexSubImage3D(texture2DArray, 0, 0, 0, 1, 8, 4, 1, GL_RGBA, GL_UNSIGNED_BYTE,
                                                 grey.data());
@@ -214,7 +216,7 @@ void TestRuntime::keepsQuads()
     const QImage through(folder.filePath("session0_frame0003_quad0.png")),
         covering(folder.filePath("session0_frame0003_quad1.png"));
     QCOMPARE(through.size(), QSize(6, 4));
-    QCOMPARE(through.pixel(3, 2), qRgba(128, 128, 128, 55)); // 55 of 255 is half as bright to the eye
+    QCOMPARE(through.pixel(3, 2), qRgba(128, 128, 128, 55)); // linear 55 of 255 is sRGB 128
     QCOMPARE(covering.pixel(3, 2), qRgba(128, 128, 128, 255));
     QCOMPARE(runtime.clientErrors(), QStringList());
 }
@@ -308,7 +310,7 @@ void TestRuntime::passesTheValidationLayer()
         QSUCCEEDS(client.createInstance());
         QCOMPARE(xrDestroySession(XR_NULL_HANDLE), XR_ERROR_HANDLE_INVALID);
     }
-    QVERIFY(QFile::exists(folder.filePath("said"))); // else it was deaf all the time
+    QVERIFY(QFile::exists(folder.filePath("said"))); // otherwise the layer was never active
 }
 
 void TestRuntime::comesAgain()
@@ -442,7 +444,7 @@ void TestRuntime::warnsOfWhatSwims()
         QSUCCEEDS(client.frame());
     QCOMPARE(runtime.clientWarnings(), QStringList());
     QSUCCEEDS(client.frame([&] { client.frameState.predictedDisplayTime += 100'000'000; }));
-    QCOMPARE(runtime.clientWarnings().size(), 3); // both views, and the time itself
+    QCOMPARE(runtime.clientWarnings().size(), 3); // one for each view, and one for the display time
 }
 
 void TestRuntime::refusesBadScripts_data()

@@ -1,4 +1,4 @@
-// Where a client finds head, eyes and wands, and when it does not.
+// Tests of the poses of head, eyes and wands that a client locates, and of when they are unavailable.
 #include "tests/support/test_main.h"
 #include "tests/vr/simulator/raw_player.h"
 #include "tests/vr/simulator/scripted_runtime.h"
@@ -49,7 +49,7 @@ void TestSpaces::movesTheHead()
     QVERIFY(qAbs(velocity.angularVelocity.y - qDegreesToRadians(90.F)) < 1e-3F);
     QCOMPARE(velocity.velocityFlags,
              XrSpaceVelocityFlags(XR_SPACE_VELOCITY_LINEAR_VALID_BIT | XR_SPACE_VELOCITY_ANGULAR_VALID_BIT));
-    // What stands still moves past who moves, and the other way round.
+    // A fixed space moves relative to a moving one, and vice versa.
     player.locate(stage, player.view, &velocity);
     QVERIFY(qAbs(velocity.angularVelocity.y + qDegreesToRadians(90.F)) < 1e-3F);
     QVERIFY(isNear(player.locate(player.local, stage).pose.position, 0, 1.6, 0));
@@ -68,10 +68,10 @@ void TestSpaces::placesTheEyes()
     std::uint32_t count = 0;
     QCOMPARE(xrLocateViews(player.session, &info, &state, 1, &count, views), XR_ERROR_SIZE_INSUFFICIENT);
     QSUCCEEDS(xrLocateViews(player.session, &info, &state, 2, &count, views));
-    QVERIFY(isNear(views[0].pose.position, 1, 0, 2.03)); // who looks to the left has the left eye behind
+    QVERIFY(isNear(views[0].pose.position, 1, 0, 2.03)); // looking to the left, the left eye is behind
     QVERIFY(isNear(views[1].pose.position, 1, 0, 1.97));
     QCOMPARE(views[0].fov.angleLeft, -views[1].fov.angleRight);
-    QVERIFY(views[0].fov.angleLeft < -views[0].fov.angleRight); // asymmetric: more outwards than to the nose
+    QVERIFY(views[0].fov.angleLeft < -views[0].fov.angleRight); // asymmetric: wider outwards than towards the nose
     QVERIFY(views[0].fov.angleUp != -views[0].fov.angleDown);
 }
 
@@ -90,7 +90,7 @@ void TestSpaces::movesAWand()
     const XrSpace right = player.handSpace(grip, player.hands[1]), tip = player.handSpace(aim, player.hands[1]);
     const XrSpace left = player.handSpace(grip, player.hands[0]);
     QSUCCEEDS(player.framesUntil(XR_SESSION_STATE_FOCUSED));
-    QCOMPARE(player.locate(right, stage).locationFlags, XrSpaceLocationFlags(0)); // not yet synchronised
+    QCOMPARE(player.locate(right, stage).locationFlags, XrSpaceLocationFlags(0)); // not synced yet
     QSUCCEEDS(player.play());
     QCOMPARE(player.locate(right, stage).locationFlags, locatedWholly);
     QVERIFY(isNear(player.locate(right, stage).pose.position, 0.1, 1, -0.5));
@@ -123,7 +123,7 @@ void TestSpaces::losesTracking()
     QCOMPARE(player.locate(player.view, player.local).locationFlags, XrSpaceLocationFlags(0));
     QCOMPARE(player.locate(left, player.view).locationFlags, XrSpaceLocationFlags(0));
     QCOMPARE(runtime.report()["last_frame"].toObject()["layers"].toArray().size(),
-             0); // the client cannot draw without a head
+             0); // the client cannot draw without a head pose
     runtime.set(R"({"left": {"tracked": "no_position"}})");
     const XrSpaceLocation turned = player.locate(left, player.local);
     QCOMPARE(turned.locationFlags, XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT);

@@ -1,4 +1,4 @@
-// Versions of OpenXR that the simulator accepts from a loader and from a client.
+// Tests of the OpenXR versions that the simulator accepts from a loader and from a client.
 #include "vr/simulator/loader_interface.h"
 
 #include "tests/support/test_main.h"
@@ -12,7 +12,7 @@ namespace
 {
 using Negotiate = XrResult (*)(const simulator::LoaderInfo*, simulator::RuntimeRequest*);
 
-/// What a loader passes for this range of versions.
+/// Returns the information that a loader with this range of versions passes.
 simulator::LoaderInfo loaderInfo(XrVersion least, XrVersion most)
 {
     return {simulator::LoaderStructure::LoaderInfo, 1, sizeof(simulator::LoaderInfo), 1, 1, least, most};
