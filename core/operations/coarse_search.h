@@ -23,8 +23,9 @@ public:
         , m_control(control)
     {}
 
-    /// Runs until the mesh has at most `triangles` faces, until some hundred visits per vertex in a row have removed
-    /// nothing, or until a bounded amount of work, which takes 10 to 30 s. The result is the same on any machine.
+    /// Runs until the mesh has at most `triangles` faces. Gives up after some hundred visits per vertex in a row that
+    /// remove nothing, or after a bounded amount of work, which takes 10 to 30 s. The result is the same on any
+    /// machine.
     void run();
 
 private:

@@ -1,4 +1,4 @@
-// Inserts another model, as free topology adds a sphere (paper, section 3.5.1), but for any solid:
+// Inserts another model, as free topology adds a sphere (paper, section 3.5.1), for any solid:
 //   1. check     the inserted model alone: it must bound a solid                                    mesh_check
 //   2. place     beside the present model, where its own file puts it, or at a requested centre
 //   3. touch     no face of one model may meet a face of the other, on a common lattice             self_intersection

@@ -120,8 +120,8 @@ enum class ModelRefusal {
 struct ModelChange
 {
     ModelRefusal refusal = ModelRefusal::None;
-    std::size_t faces = 0; ///< see ModelRefusal
-    MeshReport report;     ///< see ModelRefusal::Unsound
+    std::size_t faces = 0; ///< number of faces at fault, for refusals that mention `faces`
+    MeshReport report;     ///< check of the inserted model; Insert only
     MeshDelta delta;       ///< the change; Mesh::swap applies it, and swaps it back
     bool changes = false;  ///< true if the command was neither refused nor cancelled and the delta alters anything
 };

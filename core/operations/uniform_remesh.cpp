@@ -1,6 +1,6 @@
 // Remeshes the whole model to one d_detail, with the operations that a dab applies under its brush (paper, section
 // 3.2):
-//   1. patches   cut the vertices along a Morton curve into pieces of like size, each with its one-ring
+//   1. patches   cut the vertices along a Morton curve into pieces of similar size, each with its one-ring
 //   2. optimise  each patch that has an edge out of bounds; collapses may make some edges too long        remesh
 //   3. even out  move its vertices to their neighbours' mean, then back onto the original surface     reference_surface
 //   4. split     edges that are too long now

@@ -65,7 +65,7 @@ enum class FileFault {
     JsonChunk,       ///< a first GLB chunk of type JSON
     Base64,          ///< base64 data within a URI
     LengthUnit,      ///< a unit of length known to 3MF or AMF
-    Missing,         ///< the token is referred to, but does not exist in the file
+    Missing,         ///< the token is required or referred to, but does not exist
     Repeated,        ///< the token occurs twice
     NotAList,        ///< JSON value of another type than list
     NotAnObject,     ///< JSON value of another type than object

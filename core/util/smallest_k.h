@@ -38,7 +38,7 @@ public:
 
     std::size_t capacity() const { return m_capacity; }
     std::uint64_t count() const { return m_count; }
-    /// Returns the smallest items, ascending and without duplicates. The object is empty afterwards.
+    /// Removes and returns the smallest items, ascending and without duplicates.
     std::vector<Item> take()
     {
         std::sort(m_items.begin(), m_items.end());

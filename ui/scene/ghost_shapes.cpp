@@ -14,7 +14,7 @@ constexpr int around = 64, rings = 32;
 struct Body
 {
     core::Vec3 middle, half;
-    double upright = 1, inPlan = 1; ///< exponents of its outline seen from the side, and from above
+    double upright = 1, inPlan = 1; ///< exponents of the body's outline seen from the side, and from above
     int solidity = 255;
 };
 

@@ -9,7 +9,7 @@ namespace ui
 {
 namespace
 {
-constexpr double cosineOfAside = 0.9962; ///< 5 degrees
+constexpr double cosineOfAside = 0.9962; ///< cosine of 5 degrees
 constexpr double hundred = 100;          ///< edge of the cube that replaces an empty box, mm
 
 /// Axes of the view from a side; `back` points from the eye into the view.

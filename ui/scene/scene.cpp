@@ -41,7 +41,7 @@ QOpenGLFunctions_3_3_Core* functionsOf(QOpenGLContext* context)
 struct Scene::State
 {
     QOffscreenSurface surface;                  ///< outlives the engine and the contexts
-    std::unique_ptr<QOpenGLContext> ownContext; ///< Layered only
+    std::unique_ptr<QOpenGLContext> ownContext; ///< used in Layered mode only
     std::unique_ptr<Qt3dEngine> engine;
     Ground* ground = nullptr;                       ///< owned by the engine's root
     BrushCursor *cursor = nullptr, *mark = nullptr; ///< owned by the engine's root

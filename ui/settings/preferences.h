@@ -26,7 +26,7 @@ inline constexpr std::array<Named<TextSize>, 4> textSizes{
 inline constexpr std::array<Named<Language>, 4> languages{
     {{Language::System, "system"}, {Language::English, "en"}, {Language::German, "de"}, {Language::Chinese, "zh_CN"}}};
 
-/// Exponents of a pen's pressure curve: below 1 light touches have more effect, above 1 less.
+/// Limits of the exponent of a pen's pressure curve: below 1 light touches have more effect, above 1 less.
 inline constexpr double minPenExponent = 0.25, maxPenExponent = 4;
 
 /// Returns the effective pressure, 0 to 1, for a pen's pressure, 0 to 1.

@@ -103,7 +103,7 @@ struct Range
 struct Anything
 {};
 
-/// The valid values of T: a range, the words of an enumeration, or anything.
+/// The valid values of T: a range, the stored names of an enumeration, or anything.
 template <class T>
 using Valid = std::conditional_t<std::is_enum_v<T>, std::span<const Named<T>>,
                                  std::conditional_t<std::is_arithmetic_v<T>, Range, Anything>>;

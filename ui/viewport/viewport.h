@@ -37,7 +37,7 @@ struct ViewportStats
     double drawMs = 0;
     double sceneMs = 0; ///< CPU time of Qt3D in the last frame
     double frameMs = 0; ///< CPU time of the whole last frame
-    /// time from an input event to the frame with its patch, for the last patch caused by input
+    /// time from an input event to the upload of its patch, for the last patch caused by input
     double latencyMs = 0;
     double worstLatencyMs = 0;
 };

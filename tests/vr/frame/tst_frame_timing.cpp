@@ -90,7 +90,7 @@ void TestFrameTiming::skippedPeriodsAreLost()
     std::int64_t now = 5'000'000'000;
     QCOMPARE(lost.count(now, period, true), 0U);
     QCOMPARE(lost.count(now += period, period, true), 0U);
-    QCOMPARE(lost.count(now += period + period / 5, period, true), 0U); // runtimes are not exact
+    QCOMPARE(lost.count(now += period + period / 5, period, true), 0U); // a runtime's times are not exact
     QCOMPARE(lost.count(now += 2 * period, period, true), 1U);
     QCOMPARE(lost.count(now += 10 * period - period / 5, period, true), 9U);
     QCOMPARE(lost.count(now, period, true), 0U);

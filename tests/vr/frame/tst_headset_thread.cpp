@@ -453,7 +453,7 @@ void TestHeadsetThread::aRuntimeThatDoesNotLetGo()
     QCOMPARE(m_headset->calls("xrDestroySession"), 1);
 }
 
-/// Tests a runtime that has ended the session but does not report the final state: the thread must poll seldom
+/// Tests a runtime that has ended the session but does not report the final state: the thread must poll rarely
 /// meanwhile.
 void TestHeadsetThread::aRuntimeThatTakesItsTime()
 {
@@ -644,7 +644,7 @@ void TestHeadsetThread::isHidden()
     QCOMPARE(visitor.reports.last().end, HeadsetEnd::Left);
 }
 
-/// Checks that taking the headset off ends the session, and that the thread then polls seldom.
+/// Checks that taking the headset off ends the session, and that the thread then polls rarely.
 void TestHeadsetThread::isTakenOffAndPutOnAgain()
 {
     Visitor visitor(*m_headset);

@@ -261,7 +261,7 @@ void TestPanelPainter::everyIcon_isThere()
                 const QColor pixel = icon.pixelColor(x, y);
                 inked += pixel.alpha() > 128 ? 1 : 0;
                 QVERIFY2(pixel.alpha() < 128 || pixel.rgb() == QColor(Qt::red).rgb(),
-                         qPrintable(name)); // edges are smooth
+                         qPrintable(name)); // edges are antialiased
             }
         QVERIFY2(inked > 60, qPrintable(name));
     }

@@ -357,7 +357,7 @@ void TestPanelPointer::anItemThatChanges_isStillTheSame()
     wand.wait(0.1);
     QVERIFY(wand.pointer.release(isClick) == paint);
     wand.pointer.press();
-    wand.replace({placed(other, {0.1, 1.3, 0})}); // by more than an item's width
+    wand.replace({placed(other, {0.1, 1.3, 0})}); // moved by more than an item's width
     wand.wait(0.1);
     QVERIFY(!wand.pointer.release(isClick));
 }

@@ -93,8 +93,8 @@ void TestLabelLayout::labels_areReadableAtAnyDistance()
     }
 }
 
-/// Checks that labels are in front of the wand, clear of clay that the wand has dipped into, and equally readable
-/// there.
+/// Checks that labels are in front of the wand, clear of clay that the wand has dipped into, and equally
+/// readable.
 void TestLabelLayout::labels_standBeforeTheWand()
 {
     StrokeFuzzer random(11);

@@ -87,7 +87,7 @@ void TestWandModel::wand_isAsLongAsAVives()
         all.extend(boxOf(static_cast<WandPart>(part)));
     QVERIFY(std::abs(all.sizes().z() - 0.24) < 0.005);
     QVERIFY(all.sizes().x() < 0.06 && all.sizes().y() < 0.06);
-    QVERIFY(all.contains(core::Vec3::Zero())); // the palm
+    QVERIFY(all.contains(core::Vec3::Zero())); // the palm is at the origin
     QCOMPARE(all.min().z(), boxOf(WandPart::Tip).min().z());
 }
 

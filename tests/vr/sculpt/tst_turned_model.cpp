@@ -60,7 +60,8 @@ void TestTurnedModel::aRestingHand_makesAnEvenRing_data()
             QTest::addRow("tilted by %g degrees, radius %g", tilt, radius) << tilt << radius;
 }
 
-/// Checks that the model turns about the document's Y axis, even if its middle has moved and however it is tilted.
+/// Checks that a resting brush cuts an even ring, because the model turns about the document's Y axis even if its
+/// middle has moved and it is tilted.
 void TestTurnedModel::aRestingHand_makesAnEvenRing()
 {
     QFETCH(double, tilt);
