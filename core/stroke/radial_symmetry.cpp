@@ -13,7 +13,7 @@ bool usesMotion(Tool tool)
     return sharpens(tool) || tool == Tool::Grab || tool == Tool::SnakeHook;
 }
 
-/// Returns whether the dab depends on its axes, and so turns with them.
+/// Returns whether the dab's effect depends on its up direction, so that a turned dab differs from the original.
 bool hasFrame(const StrokeSettings& settings)
 {
     return settings.tool == Tool::Stamp ? settings.model != nullptr : usesAlpha(settings.tool) && settings.alpha;
@@ -28,7 +28,7 @@ Vec3 mirrored(Vec3 p, Symmetry symmetry)
     return p;
 }
 
-/// How much of two balls of one radius is the other's: 1 where they are the same, 0 where they only touch.
+/// Returns how much two balls of equal radius overlap: 1 if they coincide, 0 if they only touch.
 double overlap(const Vec3& a, const Vec3& b, double radius)
 {
     return std::max(0.0, 1 - (a - b).norm() / (2 * radius));
@@ -52,7 +52,7 @@ Turn Turn::part(int k, int n)
 {
     constexpr Turn quarters[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
     const Turn whole = quarters[4 * k / n];
-    const int rest = 4 * k % n; // of n in a quarter
+    const int rest = 4 * k % n; // remainder of the angle, in units of 1/n of a quarter turn
     if (rest == 0)
         return whole;
     Turn within = by(quarter * std::min(rest, n - rest) / n);

@@ -6,36 +6,37 @@
 
 namespace core
 {
-/// A turn about the document's Y axis, anticlockwise seen from above: z goes towards x.
+/// A rotation about the document's Y axis, anticlockwise seen from above: +z turns towards +x.
 struct Turn
 {
     double cosine = 1, sine = 0;
 
-    /// Makes a turn by at most a quarter, in radians. A Taylor series gives it the same bits on every machine.
+    /// Makes a turn by an angle of at most a quarter turn, in radians. Computed by a Taylor series, so that all
+    /// machines give the same bits.
     static Turn by(double angle);
-    /// Makes a turn by k of n equal parts of a whole one, 0 <= k < n. Quarter turns are exact, others have the same
-    /// bits on every machine.
+    /// Makes a turn by k/n of a full turn, 0 <= k < n. Quarter turns are exact; other turns have the same bits on every
+    /// machine.
     static Turn part(int k, int n);
 
     bool isNone() const { return cosine == 1; }
-    /// Of a quarter turn's image of a lattice point; never -0.
+    /// Returns the turned point. Exact for a quarter turn of a lattice point; never returns -0.
     Vec3f operator*(const Vec3f& p) const;
     Vec3 operator*(const Vec3& p) const;
 };
 
-/// The dab in another sector.
+/// Returns the dab, turned into another sector.
 Dab operator*(const Turn& turn, Dab dab);
 
-/// The dabs for which a dab stands that is done in `settings.radial` sectors, that of its own sector first; each is
-/// weaker where they (and their mirror images) overlap, so that they come to one dab where they all stand on the axis.
-/// But for Layer's, which go only so high.
+/// Returns the dabs of all `settings.radial` sectors, starting with the given dab. Where the dabs or their mirror
+/// images overlap, each is weakened; if all are centred on the axis, together they are as strong as one dab. Dabs of
+/// Layer keep their strength, because Layer limits its own height.
 std::vector<Dab> sectorDabs(const StrokeSettings& settings, const Dab& dab);
 
-/// Whether it does what one of the others does, or, with a plane of symmetry, its mirror image. `adds`: a solid, of
-/// which none stands in another.
+/// Returns whether the dab has the same effect as one of the others or, with a plane of symmetry, as the mirror image
+/// of one. `adds`: the dab adds a solid.
 bool isAmong(std::span<const Dab> others, const Dab& dab, const StrokeSettings& settings, bool adds = false);
 
-/// Where the dab at that place works besides: in the other sectors and, with a plane of symmetry, across it. The place
-/// itself stands first.
+/// Returns the centres of all images of a dab at `place`: in every sector and, with a plane of symmetry, mirrored. The
+/// first is `place` itself.
 std::vector<Vec3> imagesOf(const Vec3& place, const StrokeSettings& settings);
 } // namespace core

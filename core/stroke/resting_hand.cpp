@@ -6,12 +6,12 @@ namespace core
 {
 namespace
 {
-/// The hand rests if it is no farther than this from where it was at the last dab, in radii: one that follows a path
-/// slowly is farther when the next dab is due.
+/// Largest distance from the last dab, in radii, at which the pointer counts as at rest. A pointer that moves slowly is
+/// farther away when the next dab is due.
 constexpr double maxRestDistance = 0.05;
-/// The first dab of a rest comes after this time, in seconds, so that a click is one dab.
+/// Shortest time at rest before the first airbrush dab, in seconds, so that a click makes only one dab.
 constexpr double minRestSeconds = 0.25;
-/// A longer rest between two samples counts as one of so many seconds: no hand is read so seldom.
+/// Longest time at rest between two samples, in seconds. Longer pauses count as this long: no device reports so rarely.
 constexpr double maxRestSeconds = 10;
 } // namespace
 
@@ -29,7 +29,7 @@ void RestingHand::follow(const Dab& dab, const Vec3& hand, double time)
     m_time = time;
 }
 
-/// A ray's hand is far from the surface: there a turn of the ray counts as well.
+/// The position of a ray's sample is far from the surface, so a rotation of the ray also counts as motion.
 bool RestingHand::isAtRest(const Dab& dab, const Vec3& hand) const
 {
     if (!m_hasDab)

@@ -6,18 +6,19 @@ namespace core
 {
 namespace
 {
-/// Cosine of the largest angle by which a curve turns at a sample; beyond it there is a corner.
+/// Cosine of the largest angle by which a curve may turn at a sample. A larger angle counts as a corner.
 constexpr double cornerCosine = 0.5;
-/// A parabola through samples whose distances differ by more than this factor would swing out.
+/// Largest ratio between the distances of the three samples. Beyond it the parabola would overshoot.
 constexpr double maxRatio = 8;
 
-/// Returns the bend of the parabola through p0, p1, p2 from p1 to p2, where p0 is at t = -ratio.
+/// Returns the bend, between p1 and p2, of the parabola through p0, p1 and p2, which are at t = -ratio, 0 and 1.
 Vec3 bend(const Vec3& p0, const Vec3& p1, const Vec3& p2, double ratio)
 {
     return ((p1 - p0) / ratio - (p2 - p1)) / (1 + ratio);
 }
 
-/// Interpolates between two rotations, the short way. Trigonometry would have other last bits on another machine.
+/// Interpolates between two rotations along the shorter arc. Uses no trigonometric functions, because their last bits
+/// differ between machines.
 Eigen::Quaterniond between(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b, double t)
 {
     const Eigen::Vector4d end = a.dot(b) < 0 ? Eigen::Vector4d(-b.coeffs()) : b.coeffs();
@@ -33,7 +34,8 @@ SampleCurve::SampleCurve(const PlacedSample& from, const PlacedSample& to, const
     const PlacedSample* const beside = before ? before : after;
     if (!beside)
         return;
-    const PlacedSample &near = before ? from : to, &far = before ? to : from; // the bend is the same in both directions
+    // the order of the ends does not matter: the bend is the same in both directions
+    const PlacedSample &near = before ? from : to, &far = before ? to : from;
     const Vec3 first = near.center - beside->center, second = far.center - near.center;
     const double length = second.norm(), ratio = length > 0 ? first.norm() / length : 0;
     if (!(ratio * maxRatio > 1 && ratio < maxRatio && first.dot(second) > cornerCosine * first.norm() * length))

@@ -4,30 +4,32 @@
 
 namespace core
 {
-/// A sample and its dab's centre, mm.
+/// A sample and the centre of its dab, mm.
 struct PlacedSample
 {
     StrokeSample sample;
     Vec3 center;
 };
 
-/// The way of the hand from one sample to the next. Position and direction follow the parabola through a third sample
-/// beside these two, so that few samples of a curve make a curve; the rest is linear, the model's rotation too (and
-/// then of unit length), except that up is the later sample's.
+/// Interpolates between two samples. Position and direction follow a parabola through these two and a third,
+/// neighbouring sample, so that a few samples of a curve give a curve. All other values are interpolated linearly, the
+/// rotation too (and normalised); the up vector is the later sample's.
 class SampleCurve
 {
 public:
     SampleCurve() = default;
-    /// `before`, `after`: the samples beside these two, or null. The one before counts first; without both the way is
-    /// straight, and so it is where it turns by more than 60 degrees at a sample, as at a corner.
+    /// `before`, `after`: the samples before `from` and after `to`, or null. `before` is used if both are given.
+    /// Without either, or if the path turns by more than 60 degrees at the shared sample (a corner), the interpolation
+    /// is linear.
     SampleCurve(const PlacedSample& from, const PlacedSample& to, const PlacedSample* before,
                 const PlacedSample* after);
 
-    /// Returns the sample at t, from 0 to 1.
+    /// Returns the interpolated sample at t, 0 to 1.
     StrokeSample at(double t) const;
 
 private:
     StrokeSample m_from, m_to;
-    Vec3 m_bend = Vec3::Zero(), m_directionBend = Vec3::Zero(); ///< the parabola is linear + t (1 - t) bend
+    /// the parabolas are: linear interpolation + t (1 - t) bend
+    Vec3 m_bend = Vec3::Zero(), m_directionBend = Vec3::Zero();
 };
 } // namespace core

@@ -6,7 +6,7 @@ namespace core
 {
 namespace
 {
-/// The way, in radii, over which Snake Hook takes the direction of the hand.
+/// Length of recent motion, in radii, from which Snake Hook takes its heading.
 constexpr double headingLength = 0.5;
 
 bool isIn(double value, Parameter parameter)

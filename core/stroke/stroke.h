@@ -12,12 +12,13 @@ namespace core
 class Alpha;
 class BrushModel;
 
-/// The largest number of sectors.
+/// Largest number of sectors of a radially symmetric stroke.
 inline constexpr int maxRadial = 32;
-inline constexpr double minAirbrush = 0.1, maxAirbrush = 60, defaultAirbrush = 10; ///< dabs a second
-/// Dabs a second of each tool's strokes where the hand rests; 0: none.
+/// Range and default of StrokeSettings::airbrush, dabs per second.
+inline constexpr double minAirbrush = 0.1, maxAirbrush = 60, defaultAirbrush = 10;
+/// Airbrush rate of each tool, in dabs per second while the pointer is at rest; 0: none.
 using AirbrushRates = std::array<double, toolNames().size()>;
-/// Returns the default rate for each tool that can go on where the hand rests.
+/// Returns the default airbrush rates: defaultAirbrush for tools that can use an airbrush (canAirbrush()), else 0.
 constexpr AirbrushRates defaultAirbrushRates()
 {
     AirbrushRates rates{};
@@ -31,137 +32,151 @@ struct StrokeSettings
 {
     Tool tool = Tool::Pull;
     BrushShape brush = BrushShape::Sphere;
-    Placement place = Placement::Point; ///< of the spherical brush
+    Placement place = Placement::Point; ///< source of the dab centres of a spherical brush
     Topology topology = Topology::Adaptive;
     Symmetry symmetry = Symmetry::None;
-    /// Sectors about the document's Y axis in which each dab is done, and mirrored if there is a symmetry; 1 to
-    /// maxRadial.
+    /// Number of sectors about the document's Y axis in which each dab is repeated, 1 to maxRadial. With a symmetry
+    /// each of them is also mirrored.
     int radial = 1;
     double radius = info(Parameter::Radius).defaultValue;
     double strength = info(Parameter::Strength).defaultValue;
-    int falloff = static_cast<int>(info(Parameter::Falloff).defaultValue); ///< n of b(x); 0: no weighting
-    double detail = info(Parameter::Detail).defaultValue;                  ///< scales d_detail
-    double detailLength = 0; ///< d_detail of the uniform topology; 0: 4/3 of the model's mean edge when it was opened
-    /// The distance between dabs, in radii; Stamp takes 2 at least. 0: each sample is exactly one dab.
+    /// exponent n of the weight b(x); 0: all vertices have weight 1
+    int falloff = static_cast<int>(info(Parameter::Falloff).defaultValue);
+    double detail = info(Parameter::Detail).defaultValue; ///< factor of d_detail
+    /// d_detail of Topology::Uniform, mm; 0: 4/3 of the model's mean edge length when it was opened
+    double detailLength = 0;
+    /// Distance between dabs, in radii; at least 2 for Stamp. 0: each sample makes exactly one dab.
     double spacing = info(Parameter::Spacing).defaultValue;
-    /// Dabs a second of a hand that rests, with a spacing and a tool that can (canAirbrush); 0: a hand that rests does
-    /// nothing. At most maxAirbrush.
+    /// Dabs per second while the pointer is at rest, 0 to maxAirbrush; 0: none. Needs a spacing and a tool that can use
+    /// it (canAirbrush()).
     double airbrush = 0;
-    /// Surfaces that meet join, necks part, specks vanish (paper, section 3.4); else they stop at contact.
+    /// Joins surfaces that meet, cuts thin necks and removes specks (paper, section 3.4). If false, surfaces stop at
+    /// contact.
     bool fusion = true;
-    /// The other way round, where that has a meaning (hasInverse): inflate shrinks, clay and layer dig, scrape fills,
-    /// pinch spreads, crease raises a ridge, twist turns back, stamp raises, mask is wiped away.
+    /// Inverts tools that have an inverse (hasInverse()): inflate shrinks, clay and layer dig, scrape fills, pinch
+    /// spreads, crease raises a ridge, twist turns the other way, stamp raises, mask erases.
     bool inverted = false;
-    /// Lets the first dab of Pull or Stamp, at a point with nothing under the brush, add a sphere, or the model (paper,
-    /// section 3.5.1). The dabs after it pull, also where the first was refused; a stamp that was added ends the
-    /// stroke.
+    /// Lets the first dab of Pull or Stamp add a sphere, or `model`, if it is centred at a point and nothing is under
+    /// the brush (paper, section 3.5.1). Later dabs deform as usual, even if the first was refused. A stamp that was
+    /// added ends the stroke.
     bool add = false;
-    /// Lets each dab add one wherever it is; it becomes part of the model where their surfaces cross.
+    /// Lets each dab add a solid, whatever is under the brush; the solid becomes part of the model if their surfaces
+    /// cross.
     bool join = false;
-    Rgb color;                          ///< of Paint
-    std::shared_ptr<const Alpha> alpha; ///< of tools that use one (usesAlpha); null: none
-    bool alphaFollows = false; ///< up in the alpha, or in Stamp's model, is the stroke's way; else it stands upright
-    /// Makes the stroke one dab, where its first sample is, with a tool that can (canAnchor). The way of the hand since
-    /// then is its radius, and the direction of that way its up. A click leaves both as they are.
+    Rgb color;                          ///< the colour that Paint applies
+    std::shared_ptr<const Alpha> alpha; ///< image for tools that use one (usesAlpha()); null: none
+    /// the up direction of the alpha, or of Stamp's model, follows the stroke; otherwise it stays upright
+    bool alphaFollows = false;
+    /// Makes the stroke a single dab at the first sample, for tools that allow it (canAnchor()). The displacement of
+    /// the pointer from there sets the dab's radius and up direction. A click leaves radius and up direction unchanged.
     bool anchored = false;
-    std::shared_ptr<const BrushModel> model; ///< of Stamp, and of what `add` adds; null: a ball
+    std::shared_ptr<const BrushModel> model; ///< shape of Stamp and of the solids that `add` adds; null: a ball
 };
 
-/// Returns whether samples are rays that lead the hand, and not the hand's own places.
+/// Returns whether samples are used as rays, and not as positions.
 constexpr bool isByRay(const StrokeSettings& settings)
 {
     return settings.brush == BrushShape::Ray || settings.place == Placement::Ray;
 }
-/// Returns whether the stroke is one dab that the hand drags out.
+/// Returns whether the stroke is a single dab that the user drags to its size.
 constexpr bool isAnchored(const StrokeSettings& settings)
 {
     return settings.anchored && canAnchor(settings.tool);
 }
 
-/// The shortest way, in radii of the brush, by which the hand drags an anchored dab out: less is a click.
+/// Shortest displacement of the pointer, in radii of the brush, that counts as dragging an anchored dab. Less is a
+/// click.
 inline constexpr double minDragged = 0.05;
 
-/// Returns the settings that Ctrl makes of these: Pull becomes Push and Push Pull, others are inverted where that has a
-/// meaning.
+/// Returns the settings for a stroke with Ctrl pressed: Pull and Push are exchanged; other tools are inverted if they
+/// have an inverse.
 StrokeSettings opposite(StrokeSettings settings);
 
-/// Returns the settings of a dab that adds a ball of the radius, or the model, and does nothing else. Where it crosses
-/// the surface it becomes part of the model, with fusion on.
+/// Returns settings whose dab only adds a ball of the radius, or the model. With fusion on, a solid that crosses the
+/// surface becomes part of the model.
 StrokeSettings addingSolid(StrokeSettings settings);
 
-/// Turns about Y by the parts that this many sectors share with a quarter turn take the lattice to itself: 4, 2 or 1.
-/// Sectors that lie so to each other stay each other's images bit for bit; with 2 and 4 these are all.
+/// Returns how many of the sectors, the first included, differ from the first by a multiple of a quarter turn about Y:
+/// 4, 2 or 1. Such turns map the lattice onto itself, so these sectors can stay exact images of each other, bit for
+/// bit.
 constexpr int exactTurns(int radial)
 {
     return radial % 4 == 0 ? 4 : radial % 2 == 0 ? 2 : 1;
 }
 
-/// Returns whether the two sides of a wall that meet under the brush make a hole, instead of stopping it.
+/// Returns whether pushing through a wall makes a hole in it. Otherwise the two sides of the wall stop the motion when
+/// they meet.
 bool pushes(const StrokeSettings& settings);
 
-/// One reading of mouse, pen or wand. After this nobody asks which it was.
+/// One reading of a mouse, pen or VR controller. Nothing after this type depends on which device it came from.
 struct StrokeSample
 {
-    double time = 0; ///< seconds; without influence on geometry, except for StrokeSettings::airbrush
+    double time = 0; ///< time stamp, seconds; affects the geometry only through StrokeSettings::airbrush
     Vec3 position = Vec3::Zero();
     Vec3 direction = -Vec3::UnitZ();
     double pressure = 1; ///< 0 to 1
-    /// The model's orientation in the world at that moment; its inverse is applied to position and direction.
+    /// The model's orientation in the world at the time of the sample. Position and direction are turned into model
+    /// space by its inverse.
     Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
-    std::optional<double> radius;   ///< of this sample only
-    std::optional<double> strength; ///< of this sample only
-    /// Up vector of the hand that holds the brush, in world space, of any length. It orients alphas and Stamp's model,
-    /// also where the brush meets no surface. Nothing: the world's up.
+    std::optional<double> radius;   ///< brush radius for this sample only, mm
+    std::optional<double> strength; ///< strength for this sample only
+    /// Up vector of the hand that holds the brush, in world space, of any length. Orients alphas and Stamp's model,
+    /// even in empty space. Nothing: the world's up.
     std::optional<Vec3> up;
 };
 
-/// Positions, directions, times and speeds: squares stay finite, and every lattice ends long before.
+/// Largest absolute value of a sample's coordinates and times. Its square is finite, and it is far outside every
+/// lattice.
 inline constexpr double maxSampleMagnitude = 1e9;
-/// The largest coordinate of a direction: what is shorter has none.
+/// A direction whose coordinates are all smaller than this in magnitude counts as undefined.
 inline constexpr double minDirection = 1e-9;
-/// The largest difference of a rotation's squared length from 1.
+/// Largest deviation of a rotation's squared length from 1.
 inline constexpr double rotationTolerance = 1e-3;
 
-/// Returns whether all values that a dab would use are finite and in the ranges that stroke files have.
+/// Returns whether all values that a dab would use are finite and within the ranges that stroke files allow.
 bool isUsable(const StrokeSettings& settings, const StrokeSample& sample);
 
-/// A file that a stroke file names: whoever plays it reads it into the settings.
+/// A file that a stroke file refers to. Whoever plays the stroke must load it into the settings.
 struct StrokeNeed
 {
-    std::string file;        ///< empty: nothing
-    std::string fingerprint; ///< that it had when the stroke was recorded; empty: any
+    std::string file;        ///< path; empty: no file is needed
+    std::string fingerprint; ///< fingerprint of the file when the stroke was recorded; empty: any
 };
 
 struct Stroke
 {
     StrokeSettings settings;
     std::vector<StrokeSample> samples;
-    StrokeNeed alpha, model; ///< while settings have none
+    StrokeNeed alpha, model; ///< files to load; used if the settings do not contain the alpha or model
 };
 
-/// How an open stroke ends: it stays, or the model becomes again what it was before, and there is no step.
+/// Ways to end an open stroke. Kept: it becomes one undo step. TakenBack: the model is restored, without an undo step.
 enum class StrokeEnd { Kept, TakenBack };
 
-/// One application of the brush, in the model's space.
+/// One application of the brush. Positions and directions are in model space, lengths in mm.
 struct Dab
 {
     Vec3 position = Vec3::Zero();
     Vec3 direction = -Vec3::UnitZ();
     double radius = 0;
-    double strength = 0;         ///< times pressure
-    Vec3 motion = Vec3::Zero();  ///< of the dab centre, or of the hand (isDragTool), since the dab before
-    Vec3 heading = Vec3::Zero(); ///< of SnakeHook: which way it came, of unit length, or zero at first
-    double way = 0;              ///< of SnakeHook: how far from where it took hold, in mm
-    double turn = 0;             ///< of Twist: radians, anticlockwise about the axis
-    Vec3 axis = Vec3::Zero();    ///< of Twist: of unit length, or zero as long as nothing is held
-    Vec3 up = Vec3::UnitY();     ///< the world's, or the hand's, in the model's space; of unit length
-    /// Away from who stands before the model, or holds the brush, there; the same, and across up.
+    double strength = 0; ///< the sample's strength times its pressure
+    /// displacement of the dab centre, or with a drag tool of the pointer, since the previous dab
+    Vec3 motion = Vec3::Zero();
+    /// SnakeHook: direction of its recent motion, of unit length; zero before the first motion
+    Vec3 heading = Vec3::Zero();
+    double way = 0;           ///< SnakeHook: distance from where the stroke took hold, mm
+    double turn = 0;          ///< Twist: angle, radians, anticlockwise about `axis`
+    Vec3 axis = Vec3::Zero(); ///< Twist: axis of rotation, of unit length; zero until a region is grabbed
+    Vec3 up = Vec3::UnitY();  ///< the world's or the hand's up vector in model space, of unit length
+    /// Direction away from a viewer in front of the model. If the sample has an up vector: the part of the sample's
+    /// direction across `up`, of unit length.
     Vec3 ahead = -Vec3::UnitZ();
-    bool isMirrored = false;    ///< the image of what the hand does
-    Vec3 normal = Vec3::Zero(); ///< of Stamp: the surface's mean normal before its outline was cut, or zero
+    bool isMirrored = false;    ///< the dab is a mirror image of the user's dab
+    Vec3 normal = Vec3::Zero(); ///< Stamp: mean normal of the surface before its outline was cut; zero until then
 };
 
-/// Returns the heading of Snake Hook after a dab: its way over the last half radius or so, of unit length, or zero.
+/// Returns the heading of Snake Hook after a dab: the direction of its motion over about the last half radius, of unit
+/// length, or zero.
 Vec3 headingAfter(const Dab& dab);
 
 enum class DabOutcome { Committed, Fallback, EndedEarly, Empty, Added, Refused };
@@ -170,39 +185,42 @@ template <>
 inline constexpr std::array<std::string_view, 6> valueNames<DabOutcome>{"committed", "careful", "ended_early",
                                                                         "empty",     "added",   "refused"};
 
-/// Why a sphere, or the brush's model, was not added. Unfit: on the lattice the model is not sound at that size.
-/// Masked: a surface would change that is masked.
+/// The reason why a sphere, or the brush's model, was not added. Unfit: the model, rounded to the lattice, is not sound
+/// at that size. Masked: a masked surface would change.
 enum class Refusal { None, Inside, TooClose, Wall, Unfit, Masked };
 
-/// The effect of a dab, and its cost.
+/// The effect and the cost of a dab.
 struct DabReport
 {
     double selectMs = 0, optimiseMs = 0, deformMs = 0, fuseMs = 0, verifyMs = 0, totalMs = 0;
-    std::uint32_t touchedVertices = 0; ///< distinct vertices selected after optimisation
+    std::uint32_t touchedVertices = 0; ///< number of distinct vertices selected after optimisation
     std::uint32_t touchedFaces = 0;
     std::uint32_t substeps = 0;
-    double asked = 0, reached = 0; ///< peak displacement; of what joined or collapsed meanwhile, as far as it was there
+    /// largest displacement planned and reached, mm; vertices that were joined or collapsed on the way are not tracked
+    /// further
+    double asked = 0, reached = 0;
     DabOutcome outcome = DabOutcome::Empty;
     Refusal refusal = Refusal::None;
-    /// Surfaces stood in the way that may not be joined: fusion is off, they are masked, or the two sides of a wall
-    /// that nobody pushes.
+    /// The motion was stopped by surfaces that must not be joined: fusion is off, they are masked, or they are the two
+    /// sides of a wall and the tool does not push.
     bool contact = false;
-    bool wall = false;       ///< ended early: at the wall of the working volume
-    bool capped = false;     ///< ended early: too many operations, steps or vertices to move
-    bool asymmetric = false; ///< of a symmetric stroke: the model is not symmetric here, so it was done as two dabs
+    bool wall = false;   ///< ended early: a vertex would have left the working volume
+    bool capped = false; ///< ended early: too many operations, sub-steps or moved vertices
+    /// mirrored stroke: the model is not symmetric here, so the dab and its image were applied one after the other
+    bool asymmetric = false;
 
-    /// The sectors of a radial stroke that can be exact were done one after the other: the model is not its own image
-    /// under the turn here, its colours included, or the sectors meet, as over the axis.
+    /// Radial stroke: sectors that could be exact images of each other were done one after the other. Either the model,
+    /// colours included, is not symmetric under the turn here, or the sectors overlap, as they do on the axis.
     bool sequential = false;
 
-    /// Whether the dab reached at least 95 % of the displacement asked, a difference that a hand does not notice.
+    /// Returns whether the dab reached at least 95 % of the displacement asked. Users do not notice the rest.
     bool isWhole() const { return reached >= 0.95 * asked; }
-    /// For a dab done as several: costs add up; of two that did something the worse outcome and the smaller share
-    /// reached count.
+    /// Combines the reports of a dab done in several parts. Costs are added. Of parts that did something, the worse
+    /// outcome and the smaller share reached count.
     DabReport& operator+=(const DabReport& second);
 };
 
-/// Why a dab did less than was asked, if it did; of several dabs the last of these is worth telling.
+/// The reason why a dab did less than was asked, or None. Of several dabs, the largest value is reported to the user.
 enum class Shortfall { None, Blocked, Contact, Wall, Capped, Inside, TooClose, NoRoom, Unfit, Masked };
 Shortfall shortfallOf(const DabReport& dab);
 } // namespace core

@@ -7,9 +7,11 @@ namespace core
 {
 namespace
 {
-/// Twist turns by one radian where the hand moves by the radius, and by no more in a dab: the way there is straight.
+/// Largest turn of a Twist dab, in radians, because its vertices move along straight lines. A motion by one radius
+/// turns by one radian.
 constexpr double maxTurn = 1;
-/// The least cosine between a ray and the plane's normal: else a trembling hand would be kilometres away.
+/// Smallest cosine of the angle between a ray and the plane's normal. For a flatter ray, a small tremor would move the
+/// intersection by kilometres.
 constexpr double minAcross = 0.05;
 } // namespace
 
@@ -46,8 +48,9 @@ void StrokeAnchor::place(Dab& dab)
         dab.turn = turnBy(dab);
 }
 
-/// Dragging away turns, dragging back turns back. To the right is anticlockwise: right of the first direction, Y being
-/// up.
+/// Returns the angle, in radians, by which the dab turns. Motion along the stroke's first motion turns one way, motion
+/// back turns the other way. If the first motion was to the right (seen along the first direction, Y up), the turn is
+/// anticlockwise.
 double StrokeAnchor::turnBy(const Dab& dab)
 {
     if (m_pulled.isZero() && !dab.motion.isZero()) {

@@ -6,7 +6,7 @@ namespace core
 {
 namespace
 {
-/// What a sample has of its own follows the stroke's.
+/// Scales a sample's own value by the ratio now / before, within the parameter's range.
 void follow(std::optional<double>& own, double before, double now, Parameter parameter)
 {
     if (own && before > 0)

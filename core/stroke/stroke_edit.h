@@ -4,7 +4,7 @@
 
 namespace core
 {
-/// Of a stroke that was done: what may be another afterwards.
+/// The settings of a recorded stroke that may be changed afterwards.
 struct BrushChange
 {
     Tool tool = Tool::Pull;
@@ -16,7 +16,8 @@ struct BrushChange
 
 BrushChange brushOf(const StrokeSettings& settings);
 
-/// The same samples by another brush. Samples with a radius or a strength of their own keep their ratio to the
-/// stroke's, within the ranges of the parameter table. A tool that cannot add solids adds none.
+/// Returns the stroke with its samples applied by another brush. A sample's own radius or strength keeps its ratio to
+/// the stroke's, within the ranges of the parameter table. StrokeSettings::add is cleared for tools that cannot add
+/// solids.
 Stroke changed(Stroke stroke, const BrushChange& brush);
 } // namespace core

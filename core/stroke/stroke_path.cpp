@@ -10,12 +10,14 @@ namespace core
 {
 namespace
 {
-/// Stamps of a stroke stand beside each other: one in another's imprint would go ever deeper.
+/// Smallest spacing of Stamp's dabs, in radii. Overlapping stamps would press into each other's imprints and go ever
+/// deeper.
 constexpr double minStampSpacing = 2;
-/// The least squared length of a unit direction's part across the up: less may be rounding.
+/// Smallest squared length of the part of a unit direction perpendicular to `up`. Less may be a rounding error.
 constexpr double minAcross2 = 1e-12;
 
-/// Returns the direction of a way across the up, or any if it runs along it.
+/// Returns the unit direction of the part of `way` perpendicular to `up`; any perpendicular direction if `way` is
+/// parallel to `up`.
 Vec3 acrossUp(const Vec3& way, const Vec3& up)
 {
     const Vec3 across = way - way.dot(up) * up;
@@ -27,7 +29,7 @@ Vec3 acrossUp(const Vec3& way, const Vec3& up)
 void StrokePath::add(const StrokeSample& sample)
 {
     (m_target ? m_after : m_target) = sample;
-    if (isAnchored(m_settings)) // a pen presses less and less as it is lifted
+    if (isAnchored(m_settings)) // keeps the largest pressure, because a pen's pressure fades while it is lifted
         m_target->pressure = std::max(m_target->pressure, sample.pressure);
     m_dabsLeft.reset();
 }
@@ -58,7 +60,8 @@ std::optional<StrokePath::Due> StrokePath::next(const CenterOf& centerOf)
             if (const std::optional<Due> stamp = nextStamp(end, centerOf))
                 return stamp;
         } else if (m_rest.isAtRest(end.dab, end.hand)) {
-            const auto [center, travelled] = std::pair(m_center, m_travelled); // a slow hand gets on, too
+            // the distance travelled is kept, so that slow motion also leads to the next dab
+            const auto [center, travelled] = std::pair(m_center, m_travelled);
             arriveAtTarget(end);
             m_center = center;
             m_travelled = travelled;
@@ -70,7 +73,7 @@ std::optional<StrokePath::Due> StrokePath::next(const CenterOf& centerOf)
     }
 }
 
-/// Returns the one dab of an anchored stroke that has ended.
+/// Returns the single dab of an anchored stroke, once the stroke is finished.
 std::optional<StrokePath::Due> StrokePath::nextAnchored(const CenterOf& centerOf)
 {
     if (!m_isFinished || !m_target)
@@ -81,7 +84,8 @@ std::optional<StrokePath::Due> StrokePath::nextAnchored(const CenterOf& centerOf
     return result;
 }
 
-/// Gives the dab the radius and the up that the hand has dragged out. A ray leads the hand as it leads a drag tool's.
+/// Sets the dab's radius and up direction from the displacement between its sample and the last one. A ray is turned
+/// into a displacement as for a drag tool (StrokeAnchor::placeOf()).
 void StrokePath::dragOut(Due& due, const StrokeSample& last) const
 {
     const Eigen::Quaterniond inverse = last.rotation.conjugate();
@@ -101,7 +105,7 @@ void StrokePath::dragOut(Due& due, const StrokeSample& last) const
     due.dab.ahead = acrossUp(due.dab.direction, due.dab.up);
 }
 
-/// Returns a dab where the hand rests, if it is time for one.
+/// Returns an airbrush dab at the pointer's rest position, if one is due.
 std::optional<StrokePath::Due> StrokePath::nextResting(const CenterOf& centerOf)
 {
     if (!(m_settings.airbrush > 0) || !m_from)
@@ -114,7 +118,8 @@ std::optional<StrokePath::Due> StrokePath::nextResting(const CenterOf& centerOf)
     return result;
 }
 
-/// Returns the next dab on the way to the target, if there is another: else it arrives there.
+/// Returns the next dab on the way to the target. If there is none before the target, makes the target the start of the
+/// next segment and returns nothing.
 std::optional<StrokePath::Due> StrokePath::nextOnCurve(const Due& end, const CenterOf& centerOf)
 {
     const double step = stepOf(end.dab);
@@ -153,15 +158,15 @@ SampleCurve StrokePath::curveTo(const Due& end, const CenterOf& centerOf) const
     return {*m_from, target, nullptr, next.hasCenter ? &after : nullptr};
 }
 
-/// Returns the distance between dabs, in mm.
+/// Returns the distance between this dab and the next, in mm.
 double StrokePath::stepOf(const Dab& dab) const
 {
     return (m_settings.tool == Tool::Stamp ? std::max(m_settings.spacing, minStampSpacing) : m_settings.spacing) *
            dab.radius;
 }
 
-/// Returns the stamp where the straight way to the end leaves the ball around the one before: the path itself goes down
-/// into what that has pressed in.
+/// Returns the next stamp: where the straight line to `end` leaves the ball of radius stepOf() around the previous
+/// stamp. A path along the surface would lead down into that stamp's imprint.
 std::optional<StrokePath::Due> StrokePath::nextStamp(const Due& end, const CenterOf& centerOf)
 {
     const double step = stepOf(end.dab);

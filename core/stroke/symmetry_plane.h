@@ -4,7 +4,7 @@
 
 namespace core
 {
-/// The unit normal of the plane about which a stroke is mirrored, which goes through the origin; zero without symmetry.
+/// Returns the unit normal of the plane, through the origin, about which a stroke is mirrored; zero without symmetry.
 inline Vec3 planeNormal(Symmetry symmetry)
 {
     switch (symmetry) {
@@ -20,18 +20,18 @@ inline Vec3 planeNormal(Symmetry symmetry)
     return Vec3::Zero();
 }
 
-/// How viewers show that plane: a pane through the model, a little larger than it. mm.
+/// The rectangle that viewers draw for the plane of symmetry, slightly larger than the model. Units: mm.
 struct SymmetryPlane
 {
     Vec3 center;
     Vec3 halfX, halfY; ///< from the centre to the middle of a side; halfX x halfY points along the normal
 };
 
-/// There is a symmetry, and the box is not empty. X lies along the next axis after the normal, Y along the one after
-/// that.
+/// Returns the rectangle for a model's bounding box. halfX is along the axis that cyclically follows the normal, halfY
+/// along the one after it. Preconditions: symmetry is not None, and the box is not empty.
 inline SymmetryPlane symmetryPlane(Symmetry symmetry, const Box& box)
 {
-    constexpr double margin = 0.12; // of the model's longest side
+    constexpr double margin = 0.12; // share of the model's longest side by which the rectangle extends beyond it
     const Vec3 normal = planeNormal(symmetry);
     const Vec3 x(normal.z(), normal.x(), normal.y()), y(normal.y(), normal.z(), normal.x());
     const Vec3 half = 0.5 * box.sizes() + Vec3::Constant(margin * box.sizes().maxCoeff());

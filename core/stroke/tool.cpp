@@ -21,7 +21,7 @@ double power(double x, int n)
     return result;
 }
 
-/// Returns how bad an outcome is.
+/// Returns the outcome's rank from harmless (0) to bad.
 auto severity(DabOutcome outcome)
 {
     constexpr std::array order{DabOutcome::Empty,    DabOutcome::Committed,  DabOutcome::Added,
@@ -39,7 +39,8 @@ DabReport& DabReport::operator+=(const DabReport& second)
     touchedVertices += second.touchedVertices;
     touchedFaces += second.touchedFaces;
     substeps += second.substeps;
-    if (second.reached * asked < reached * second.asked || asked == 0) { // reached / asked is less
+    // reached / asked is smaller for the second dab
+    if (second.reached * asked < reached * second.asked || asked == 0) {
         asked = second.asked;
         reached = second.reached;
         contact = second.contact;
