@@ -1,4 +1,5 @@
-// ball -> rough, if the tool evens out -> one stroke of the brush over its front -> picture.
+// Draws the picture of a brush preset: makes a ball, roughens it if the tool smooths, does one stroke over its front,
+// and draws the result.
 
 #include "core/preset/brush_picture.h"
 
@@ -15,11 +16,11 @@ namespace core
 namespace
 {
 constexpr double ballRadius = 50;
-constexpr double extent = 112; ///< what the picture shows, mm
-/// A small picture shows brushes larger than they are, in these bounds.
+constexpr double extent = 112; ///< width and height of the pictured area, mm
+/// The brush's radius is magnified for the small picture, and clamped to minRadius to maxRadius, mm.
 constexpr double magnification = 1.6, minRadius = 8, maxRadius = 32;
-constexpr double draggedRadius = 0.7 * ballRadius; ///< the radius of an anchored dab, mm
-constexpr double printStep = 1;                    ///< a spacing from which on dabs are prints side by side
+constexpr double draggedRadius = 0.7 * ballRadius; ///< radius of an anchored dab, mm
+constexpr double printStep = 1; ///< spacing, in radii, from which on the dabs do not merge into a line
 constexpr int samples = 48;
 constexpr double pi = 3.14159265358979323846;
 
@@ -38,7 +39,8 @@ void play(Sculptor& sculptor, const StrokeSettings& settings, const std::vector<
     sculptor.endStroke();
 }
 
-/// Returns rays from the front along a wave from the left to the right.
+/// Returns rays from the front that follow a wave from left to right. `tapers`: the pressure rises and falls along the
+/// stroke.
 std::vector<StrokeSample> wave(bool tapers)
 {
     std::vector<StrokeSample> path;
@@ -56,7 +58,7 @@ std::vector<StrokeSample> wave(bool tapers)
     return path;
 }
 
-/// Returns a way of the hand from the ball's surface outwards, to the right and up.
+/// Returns a path from the ball's surface outwards, to the right and up.
 std::vector<StrokeSample> horn()
 {
     std::vector<StrokeSample> path;
@@ -71,7 +73,7 @@ std::vector<StrokeSample> horn()
     return path;
 }
 
-/// Returns a ray through the middle, and one where the hand has dragged a dab of that radius out to.
+/// Returns two rays: one through the middle, and one to where an anchored dab of that radius is dragged.
 std::vector<StrokeSample> drag(double radius)
 {
     std::vector<StrokeSample> path(2);
@@ -81,7 +83,7 @@ std::vector<StrokeSample> drag(double radius)
     return path;
 }
 
-/// Covers the front with bumps, evenly (Vogel's spiral).
+/// Covers the front of the ball evenly with bumps (Vogel's spiral).
 void roughen(Sculptor& sculptor, const std::stop_token& stop)
 {
     constexpr int bumps = 110;
@@ -133,7 +135,8 @@ std::optional<ModelThumbnail> drawBrush(const StrokeSettings& brush, int pixels,
     Sculptor sculptor(buildMesh(starterModel(Starter::Ball)).mesh);
     if (evensOut(brush.tool))
         roughen(sculptor, stop);
-    const bool isEven = brush.spacing >= printStep || brush.tool == Tool::Layer; // of one height
+    // the stroke is to have the same height everywhere
+    const bool isEven = brush.spacing >= printStep || brush.tool == Tool::Layer;
     const std::vector<StrokeSample> path = isAnchored(brush)        ? drag(draggedRadius)
                                            : isDragTool(brush.tool) ? horn()
                                                                     : wave(!isEven);

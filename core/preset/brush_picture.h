@@ -5,9 +5,9 @@
 
 namespace core
 {
-/// Returns a square picture of what a brush does: one stroke of it, done by the engine on a ball of clay of 100 mm.
-/// Tools that even out get a rough ball, tools that drag draw a horn out of it. Radius, symmetry, place and topology
-/// are the picture's own. Nothing if it was stopped. Deterministic; any thread. Cost: 0.2 to 1.7 s, most of it the
-/// strokes of alphas.
+/// Returns a square picture of one stroke of the brush, sculpted by the engine on a clay ball of 100 mm diameter.
+/// Smoothing tools get a rough ball; drag tools pull a horn out of the ball. Radius, symmetry, placement and topology
+/// are chosen for the picture. Returns nothing if it was stopped. Deterministic. Thread: any. Cost: 0.2 to 1.7 s, the
+/// most for brushes with an alpha.
 std::optional<ModelThumbnail> drawBrush(const StrokeSettings& brush, int pixels, const std::stop_token& stop);
 } // namespace core
