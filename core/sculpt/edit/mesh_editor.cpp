@@ -2,7 +2,7 @@
 
 namespace core
 {
-/// False if the operation says that it was refused, or if it was verified and rolled back.
+/// Runs an operation, verified if the editor verifies. Returns false if it was refused or rolled back.
 template <class Operation> bool MeshEditor::run(Operation operation)
 {
     if (!m_tryOperation)
@@ -11,7 +11,7 @@ template <class Operation> bool MeshEditor::run(Operation operation)
     return m_tryOperation([&] { done = operation(); }) && done;
 }
 
-/// Of the two faces at an edge, a corner.
+/// Returns whether a corner of one of the edge's two faces is frozen.
 bool MeshEditor::isFrozenAround(Slot e) const
 {
     return m_frozen && (isFrozen(m_mesh.to(2 * e)) || isFrozen(m_mesh.to(2 * e + 1)) ||
@@ -53,14 +53,15 @@ Slot MeshEditor::splitPair(Slot e, const Vec3f& p)
     return m;
 }
 
-/// An edge on the plane, or across it: the new vertex is its own image.
+/// Splits an edge that is in the mirror plane or crosses it. The new vertex is on the plane and is its own image.
 Slot MeshEditor::splitOnPlane(Slot e, const Vec3f& p)
 {
     return m_mesh.splitEdge(e, m_mirror->kept(p, true));
 }
 
-/// A face that reaches across the plane is its own image; then two of its edges are each other's, and splitting them
-/// would leave an edge without an image. Splitting the third edge first, where it meets the plane, parts the face.
+/// Splits the edge of face f that crosses the mirror plane, if there is one. Such a face is its own image, and its two
+/// other edges are each other's images. Splitting those two would leave an edge without an image; splitting the
+/// crossing edge first divides the face along the plane.
 void MeshEditor::splitEdgesAcross(Slot f)
 {
     const Slot first = m_mesh.faceHalfedge(f);

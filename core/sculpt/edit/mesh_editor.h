@@ -7,18 +7,20 @@
 
 namespace core
 {
-/// Runs one operation; false means that it was verified and rolled back.
+/// Runs one operation and verifies it. Returns false if it did not verify and was rolled back.
 using TryOperation = std::function<bool(const std::function<void()>& operation)>;
 
-/// How remeshing and deformation write: each operation may be verified, and with a mirror each is done together with
-/// its mirror image or not at all. In a mirror only the half where the coordinate is not negative is named, the plane
-/// included; then these hold: a vertex on the plane stays on it and another off it, by at least one lattice unit; an
-/// edge on the plane is never flipped and collapses along it; an edge that ends on the plane collapses onto it.
+/// The interface through which remeshing and deformation change the mesh. Each operation may be verified. With a
+/// mirror, each operation is done together with its mirror image, or not at all.
+/// With a mirror, callers refer only to vertices, edges and faces on its positive side (coordinate >= 0, plane
+/// included). The editor then guarantees: a vertex on the plane stays on it; a vertex off the plane stays off it by at
+/// least one lattice unit; an edge in the plane is never flipped and collapses within the plane; an edge with one end
+/// on the plane collapses onto that end.
 class MeshEditor
 {
 public:
-    /// `tryOperation`: empty if operations are not verified. `mirror`: null, or on. `frozen`: null, or vertices at
-    /// which nothing moves, collapses or flips, so that the faces around them keep their shape, too.
+    /// `tryOperation`: empty if operations are not verified. `mirror`: null, or a map that is on. `frozen`: null, or
+    /// vertices that must not move and whose faces must not be collapsed or flipped.
     explicit MeshEditor(Mesh& mesh, TryOperation tryOperation = {}, MirrorMap* mirror = nullptr,
                         const SlotSet* frozen = nullptr)
         : m_mesh(mesh)
@@ -30,9 +32,11 @@ public:
     const Mesh& mesh() const { return m_mesh; }
     MirrorMap* mirror() { return m_mirror; }
 
-    /// Whether the editor may be asked to change the face: any without a mirror, one of the half with it.
+    /// Returns whether callers may refer to the face: always without a mirror; with one, only if the face is on its
+    /// positive side.
     bool names(Slot f) const { return !m_mirror || m_mirror->isInHalf(m_mesh.corners(f)); }
-    /// Returns the place nearest to p, on the lattice, that v may have.
+    /// Returns the lattice point nearest to p that v may move to. A fully masked vertex keeps its point; a mirror keeps
+    /// v on or off its plane.
     Vec3f kept(Slot v, const Vec3f& p) const
     {
         if (m_mesh.freedom(v) == 0)
@@ -40,22 +44,23 @@ public:
         return m_mirror ? m_mirror->kept(p, m_mirror->isOnPlane(v)) : p;
     }
 
-    /// Puts a vertex into the middle of an edge. Returns it, or noSlot if it was rolled back.
+    /// Splits an edge in its middle. Returns the new vertex, or noSlot if the split was rolled back.
     Slot split(Slot e) { return split(e, middle(e)); }
-    /// Puts a vertex at p, a place on the edge and on the lattice, into it.
+    /// Splits an edge at p, a lattice point on the edge. Returns the new vertex, or noSlot if the split was rolled
+    /// back.
     Slot split(Slot e, const Vec3f& p);
 
-    /// Returns the middle of the edge, on the lattice.
+    /// Returns the middle of the edge, rounded to the lattice.
     Vec3f middle(Slot e) const;
-    /// Returns the half-edge whose start is to be merged into its end. If just one end is on the mirror's plane, it
-    /// stays.
+    /// Returns the half-edge of e whose start is to be merged into its end. If exactly one end is on the mirror's
+    /// plane, that end remains.
     Slot collapsing(Slot e) const;
-    /// Merges from(h) into to(h), which moves to p. Preconditions: h is collapsing(), Mesh::isCollapseOk(h), p is
-    /// kept(to(h), p). False if it was refused or rolled back.
+    /// Merges from(h) into to(h), which moves to p. Preconditions: h is collapsing(e) of its edge,
+    /// Mesh::isCollapseOk(h), and p equals kept(to(h), p). Returns false if the collapse was refused or rolled back.
     bool collapse(Slot h, const Vec3f& p);
-    /// Precondition: Mesh::isFlipOk. False if it was refused or rolled back.
+    /// Flips an edge. Precondition: Mesh::isFlipOk(e). Returns false if the flip was refused or rolled back.
     bool flip(Slot e);
-    /// Precondition: p is kept(v, p). False if it was refused or rolled back.
+    /// Moves a vertex. Precondition: p equals kept(v, p). Returns false if the move was refused or rolled back.
     bool move(Slot v, const Vec3f& p);
 
 private:

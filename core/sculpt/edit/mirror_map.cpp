@@ -48,7 +48,7 @@ void MirrorMap::pair(Slot v, Slot image)
     m_images[j] = v;
 }
 
-/// Without a search.
+/// Returns the cached image of v, without searching; noSlot if there is none or it is out of date.
 Slot MirrorMap::known(Slot v) const
 {
     if (isOnPlane(v))
@@ -72,7 +72,7 @@ Slot MirrorMap::imageOf(Slot v)
     return image;
 }
 
-/// The image of a neighbour is a neighbour of the image.
+/// Searches the image of v among the neighbours of its neighbours' cached images.
 Slot MirrorMap::nextToNeighbour(Slot v) const
 {
     const Vec3f p = imageOf(m_mesh.point(v));
@@ -103,7 +103,7 @@ Slot MirrorMap::imageOfHalfedge(Slot h)
     return from == noSlot || to == noSlot ? noSlot : m_mesh.findHalfedge(from, to);
 }
 
-/// A mirror turns the order of the corners about.
+/// The image lists its corners in the opposite order, because mirroring reverses orientation.
 Slot MirrorMap::imageOfFace(Slot f)
 {
     const Triangle& t = m_mesh.corners(f);
@@ -111,8 +111,8 @@ Slot MirrorMap::imageOfFace(Slot f)
     return h != noSlot && m_mesh.to(m_mesh.next(h)) == imageOf(t[2]) ? m_mesh.face(h) : noSlot;
 }
 
-/// Goes from each face to its neighbours: then all but the first vertex of a component are found next to a neighbour's
-/// image.
+/// Traverses the faces from neighbour to neighbour. Then only the first face of a connected part needs the octree; all
+/// other images are found next to a neighbour's image.
 bool MirrorMap::learn(std::span<const Slot> faces, const FaceOctree& octree)
 {
     m_wanted.clear();

@@ -7,28 +7,28 @@
 
 namespace core
 {
-/// Finds the mirror image of each vertex of a surface about x, y or z = 0. Geometry alone decides which vertex is the
-/// image of which: the negative of a lattice coordinate is exact, and no two vertices of a sound mesh share a point. So
-/// the mesh stores nothing of it, and undo knows nothing of it. Not thread-safe: remembers what it found.
+/// Finds the mirror image of each vertex of a surface about the plane x, y or z = 0. Geometry alone defines it:
+/// negating a lattice coordinate is exact, and no two vertices of a sound mesh share a point. So the mesh stores no
+/// pairing, and undo needs none. Caches the images found. Thread: not thread-safe.
 class MirrorMap
 {
 public:
     explicit MirrorMap(const Mesh& mesh) : m_mesh(mesh) {}
 
-    /// Forgets all images.
+    /// Sets the mirror plane and clears the cached images. Symmetry::None switches the map off.
     void setPlane(Symmetry plane);
     bool isOn() const { return m_axis >= 0; }
 
-    // --- all of the following only while it is on
+    // --- precondition of all following functions: isOn()
     template <class Vector> Vector imageOf(Vector p) const
     {
         p[m_axis] = 0 - p[m_axis]; // never -0
         return p;
     }
-    /// Returns the point or its image, whichever has a coordinate that is not negative.
+    /// Returns the point or its image, whichever is on the positive side.
     template <class Vector> Vector folded(const Vector& p) const { return p[m_axis] < 0 ? imageOf(p) : p; }
 
-    /// Returns the dab as seen in the mirror: it turns the other way, too.
+    /// Returns the dab's mirror image. Its turn is reversed, too.
     Dab imageOf(Dab dab) const;
 
     /// Returns the signed distance from the plane, in mm.
@@ -36,26 +36,26 @@ public:
     float height(Slot v) const { return height(m_mesh.point(v)); }
     bool isOnPlane(Slot v) const { return height(v) == 0; }
     bool isInHalf(Slot v) const { return height(v) >= 0; }
-    /// Whether the ends of the edge are each other's image.
+    /// Returns whether the edge crosses the plane: its ends are each other's images.
     bool isAcross(Slot e) const;
     bool isInHalf(const Triangle& corners) const;
 
-    /// Returns the vertex whose point is the image of v's; v itself on the plane. It is found if it was learnt, or is
-    /// next to a neighbour's image; else noSlot.
+    /// Returns the vertex at the mirror image of v's point; v itself on the plane. Returns noSlot unless the image is
+    /// cached or is a neighbour of a neighbour's cached image.
     Slot imageOf(Slot v);
-    /// Returns the half-edge that runs from the image of h's start to that of its end, or noSlot: h itself on the
-    /// plane, h^1 across it.
+    /// Returns the half-edge from the image of h's start to the image of h's end, or noSlot. Returns h itself if h is
+    /// in the plane, and h^1 if h crosses it.
     Slot imageOfHalfedge(Slot h);
-    /// Returns noSlot if it has none.
+    /// Returns the face whose corners are the images of f's, or noSlot.
     Slot imageOfFace(Slot f);
     void pair(Slot v, Slot image);
 
-    /// Whether each of these faces has an image, face for face and bit for bit, and as masked. Learns the images of
-    /// their corners. Precondition: the octree is up to date. Cost: the faces.
+    /// Returns whether each of these faces has a mirror image: a face at exactly mirrored points with the same masks.
+    /// Caches the images of their corners. Precondition: the octree is up to date. Cost: O(faces).
     bool learn(std::span<const Slot> faces, const FaceOctree& octree);
 
-    /// Returns the place nearest to p that is allowed: a vertex on the plane stays on it, another stays at least one
-    /// lattice unit off it, on its side.
+    /// Returns the allowed point nearest to p. A vertex on the plane must stay on it; any other vertex must stay on the
+    /// positive side, at least one lattice unit off the plane.
     Vec3f kept(Vec3f p, bool onPlane) const;
 
 private:
@@ -66,9 +66,10 @@ private:
 
     const Mesh& m_mesh;
     int m_axis = -1;
-    SparseIndex m_vertices;     ///< learnt
-    std::vector<Slot> m_images; ///< by position in m_vertices; may be out of date, so each use compares points
-    SlotSet m_faces;            ///< learnt
-    SlotSet m_wanted;           ///< faces to learn
+    SparseIndex m_vertices; ///< learnt
+    /// images, by position in m_vertices; may be out of date, so each use compares the points
+    std::vector<Slot> m_images;
+    SlotSet m_faces;  ///< learnt
+    SlotSet m_wanted; ///< faces passed to learn()
 };
 } // namespace core
