@@ -105,8 +105,8 @@ void selectSphere(Region& region, std::vector<Slot>& candidates, const Mesh& mes
 
 namespace
 {
-/// Returns the candidate triangle nearest to the centre, of several the one with the lowest slot; noSlot if there is
-/// none.
+/// Returns the candidate triangle nearest to the centre; the one with the lowest slot if several are equally near;
+/// noSlot if there are no candidates.
 Slot faceUnder(const Vec3& center, const std::vector<Slot>& candidates, const Mesh& mesh)
 {
     Slot face = noSlot;
@@ -127,10 +127,10 @@ Slot faceUnder(const Vec3& center, const std::vector<Slot>& candidates, const Me
 void selectGeodesic(Region& region, std::vector<Slot>& candidates, const Mesh& mesh, const Sphere& ball, Slot max)
 {
     const Slot face = faceUnder(ball.center, candidates, mesh);
-    using Reached = std::pair<double, Slot>; // equal distances: the lower slot first
+    using Reached = std::pair<double, Slot>; // among equal distances, the lower slot comes first
     std::priority_queue<Reached, std::vector<Reached>, std::greater<>> front;
     const auto reach = [&](Slot v, double distance) {
-        if (distance <= ball.radius) // so it lies within the ball: no path is shorter than the straight line
+        if (distance <= ball.radius) // then v is within the ball, since no path is shorter than the straight line
             front.emplace(distance, v);
     };
     const auto point = [&](Slot v) { return Vec3(mesh.point(v).cast<double>()); };

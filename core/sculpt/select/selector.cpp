@@ -40,10 +40,10 @@ void Selector::keepNearestPart(Region& region, const Sphere& ball) const
         const auto point = [&](int i) { return Vec3(m_mesh.point(t[i]).cast<double>()); };
         return (nearestInTriangle(ball.center, {point(0), point(1), point(2)}) - ball.center).norm() <= ball.radius;
     };
-    SlotSet& part = region.scratch(); // faces; the last ones lie outside of the ball
+    SlotSet& part = region.scratch(); // faces of the part, and faces outside the ball that border on it
     part.clear();
     part.add(nearest->face);
-    for (std::size_t i = 0; i < part.slots().size(); ++i) { // grows meanwhile
+    for (std::size_t i = 0; i < part.slots().size(); ++i) { // the set grows during the loop
         const Slot f = part.slots()[i];
         if (!meetsBall(f))
             continue;
@@ -59,7 +59,7 @@ void Selector::keepNearestPart(Region& region, const Sphere& ball) const
     });
 }
 
-/// Sorted: the order in which the octree finds faces depends on its history.
+/// Sorts the faces, because the order in which the octree finds them depends on the octree's history.
 std::vector<Slot> Selector::facesIn(const Sphere& ball) const
 {
     std::vector<Slot> faces = core::facesIn(m_mesh, m_octree, latticeBox(m_mesh.lattice(), ball));
