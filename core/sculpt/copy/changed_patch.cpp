@@ -66,7 +66,7 @@ void ChangedPatch::readFaces(const Mesh& mesh, const Mesh::Mark& mark)
     }
 }
 
-/// Collects the faces that went, and those around vertices that moved; then the ring around them.
+/// Collects the removed and relinked faces and the faces around changed vertices; then the ring of faces around these.
 void ChangedPatch::collectFaces(const Mesh& mesh)
 {
     m_faces.clear();
@@ -83,7 +83,7 @@ void ChangedPatch::collectFaces(const Mesh& mesh)
     }
 }
 
-/// Adds the faces around v that are linked as before.
+/// Adds the faces around v that have kept their corners.
 void ChangedPatch::addUnlinkedAround(const Mesh& mesh, Slot v)
 {
     mesh.forEachOutgoing(v, [&](Slot h) { addUnlinked(mesh, mesh.face(h)); });

@@ -1,10 +1,10 @@
-// Repetition of a dab's change in another sector of the symmetry:
-//   learn    the journal tells which faces went, which came, and which vertices moved; with a ring of faces around
-//            them they are the patch                                                                 changed_patch
-//   match    the patch as it was before the dab, turned into that sector, is found face by face in the surface
-//   claim    the patch's image must have no vertex that this dab has changed already
-//   write    faces are exchanged, vertices moved and coloured as in the patch
-//   verify   the copy is verified as every change is
+// Copies a dab's change to another sector of a radially symmetric stroke:
+//   learn    the journal lists the removed, added and relinked faces and the moved vertices; together with a ring of
+//            faces around them they are the patch                                                     (changed_patch)
+//   match    the patch as it was before the dab, turned into that sector, is searched face by face in the surface
+//   claim    the patch's image must not contain a vertex that this dab or a copy has changed already
+//   write    faces are replaced, vertices moved and coloured as in the patch
+//   verify   the copy is verified like any other change
 
 #include "core/sculpt/copy/patch_copy.h"
 
@@ -49,8 +49,8 @@ bool PatchCopy::match(const VerifiedMesh& surface, std::span<const Turn> turns)
     return true;
 }
 
-/// Finds the image of the patch as it was before it changed, bit for bit: the first vertex by the octree, the others
-/// from neighbour to neighbour.
+/// Finds the exact image of the patch as it was before the change. Looks up the first face's corners in the octree, and
+/// all others from neighbour to neighbour.
 bool PatchCopy::find(const VerifiedMesh& surface, const Turn& turn)
 {
     m_images.assign(m_patch.vertices().size(), noSlot);
@@ -69,7 +69,7 @@ bool PatchCopy::find(const VerifiedMesh& surface, const Turn& turn)
     return isAllMatched(surface, turn);
 }
 
-/// Matches a vertex of a component's first face, by its place.
+/// Matches a vertex of the first face of a connected part, by looking up its turned position.
 bool PatchCopy::matchVertex(const VerifiedMesh& surface, const Turn& turn, Slot v)
 {
     const Mesh& mesh = surface.mesh();
@@ -79,7 +79,7 @@ bool PatchCopy::matchVertex(const VerifiedMesh& surface, const Turn& turn, Slot 
     return found != noSlot && isImage(mesh, m_patch, turn, found, v);
 }
 
-/// Matches from a face to its neighbours.
+/// Matches all faces connected to the given face, from neighbour to neighbour.
 bool PatchCopy::matchFrom(const Mesh& mesh, const Turn& turn, std::size_t face)
 {
     std::vector<std::size_t> front = {face};
@@ -98,7 +98,7 @@ bool PatchCopy::matchFrom(const Mesh& mesh, const Turn& turn, std::size_t face)
     return true;
 }
 
-/// Matches the corners beyond the face's sides, and appends those faces to the front.
+/// Matches the far corners of the faces across the face's three sides, and appends these faces to `front`.
 bool PatchCopy::matchAcross(const Mesh& mesh, const Turn& turn, const Triangle& corners,
                             std::vector<std::size_t>& front)
 {
@@ -121,7 +121,7 @@ bool PatchCopy::matchAcross(const Mesh& mesh, const Turn& turn, const Triangle& 
     return true;
 }
 
-/// Returns whether each face in the turned balls is the image of a face of the patch.
+/// Returns whether every face in the turned balls is the image of a face of the patch.
 bool PatchCopy::isAllMatched(const VerifiedMesh& surface, const Turn& turn) const
 {
     const Mesh& mesh = surface.mesh();
@@ -131,7 +131,7 @@ bool PatchCopy::isAllMatched(const VerifiedMesh& surface, const Turn& turn) cons
     });
 }
 
-/// False if one of the vertices has been claimed already.
+/// Marks the vertices as used. Returns false, without marking any, if one of them is marked already.
 bool PatchCopy::claim(std::span<const Slot> vertices)
 {
     if (std::ranges::any_of(vertices, [&](Slot v) { return m_claimed.contains(v); }))
@@ -141,7 +141,8 @@ bool PatchCopy::claim(std::span<const Slot> vertices)
     return true;
 }
 
-/// Returns the exchange there. Vertices that came here are to come there; all others are there.
+/// Returns the surgery that repeats the change at the turned place. Vertices that the change created are created there
+/// too; all others exist there.
 Surgery PatchCopy::exchange(const Mesh& mesh, const Turn& turn) const
 {
     Surgery surgery;
@@ -191,7 +192,7 @@ bool PatchCopy::place(VerifiedMesh& surface, std::size_t index)
         return true;
     const Turn& turn = m_turns[index];
     m_images = std::move(m_places[index]);
-    m_images.resize(m_patch.vertices().size(), noSlot); // others may have come meanwhile, elsewhere
+    m_images.resize(m_patch.vertices().size(), noSlot); // copies to other sectors may have added vertices meanwhile
     Mesh& mesh = surface.mesh();
     if (!m_patch.isMarking())
         return surface.tryOperation([&] { write(mesh, turn); });

@@ -6,25 +6,25 @@
 
 namespace core
 {
-/// Copies what a dab did in its sector to other sectors, by quarter or half turns: the patch there is exchanged for the
-/// turned copy of the patch here. A quarter turn maps the lattice onto itself, so the two stay each other's image, bit
-/// for bit, if they were. Not thread-safe: remembers a dab.
+/// Copies the change that a dab made in its sector to other sectors, by quarter or half turns. Each copy replaces the
+/// patch there by the turned patch from here. A quarter turn maps the lattice onto itself, so patches that were exact
+/// images of each other stay so, bit for bit. Thread: not thread-safe.
 class PatchCopy
 {
 public:
-    /// Learns what has changed: see ChangedPatch::read().
+    /// Reads the change to be copied. For the parameters and costs see ChangedPatch::read().
     void learn(const VerifiedMesh& surface, const Mesh::Mark& mark, std::vector<Sphere> balls);
 
-    /// Whether the change can be copied by each of these turns. The surface must have been its own image under the
-    /// turn, colours and masks included, with nothing else in the patch's turned balls, and no two copies may overlap.
-    /// Precondition: the octree is up to date. Cost: the patch.
+    /// Returns whether the change can be copied by each of these turns. Before the change, the surface must have been
+    /// symmetric under the turn, colours and masks included. The turned balls must contain no other faces, and no two
+    /// copies may overlap. Precondition: the octree is up to date. Cost: the patch.
     bool match(const VerifiedMesh& surface, std::span<const Turn> turns);
-    /// Copies the change by one of the turns, each once, in one transaction. False if the result does not verify: then
-    /// nothing has changed. Precondition: match().
+    /// Copies the change by the turn with this index, in one transaction; each turn only once. Returns false, with
+    /// nothing changed, if the result does not verify. Precondition: match() returned true.
     bool place(VerifiedMesh& surface, std::size_t turn);
 
-    /// Returns the image of a vertex under the turn of the last place(); noSlot if the vertex is neither part of the
-    /// change nor beside it.
+    /// Returns the image of a vertex under the turn of the last place(). Returns noSlot if the vertex is not part of
+    /// the patch.
     Slot imageOf(Slot v) const;
     /// Returns the vertices that have images.
     const std::vector<Slot>& vertices() const { return m_patch.vertices().slots(); }
@@ -43,10 +43,10 @@ private:
 
     ChangedPatch m_patch;
     std::vector<Turn> m_turns;
-    std::vector<std::vector<Slot>> m_places; ///< for each turn, images by position among the patch's vertices
-    std::vector<Slot> m_images;              ///< for the turn of find() or place()
-    std::vector<char> m_seen;                ///< by face of the patch, for find()
-    SlotSet m_matched;                       ///< faces of the surface that are images of the patch's
-    SlotSet m_claimed;                       ///< vertices in what changed, here and at each image so far
+    std::vector<std::vector<Slot>> m_places; ///< for each turn: images, by position among the patch's vertices
+    std::vector<Slot> m_images;              ///< images for the turn in progress in find() or place()
+    std::vector<char> m_seen;                ///< find(): whether a face of the patch has been visited
+    SlotSet m_matched;                       ///< faces of the surface that are images of the patch's faces
+    SlotSet m_claimed;                       ///< changed vertices of the patch and of all its images so far
 };
 } // namespace core

@@ -66,10 +66,10 @@ private:
 
     const Mesh& m_mesh;
     int m_axis = -1;
-    SparseIndex m_vertices; ///< learnt
+    SparseIndex m_vertices; ///< vertices whose images are cached
     /// images, by position in m_vertices; may be out of date, so each use compares the points
     std::vector<Slot> m_images;
-    SlotSet m_faces;  ///< learnt
+    SlotSet m_faces;  ///< faces whose images are known, and these images
     SlotSet m_wanted; ///< faces passed to learn()
 };
 } // namespace core
