@@ -1,7 +1,8 @@
-// What a collapse does to the shape:
-//   the planes of the faces around it, as a quadric without memory (Lindstrom and Turk 1998, after Garland and Heckbert
-//   1997); by their areas, not by the squares of these, which let the small faces beside a crease count for nothing the
-//   normals of the faces that would meet in its vertex
+// Measures how a collapse changes the shape, by
+//   - the distances from the planes of the faces around the edge, a memoryless quadric (Lindstrom and Turk 1998, after
+//     Garland and Heckbert 1997). They are weighted by face area and not by its square, which would nearly ignore the
+//     small faces beside a crease.
+//   - the normals of the faces that would share the merged vertex.
 
 #include "core/sculpt/remesh/collapse_placement.h"
 
@@ -13,7 +14,7 @@ namespace core
 {
 namespace
 {
-/// Two faces are two sides of a thin wall if they turn from each other by more than about 135 degrees.
+/// Cosine of the angle beyond which two faces count as the two sides of a thin wall, about 135 degrees.
 constexpr double awayCosine = -0.7;
 
 Vec3 point(const Mesh& mesh, Slot v)
@@ -46,7 +47,8 @@ double planeError(const Mesh& mesh, Slot h, const Vec3& p)
         const Vec3 toP = p - point(mesh, v);
         mesh.forEachOutgoing(v, [&](Slot g) {
             const Vec3 normal = faceNormal(mesh, mesh.face(g));
-            const double weight = normal.norm(), product = normal.dot(toP); // weight times distance
+            // product: weight times distance from the plane
+            const double weight = normal.norm(), product = normal.dot(toP);
             sum += product * product / weight;
             area += weight;
         });

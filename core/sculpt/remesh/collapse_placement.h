@@ -4,10 +4,11 @@
 
 namespace core
 {
-/// How far p lies from the planes of the faces around the ends of h: the mean square, by their areas.
+/// Returns the mean squared distance of p from the planes of the faces around the ends of h, weighted by face area,
+/// mm2.
 double planeError(const Mesh& mesh, Slot h, const Vec3& p);
 
-/// Whether faces that look away from each other, more than any around one vertex did, would come to share one by the
-/// collapse of h: the two sides of a wall whose rim is to go.
+/// Returns whether collapsing h would merge the two sides of a thin wall: faces that share no vertex before, and face
+/// away from each other more than any faces around one of its ends, would share a vertex.
 bool foldsUp(const Mesh& mesh, Slot h);
 } // namespace core

@@ -8,15 +8,15 @@ namespace core
 {
 namespace
 {
-/// The smallest angle that a collapse may make, unless there was a smaller one before: 5 degrees; more would block
-/// collapses that repair what surrounds them.
+/// Sine of the smallest angle that a collapse may make, 5 degrees, unless the face had a smaller one before. A larger
+/// limit would block collapses that improve their surroundings.
 constexpr double collapsedAngleSine = 0.0872;
-/// Limits on the distance of a merged vertex from the planes around the edge (planeError()), in d, where the shape is
-/// kept. Up to onPlanes a place counts as on the planes. A place may be used if its squared distance is at most
-/// littleLarger times the least one, plus the square of nearPlanes.
+/// Limits, in d, on the root of planeError() for a merged vertex where the shape is kept. Up to onPlanes a point counts
+/// as lying on the planes. A point may be used if its squared distance is at most littleLarger times the smallest one
+/// of all choices, plus the square of nearPlanes.
 constexpr double onPlanes = 0.02, nearPlanes = 0.03, littleLarger = 1.5;
-/// The share of its squared sine that an angle below collapsedAngleSine keeps in a collapse where the shape is kept.
-/// Slivers around the tip of a cone have to narrow a little to become fewer; otherwise the tip would be lost.
+/// Share of its squared sine that an angle below collapsedAngleSine must keep in a collapse where the shape is kept.
+/// Slivers around the tip of a cone must narrow a little to become fewer; otherwise the tip would be lost.
 constexpr double keptOfSliver2 = 0.5;
 } // namespace
 
@@ -32,12 +32,12 @@ void EdgeCollapse::collapseShortEdges(std::vector<RemeshEdge> edges)
     while (!edges.empty())
         edges = collapse(std::move(edges));
     std::vector<VertexPair>& blocked = m_pass.counts.blocked;
-    std::ranges::sort(blocked); // those that were tried again are there twice
+    std::ranges::sort(blocked); // edges tried twice are listed twice
     blocked.erase(std::ranges::unique(blocked).begin(), blocked.end());
 }
 
-/// Collapses the edges that it may, the shortest first. Returns the short edges around what it did: they changed, or
-/// may be collapsed now.
+/// Collapses the edges where that is allowed, the shortest first. Returns the short edges around the collapses: they
+/// have changed, or their collapse may be allowed now.
 std::vector<RemeshEdge> EdgeCollapse::collapse(std::vector<RemeshEdge> edges)
 {
     Region& region = m_pass.region();
@@ -68,8 +68,8 @@ std::vector<RemeshEdge> EdgeCollapse::collapse(std::vector<RemeshEdge> edges)
     return edges;
 }
 
-/// Returns where the ends of a short edge may become one: in the middle, or at one of them. No edge grows longer than
-/// d_detail.
+/// Returns the vertex to which a short edge may be collapsed: at its middle or at one of its ends. No edge may grow
+/// longer than d_detail.
 std::optional<EdgeCollapse::Merged> EdgeCollapse::mergedEnds(Slot h) const
 {
     if (!m_mesh.isCollapseOk(h))
@@ -90,7 +90,8 @@ std::optional<EdgeCollapse::Merged> EdgeCollapse::mergedEnds(Slot h) const
     return std::nullopt;
 }
 
-/// Sorts the choices by how well they keep to the planes of the faces around. Returns how many do.
+/// Sorts the choices by their distance from the planes of the surrounding faces. Returns how many of them are close
+/// enough.
 std::size_t EdgeCollapse::keepShape(Slot h, Choices& choices) const
 {
     if (foldsUp(m_mesh, h))

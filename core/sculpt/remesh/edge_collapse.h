@@ -13,17 +13,17 @@ public:
     /// `keepsShape`: see optimiseKeepingShape().
     EdgeCollapse(RemeshPass& pass, bool keepsShape);
 
-    /// Collapses the edges, the shortest first, and the edges that become short by that. Adds the edges that no legal
-    /// collapse removes to RemeshCounts::blocked.
+    /// Collapses the edges, the shortest first, and the edges that become short on the way. Appends edges that no legal
+    /// collapse can remove to RemeshCounts::blocked.
     void collapseShortEdges(std::vector<RemeshEdge> edges);
 
 private:
-    /// The vertex that an edge collapses to.
+    /// The vertex that results from a collapse.
     struct Merged
     {
         Vec3f point;
         Vec3 plan;        ///< mm
-        double error = 0; ///< planeError(), in squares of d; of keepShape() only
+        double error = 0; ///< planeError() in units of d^2; set only if the shape is kept
     };
     using Choices = std::array<Merged, 3>;
 

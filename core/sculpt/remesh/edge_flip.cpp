@@ -6,13 +6,14 @@ namespace core
 {
 namespace
 {
-/// A flip is a change of triangulation, not of shape: only across edges flatter than about 25 degrees, and than about 6
-/// where the surface is to keep its detail.
+/// Smallest cosine of the angle between the two faces of an edge that may be flipped: about 25 degrees, and about 6
+/// where detail is to be kept. A flip is meant to change the triangulation and not the shape.
 constexpr double flatCosine = 0.9, flatDetailCosine = 0.995;
 constexpr int flipPasses = 4;
 } // namespace
 
-/// Delaunay's criterion, cot(alpha) + cot(beta) < 0, on faces that lie nearly in one plane before and after.
+/// Returns whether the edge violates Delaunay's criterion, cot(alpha) + cot(beta) < 0, and may be flipped: its faces
+/// are nearly coplanar before and after.
 bool EdgeFlip::shouldFlip(Slot e) const
 {
     const Slot h = 2 * e;
@@ -44,8 +45,8 @@ void EdgeFlip::flipEdges()
         edges = flip(std::move(edges));
 }
 
-/// Flips those of the edges that still should be. Returns those that should be flipped next: only edges around a flip
-/// can meet the criterion now that did not before.
+/// Flips the edges that still should be flipped. Returns the edges to be flipped next. Only edges around a flip can
+/// have become candidates.
 std::vector<RemeshEdge> EdgeFlip::flip(std::vector<RemeshEdge> edges)
 {
     std::ranges::sort(
@@ -66,7 +67,7 @@ std::vector<RemeshEdge> EdgeFlip::flip(std::vector<RemeshEdge> edges)
     std::vector<RemeshEdge> next;
     for (Slot v : around.slots()) {
         m_mesh.forEachOutgoing(v, [&](Slot h) {
-            for (Slot e : {h / 2, m_mesh.next(h) / 2}) { // of all faces around v
+            for (Slot e : {h / 2, m_mesh.next(h) / 2}) { // the edges of all faces around v
                 if (m_pass.region().contains(m_mesh.to(2 * e)) && m_pass.region().contains(m_mesh.to(2 * e + 1)) &&
                     shouldFlip(e))
                     next.push_back(m_pass.edgeAt(e));

@@ -9,11 +9,12 @@ namespace core
 {
 namespace
 {
-/// Faces that a core takes at a time: a dab of the usual size does not wake the others.
+/// Faces per parallel chunk; a dab of the usual size runs on one core.
 constexpr std::size_t facesPerChunk = 1024;
 } // namespace
 
-/// In single precision, which answers no to most faces. Rounds less than its margin.
+/// Returns false if the face certainly has no edge longer than d_detail. A fast test in single precision; its margin is
+/// larger than the rounding error.
 bool EdgeSplit::mayBeTooLong(Slot f) const
 {
     const Triangle& t = m_mesh.corners(f);
@@ -23,7 +24,7 @@ bool EdgeSplit::mayBeTooLong(Slot f) const
            margin * static_cast<float>(m_pass.detail2());
 }
 
-/// Returns the longest edge of a face that meets the ball, if it is too long.
+/// Returns the longest edge of the face, if it is longer than d_detail and the face meets the ball.
 std::optional<RemeshEdge> EdgeSplit::tooLongIn(Slot f, const Sphere& ball) const
 {
     if (!mayBeTooLong(f))
@@ -85,11 +86,12 @@ void EdgeSplit::refine(std::span<const Slot> candidates, const Sphere& ball)
     }
 }
 
-/// Splits the edges that cross the mirror's plane. Appends the faces made by that.
+/// Splits the edges that cross the mirror's plane. Appends the new faces to `faces`.
 void EdgeSplit::splitFacesAcross(std::vector<Slot>& faces, const Sphere& ball)
 {
     const MirrorMap& mirror = *m_pass.edit().mirror();
-    for (std::size_t i = 0; i < faces.size(); ++i) { // grows meanwhile: a new face may have another such edge
+    // the list grows during the loop: a new face may have another edge across the plane
+    for (std::size_t i = 0; i < faces.size(); ++i) {
         const Slot first = m_mesh.faceHalfedge(faces[i]);
         for (Slot h : {first, m_mesh.next(first), m_mesh.prev(first)}) {
             const Slot m = mirror.isAcross(h / 2) ? split(m_pass.edgeAt(h / 2)) : noSlot;
@@ -102,8 +104,7 @@ void EdgeSplit::splitFacesAcross(std::vector<Slot>& faces, const Sphere& ball)
     }
 }
 
-/// Adds a new vertex to the region if it lies within the ball. (The ray brush selects again when the mesh is fine
-/// enough.)
+/// Adds a new vertex to the region if it is in the ball. (A ray brush repeats its selection after refining.)
 void EdgeSplit::select(Slot m, const Sphere& ball)
 {
     const double distance2 = (m_pass.point(m) - ball.center).squaredNorm();
@@ -111,7 +112,8 @@ void EdgeSplit::select(Slot m, const Sphere& ball)
         m_pass.region().add(m, std::sqrt(distance2));
 }
 
-/// Returns the new vertex, or noSlot if the split was refused or rolled back.
+/// Splits the edge unless both ends are masked. Returns the new vertex, or noSlot if the split was refused or rolled
+/// back.
 Slot EdgeSplit::split(const RemeshEdge& e)
 {
     const Slot m = m_mesh.mayBeSplit(e.edge) ? m_pass.edit().split(e.edge) : noSlot;

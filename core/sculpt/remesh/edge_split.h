@@ -6,17 +6,17 @@
 
 namespace core
 {
-/// Splits edges that are too long, in their middle (paper, section 3.2.1).
+/// Splits edges longer than d_detail in their middle (paper, section 3.2.1).
 class EdgeSplit
 {
 public:
     explicit EdgeSplit(RemeshPass& pass) : m_pass(pass), m_mesh(pass.mesh()) {}
 
-    /// Splits the longest edge of each face that meets the ball, until none there is too long. `candidates`: at least
-    /// the faces that meet it.
+    /// Splits the longest edge of each face that meets the ball, until no such face has an edge longer than d_detail.
+    /// `candidates`: must include all faces that meet the ball.
     void refine(std::span<const Slot> candidates, const Sphere& ball);
-    /// Splits the long edges of the region, the longest first. Returns the short ones: no split touches one, and among
-    /// the new edges there are more.
+    /// Splits the region's edges that are longer than d_detail, the longest first. Returns the region's edges that are
+    /// to be collapsed (RemeshPass::isTooShort()), old and new ones.
     std::vector<RemeshEdge> splitLongEdges();
 
 private:

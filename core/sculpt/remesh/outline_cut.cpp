@@ -7,14 +7,16 @@ namespace core
 {
 namespace
 {
-/// The share of an edge from its end within which the end moves onto the outline.
+/// Largest distance of an edge's end from the outline, as a share of the edge's length, at which the end is moved onto
+/// the outline.
 constexpr double nearShare = 0.35;
-/// A vertex moved may make angles of 15 degrees, leave half of those that were smaller, and lengthen edges outside of
-/// the brush: one that lies beside the outline and did not move would make edges far shorter.
+/// Limits for moving a vertex onto the outline. Angles may shrink to 15 degrees; a smaller angle must keep half of its
+/// sine. An edge longer than d_detail may grow by the factor sqrt(2). These limits are loose, because a vertex left
+/// beside the outline would make far shorter edges.
 constexpr FaceLimits movedLimits = {0.259, 0, 0.25, 2};
-/// The distance from the outline to the foot of a wall, in d_detail.
+/// Distance from the outline to the foot of a wall, in d_detail.
 constexpr double footShare = 0.12;
-/// Halvings of an edge to find the outline on it.
+/// Bisection steps to locate the outline on an edge.
 constexpr int halvings = 30;
 } // namespace
 
@@ -46,7 +48,7 @@ void OutlineCut::cut(const ShapeDepth& depth, SlotSet& outline)
     splitInwards(depth, outline);
 }
 
-/// Returns the edges of the region's vertices that cross the outline, by their ends.
+/// Returns the edges at the region's vertices that cross the outline, sorted by their ends.
 std::vector<OutlineCut::Crossing> OutlineCut::crossings(const ShapeDepth& depth, const SlotSet& outline)
 {
     std::vector<Crossing> crossings;
@@ -72,7 +74,7 @@ std::vector<OutlineCut::Crossing> OutlineCut::crossings(const ShapeDepth& depth,
     return crossings;
 }
 
-/// Moves the ends of edges that lie near to the outline onto it, the nearest first, and each once.
+/// Moves ends of edges that are close to the outline onto it, the nearest first, each vertex at most once.
 void OutlineCut::moveNearest(std::vector<Crossing> crossings, SlotSet& outline)
 {
     std::erase_if(crossings, [](const Crossing& c) { return c.share > nearShare; });
@@ -89,7 +91,8 @@ void OutlineCut::moveNearest(std::vector<Crossing> crossings, SlotSet& outline)
     }
 }
 
-/// Refuses what would leave a face with all corners on the outline: it would be on neither side.
+/// Moves the nearer end of an edge onto the outline. Refuses moves that would leave a face with all corners on the
+/// outline, as such a face would be neither inside nor outside.
 bool OutlineCut::move(const Crossing& crossing)
 {
     const Slot v = crossing.nearer();
@@ -104,7 +107,7 @@ bool OutlineCut::move(const Crossing& crossing)
            m_pass.staysSound(v, noSlot, target.cast<double>(), movedLimits) && m_pass.edit().move(v, target);
 }
 
-/// Splits the edges where they cross the outline.
+/// Splits the edges at their intersections with the outline.
 void OutlineCut::splitCrossing(const std::vector<Crossing>& crossings, SlotSet& outline)
 {
     for (const Crossing& crossing : crossings) {
@@ -118,7 +121,7 @@ void OutlineCut::splitCrossing(const std::vector<Crossing>& crossings, SlotSet& 
     }
 }
 
-/// Splits edges that lead inwards from the outline close to it, where the shape is deeper than an edge may be short.
+/// Splits the edges that lead inwards from the outline, close to the outline, where the shape is deeper than d.
 void OutlineCut::splitInwards(const ShapeDepth& depth, const SlotSet& outline)
 {
     const double foot = footShare * std::sqrt(m_pass.detail2());
@@ -139,7 +142,7 @@ void OutlineCut::splitInwards(const ShapeDepth& depth, const SlotSet& outline)
         split(edge[0], edge[1], place);
 }
 
-/// Returns the new vertex, or noSlot if the split was refused.
+/// Splits an edge at a point. Returns the new vertex, or noSlot if the split was refused.
 Slot OutlineCut::split(Slot from, Slot to, const Vec3& point)
 {
     const Slot h = m_mesh.findHalfedge(from, to);

@@ -6,30 +6,33 @@
 
 namespace core
 {
-/// Returns how far a shape is to move the surface at a point, in mm, of either sign; 0 outside the shape.
+/// The depth function of a shape. Returns the distance, in mm, by which the shape is to move the surface at a point;
+/// positive or negative, 0 outside the shape.
 using ShapeDepth = std::function<double(const Vec3&)>;
 
-/// Makes the outline of a shape on the surface run along edges. Edges that cross it are split there; an end that lies
-/// close to it moves onto it, along an edge and where the surface is not sharp. Where the shape is deep beside its
-/// outline, the edges that lead inwards are split once more, close to it: the foot of the wall that is to stand there.
-/// A mirror has the outlines of the shape and of its image cut, on both sides.
+/// Makes the outline of a shape on the surface run along edges. Edges that cross the outline are split there. If an end
+/// of such an edge is close to the outline, it is moved onto it along the edge instead, unless the surface is sharp
+/// there. Where the shape is deep beside its outline, the edges leading inwards are split once more, close to the
+/// outline, as the foot of the steep wall to come. With a mirror, the outlines of both the shape and its image are cut,
+/// on both sides.
 class OutlineCut
 {
 public:
-    /// `ball`: around the shape. References are kept.
+    /// `ball`: contains the shape. Keeps references to the pass and to `depth`.
     OutlineCut(RemeshPass& pass, const ShapeDepth& depth, const Sphere& ball);
 
-    /// Cuts the edges of the region's vertices inside the shape. Vertices on the outline, and the ends of the edges
-    /// that crossed it, join the region. Returns the vertices on the shape's own outline, on both sides of a mirror.
+    /// Cuts the edges of the region's vertices inside the shape. The vertices on the outline, and the ends of the edges
+    /// that crossed it, are added to the region. Returns the vertices on the shape's own outline, on both sides of a
+    /// mirror.
     SlotSet cut();
 
 private:
-    /// An edge with just one end inside, and where between them the outline is.
+    /// An edge with exactly one end inside the shape, and the point where it crosses the outline.
     struct Crossing
     {
         Slot inside, outside; ///< vertices
         Vec3 point;
-        double share; ///< of the edge, from the nearer end
+        double share; ///< position of the crossing along the edge: distance from the nearer end, 0 to 0.5 of its length
         Slot nearer() const { return isNearInside ? inside : outside; }
         bool isNearInside;
     };
@@ -47,6 +50,6 @@ private:
     const Mesh& m_mesh;
     const ShapeDepth& m_depth;
     Sphere m_ball;
-    SlotSet m_cut; ///< vertices on an outline
+    SlotSet m_cut; ///< vertices on the outline of the shape or of its image
 };
 } // namespace core

@@ -1,14 +1,14 @@
-// Quasi-uniform optimisation of a region (paper, section 3.2), in its order:
-//   0. refine:   faces under the brush that are too large for it, whether or not their corners are selected
+// Quasi-uniform optimisation of a region (paper, section 3.2), in the paper's order:
+//   0. refine:   faces under the brush with edges longer than d_detail, even if their corners are not selected
 //   1. split:    edges longer than d_detail by a queue, at the midpoint           (3.2.1, Figure 5)
-//   2. collapse: edges shorter than d, the shortest first, to the midpoint or an end, until no more may be
+//   2. collapse: edges shorter than d, the shortest first, to the midpoint or an end, until no more are allowed
 //                (3.2.2, Figures 6 and 7)
-//   3. flip:     edges whose two opposite angles exceed 180 degrees together      (Delaunay's criterion)
+//   3. flip:     edges whose two opposite angles sum to more than 180 degrees     (Delaunay's criterion)
 //   4. relax:    vertices around the changes, towards their neighbours' mean, along the surface
-// The paper splits again after the collapses, since they may lengthen edges. Here no second round is needed: no step
-// after the splits makes an edge longer than d_detail, and a collapse that would is refused (RemeshPass::staysSound).
-// The last two steps make no edge shorter than d.
-// Keys of each order are total (length, then slots), so that results depend only on the mesh.
+// The paper splits again after the collapses, since they may lengthen edges. Here no second round is needed. A collapse
+// that would make an edge longer than d_detail is refused (RemeshPass::staysSound), and steps 3 and 4 make no edge
+// longer than d_detail or shorter than d.
+// All sort keys are total orders (length, then slots), so that results depend only on the mesh.
 
 #include "core/sculpt/remesh/remesh.h"
 
@@ -23,27 +23,27 @@ namespace core
 {
 namespace
 {
-/// The smallest angle that relaxation may make, unless there was a smaller one before: 20 degrees, the least that a dab
-/// should leave.
+/// Sine of the smallest angle that relaxation may make, 20 degrees, unless the face had a smaller one before. Dabs
+/// should leave no smaller angle.
 constexpr double relaxedAngleSine = 0.342;
 constexpr double relaxation = 0.5;
-constexpr double sharpCosine = 0.766; ///< of 40 degrees between two faces
-constexpr double lineCosine = 0.5;    ///< of 60 degrees
+constexpr double sharpCosine = 0.766; ///< cosine of 40 degrees, the angle between the normals of two faces
+constexpr double lineCosine = 0.5;    ///< cosine of 60 degrees, the angle between the normals of two faces
 
-/// Moves the vertex to the place, as far as its mask lets it, where its faces stay sound by that.
+/// Moves the vertex towards `place`, as far as its mask allows. Does nothing if its faces would not stay sound.
 void moveVertex(RemeshPass& pass, Slot v, const Vec3& place)
 {
     const Mesh& mesh = pass.mesh();
     const Vec3 p = pass.point(v);
     const Vec3 free = p + mesh.freedom(v) * (place - p);
     if (!mesh.lattice().contains(free))
-        return; // along the surface, but past the wall of the volume
+        return; // the point is outside the working volume
     const Vec3f target = pass.edit().kept(v, mesh.lattice().snap(free));
     if (pass.staysSound(v, noSlot, target.cast<double>(), {relaxedAngleSine, pass.minimum2()}))
         pass.edit().move(v, target);
 }
 
-/// The steps 1 to 4. Relaxes vertices to `place(v)`.
+/// Does steps 1 to 4. Relaxes vertices to `place(v)`.
 RemeshCounts optimise(RemeshPass& pass, bool keepsShape, const std::function<Vec3(Slot)>& place)
 {
     EdgeCollapse(pass, keepsShape).collapseShortEdges(EdgeSplit(pass).splitLongEdges());
@@ -81,7 +81,7 @@ bool isSharp(const Mesh& mesh, Slot v)
     bool sharp = false;
     Vec3 right = faceNormal(mesh, mesh.face(mesh.outgoing(v) ^ 1));
     mesh.forEachOutgoing(v, [&](Slot h) {
-        const Vec3 left = faceNormal(mesh, mesh.face(h)); // lies to the right of the next one
+        const Vec3 left = faceNormal(mesh, mesh.face(h)); // this face is to the right of the next outgoing edge
         sharp = sharp || left.dot(right) < sharpCosine * left.norm() * right.norm();
         right = left;
     });

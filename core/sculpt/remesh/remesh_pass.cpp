@@ -7,19 +7,20 @@ namespace core
 {
 namespace
 {
-/// Operations of one remeshing, by the region's vertices and in all: guards against endless work, not a tuning knob.
+/// Limits on the operations of one remeshing: per vertex of the region, at least, and at most. A guard against endless
+/// work, not a tuning knob.
 constexpr std::uint64_t opsPerVertex = 64, minOps = 4096, maxOps = 1 << 19;
-/// A step may turn a face by at most about 78 degrees (cosine 0.2, after the legality tests of El Topo: Brochu and
-/// Bridson 2009).
+/// Cosine of the largest angle, about 78 degrees, by which an operation may turn a face (after the legality tests of El
+/// Topo: Brochu and Bridson 2009).
 constexpr double minTurnCosine = 0.2;
-/// An edge of detail collapses when it is shorter than this part of what it was before the stroke.
+/// An edge finer than the brush is collapsed when it is shorter than this share of its length before the stroke.
 constexpr double squeezedShare = 0.25;
 
-/// Twice a triangle's area, and the squared sine of its smallest angle: the one between the two longest sides.
+/// A triangle's area and smallest angle.
 struct Shape
 {
     Vec3 normal;
-    double area2; ///< the normal's squared length
+    double area2; ///< squared length of `normal`
     double smallestSine2;
 };
 
@@ -57,7 +58,7 @@ RemeshPass::RemeshPass(MeshEditor& edit, Region& region, const EdgeBounds& bound
     m_changed.clear();
 }
 
-/// Returns the squared length below which an edge of detail collapses.
+/// Returns the squared length, mm2, below which an edge finer than the brush is collapsed.
 double RemeshPass::squeezed2(Slot a, Slot b) const
 {
     const double squeezed = squeezedShare * std::min(m_rest->of(a), m_rest->of(b));

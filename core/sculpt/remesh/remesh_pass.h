@@ -5,32 +5,31 @@
 
 namespace core
 {
-/// An edge as it was when it was found.
+/// An edge, with its length and ends at the time when it was found.
 struct RemeshEdge
 {
     double length2;
     Slot v0, v1; ///< v0 < v1
     Slot edge;
 };
-/// Total orders: results depend only on the mesh.
+/// Compares two edges by length, then by their ends. The order is total, so results depend only on the mesh.
 bool isShorter(const RemeshEdge& a, const RemeshEdge& b);
 bool isLonger(const RemeshEdge& a, const RemeshEdge& b);
 
-/// Limits on what a step may do to a face, unless it was worse before.
+/// Limits on how an operation may change a face. A face that violated a limit before may stay as bad as it was.
 struct FaceLimits
 {
-    double angleSine;
-    double shortest2;
-    double keptSliver2 = 1; ///< share of a smaller angle's squared sine that must be left
-    double grown2 = 1;      ///< share of its squared length that an edge longer than d_detail may reach
+    double angleSine;       ///< sine of the smallest angle allowed
+    double shortest2;       ///< squared length of the shortest edge allowed, mm2
+    double keptSliver2 = 1; ///< a smallest angle below `angleSine` must keep this share of its squared sine
+    double grown2 = 1;      ///< an edge longer than d_detail may grow to this multiple of its squared length
 };
 
-/// The state that the steps of one remeshing share: the region, its bounds and rest lengths, the operations that are
-/// left, and what was done.
+/// The state shared by the steps of one remeshing: region, edge bounds, rest lengths, remaining operations and counts.
 class RemeshPass
 {
 public:
-    /// `rest`: null, or of a stroke that keeps detail.
+    /// `rest`: null, or the rest lengths of a stroke that keeps detail.
     RemeshPass(MeshEditor& edit, Region& region, const EdgeBounds& bounds, RestLengths* rest = nullptr);
 
     MeshEditor& edit() { return m_edit; }
@@ -40,7 +39,7 @@ public:
     const Region& region() const { return m_region; }
 
     bool isTooLong(double length2) const { return length2 > m_detail2; }
-    /// Whether an edge between a and b of that squared length is to collapse.
+    /// Returns whether an edge between a and b with this squared length (mm2) is to be collapsed.
     bool isTooShort(Slot a, Slot b, double length2) const
     {
         return length2 < m_minimum2 && (!m_rest || length2 < squeezed2(a, b));
@@ -49,9 +48,9 @@ public:
     double detail2() const { return m_detail2; }   ///< d_detail squared, in mm2
     double minimum2() const { return m_minimum2; } ///< d squared, in mm2
 
-    /// Whether the surface at v was finer than the brush before the stroke, and is to keep its detail.
+    /// Returns whether the surface at v was finer than the brush before the stroke, in a stroke that keeps detail.
     bool isDetail(Slot v) const { return m_rest && m_rest->of(v) * m_rest->of(v) < m_detail2; }
-    /// Notes a vertex that a split has made.
+    /// Records a vertex created by a split: it has no rest length.
     void noteNew(Slot v)
     {
         if (m_rest)
@@ -61,23 +60,25 @@ public:
     Vec3 point(Slot v) const { return m_mesh.point(v).cast<double>(); }
     double length2(Slot e) const { return (point(m_mesh.to(2 * e)) - point(m_mesh.to(2 * e + 1))).squaredNorm(); }
     RemeshEdge edgeAt(Slot e) const;
-    /// Returns the edges with both ends in the region that are wanted by their squared length and slot. `isWanted` runs
-    /// on all cores.
+    /// Returns the edges with both ends in the region for which isWanted(squared length, edge slot) is true. `isWanted`
+    /// is called on several threads at once.
     template <class Test> std::vector<RemeshEdge> edges(Test isWanted) const;
-    /// Appends the edges of the region that are too short and have an end among the vertices.
+    /// Appends the region's edges that are to be collapsed and have an end in `around`.
     void addShortEdges(const SlotSet& around, std::vector<RemeshEdge>& edges) const;
-    /// Whether the faces around v, except those with `ignored`, stay sound when v moves to the target.
+    /// Returns whether the faces around v stay sound if v moves to `target`. Faces with the corner `ignored` are not
+    /// checked.
     bool staysSound(Slot v, Slot ignored, const Vec3& target, const FaceLimits& limits) const;
 
-    /// Counts an operation that is to come. False if there were too many.
+    /// Counts one operation. Returns false, and sets counts.capped, if the limit is reached.
     bool mayGoOn();
-    /// Vertices around the operations so far.
+    /// Returns the vertices around the operations so far.
     SlotSet& changed() { return m_changed; }
 
     RemeshCounts counts;
 
 private:
-    static constexpr std::size_t verticesPerChunk = 512; ///< a dab of the usual size does not wake the other cores
+    /// vertices per parallel chunk; a dab of the usual size runs on one core
+    static constexpr std::size_t verticesPerChunk = 512;
 
     double squeezed2(Slot a, Slot b) const;
 

@@ -7,21 +7,21 @@
 
 namespace core
 {
-/// The lengths of edges before a stroke moved them: the shortest one at each vertex, in mm, and where the surface was
-/// sharp. A stroke that keeps detail (keepsDetail) compares with that what it has squeezed.
+/// Records the mesh before a stroke moved it: for each vertex, the length of its shortest edge, in mm, and whether the
+/// surface was sharp there. A stroke that keeps detail (keepsDetail()) compares these with the current lengths.
 class RestLengths
 {
 public:
-    /// Length of an edge at a vertex that the stroke has made, or has not come to yet.
+    /// Rest length of a vertex that the stroke has created or not yet measured.
     static constexpr double none = std::numeric_limits<double>::infinity();
 
     void clear();
-    /// Measures the vertices of the region that are not known yet. Precondition: the stroke has not moved them. Cost:
+    /// Records the region's vertices that are not recorded yet. Precondition: the stroke has not moved them. Cost:
     /// O(region).
     void measure(const Region& region, const Mesh& mesh);
-    /// Notes that the stroke has made this vertex, maybe in the slot of one that it has removed.
+    /// Records that the stroke has created this vertex. Its slot may be that of a vertex which the stroke has removed.
     void noteNew(Slot v) { set(v, none, false); }
-    /// Whether the surface was sharp at v (isSharp()) before the stroke moved it.
+    /// Returns whether the surface was sharp at v (isSharp()) before the stroke moved it.
     bool wasSharp(Slot v) const
     {
         const Slot i = m_vertices.find(v);
@@ -38,7 +38,7 @@ private:
     void set(Slot v, double length, bool isSharp);
 
     SparseIndex m_vertices;
-    std::vector<double> m_lengths; ///< by position among them
-    std::vector<bool> m_sharp;     ///< likewise
+    std::vector<double> m_lengths; ///< rest lengths, mm, by position in m_vertices
+    std::vector<bool> m_sharp;     ///< wasSharp(), by position in m_vertices
 };
 } // namespace core
