@@ -8,7 +8,7 @@ namespace core
 {
 namespace
 {
-/// Faces that a core takes at a time: some ten microseconds of work, so that small dabs do not wake the others.
+/// Faces per parallel chunk: about ten microseconds of work. Small dabs then run on one core.
 constexpr std::size_t facesPerRead = 512;
 } // namespace
 
@@ -28,9 +28,9 @@ void DirtyNeighbourhood::collectDirty(const Mesh& mesh, const TouchedSlots& touc
     read(mesh, m_faces.slots(), 0);
 }
 
-/// The boxes of the change hold where its faces are and where they were: what lay between has been swept over. A shell
-/// that is swallowed or let out is so by a connected part of the surface as it was and as it is, and lies in the box of
-/// that.
+/// Gathers faces by boxes that contain the changed faces both where they are and where they were, because the surface
+/// has swept over the space between. A shell that has been enclosed or released was passed by a connected part of the
+/// changed surface, so it is in the box of that part.
 void DirtyNeighbourhood::gather(const Mesh& mesh, const FaceOctree& octree, const TouchedSlots& touched)
 {
     LatticeBox all;
@@ -39,7 +39,7 @@ void DirtyNeighbourhood::gather(const Mesh& mesh, const FaceOctree& octree, cons
     for (const TouchedSlots::Place& place : touched.before)
         all.extend(mesh.lattice().toLattice(place.point));
     std::vector<LatticeBox> clusters;
-    if (separatingAxis(dirtyBoxes(), all) == 3) { // nearly always
+    if (separatingAxis(dirtyBoxes(), all) == 3) { // the usual case
         clusters.push_back(all);
     } else {
         std::vector<LatticeBox> boxes = boxesOfChange(mesh, touched);
@@ -47,13 +47,13 @@ void DirtyNeighbourhood::gather(const Mesh& mesh, const FaceOctree& octree, cons
     }
     for (const LatticeBox& cluster : clusters) {
         for (Slot f : facesIn(mesh, octree, cluster))
-            m_faces.add(f); // a dirty one is known already
+            m_faces.add(f); // a dirty face is in the set already
     }
     read(mesh, std::span(m_faces.slots()).subspan(m_dirtyCount), m_dirtyCount);
 }
 
-/// Returns a box for each face that was only moved, of where it was and is, and two for one that was relinked. Faces
-/// that came and went within the change have none.
+/// Returns one box for each face that only moved, covering its old and new place, and two boxes for each relinked face.
+/// Faces created and removed within the change have none.
 std::vector<LatticeBox> DirtyNeighbourhood::boxesOfChange(const Mesh& mesh, const TouchedSlots& touched)
 {
     m_moved.clear();
@@ -80,7 +80,7 @@ void DirtyNeighbourhood::buildIndex()
         m_index.add(f);
 }
 
-/// Reads shapes and boxes of faces. `first`: the index of the first of them.
+/// Reads shapes and boxes of faces. `first`: the index in faces() of the first one.
 void DirtyNeighbourhood::read(const Mesh& mesh, std::span<const Slot> faces, std::size_t first)
 {
     if (first + faces.size() > m_shapes.size()) {

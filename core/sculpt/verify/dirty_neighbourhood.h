@@ -6,20 +6,21 @@
 
 namespace core
 {
-/// The faces that a change has touched, the dirty ones, and every face that these may meet. Functions name a face by
-/// its index in faces(): relinked faces come first, then the other dirty ones, then the rest. Not thread-safe: owns
-/// scratch memory.
+/// The faces that a change has touched (the dirty faces), and all other faces that these may intersect. Functions
+/// identify a face by its index in faces(): relinked faces come first, then the other dirty faces, then the rest. Owns
+/// scratch memory. Thread: not thread-safe.
 class DirtyNeighbourhood
 {
 public:
-    /// Collects the dirty faces alone: live faces that were relinked or have a corner that moved. `touched`: from the
+    /// Collects only the dirty faces: live faces that were relinked or have a corner that moved. `touched`: from the
     /// mesh's journal.
     void collectDirty(const Mesh& mesh, const TouchedSlots& touched);
-    /// Adds every other face that meets a box of the change. Precondition: collectDirty(), of the same change.
+    /// Adds every other face whose box meets a box of the change. Precondition: collectDirty() was called for the same
+    /// change.
     void gather(const Mesh& mesh, const FaceOctree& octree, const TouchedSlots& touched);
-    /// Prepares indexOf(). Cost: O(faces).
+    /// Builds the index that indexOf() needs. Cost: O(faces).
     void buildIndex();
-    /// Reads a face again whose corners have moved.
+    /// Reads a face's points and box again after its corners have moved.
     void reread(const Mesh& mesh, Slot index) { read(mesh, std::span(&faces()[index], 1), index); }
 
     const std::vector<Slot>& faces() const { return m_faces.slots(); }
@@ -30,12 +31,12 @@ public:
     /// Returns the index of a face in faces(), or noSlot. Precondition: buildIndex().
     Slot indexOf(Slot f) const { return m_index.find(f); }
 
-    // --- by index in faces() -----------------------------------------------------------------------------------------
+    // --- queries by index in faces() ---------------------------------------------------------------------------------
     const PatchFace& shape(Slot index) const { return m_shapes[index]; }
     std::span<const PatchFace> shapes() const { return std::span(m_shapes).first(m_faces.size()); }
     std::span<const LatticeBox> boxes() const { return std::span(m_boxes).first(m_faces.size()); }
     bool isDegenerate(Slot index) const;
-    /// Returns the normal of a face, twice its area long, in squared units of the lattice. Exact.
+    /// Returns the normal of a face, whose length is twice the face's area. Exact. Units: squared lattice units.
     Vec3 normal(Slot index) const;
 
 private:
@@ -45,10 +46,10 @@ private:
 
     SlotSet m_faces;
     SparseIndex m_index;
-    std::vector<PatchFace> m_shapes; ///< in the order of m_faces; later elements are unused
-    std::vector<LatticeBox> m_boxes; ///< likewise
+    std::vector<PatchFace> m_shapes; ///< shapes in the order of m_faces; elements beyond m_faces.size() are unused
+    std::vector<LatticeBox> m_boxes; ///< boxes in the order of m_faces; elements beyond m_faces.size() are unused
     Slot m_relinkedCount = 0;
     Slot m_dirtyCount = 0;
-    SparseIndex m_moved; ///< vertices that were there before the change
+    SparseIndex m_moved; ///< vertices of the change that existed before it
 };
 } // namespace core

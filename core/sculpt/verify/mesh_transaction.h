@@ -7,33 +7,33 @@
 
 namespace core
 {
-/// A change of the mesh that either verifies and is committed, or never was: rolls the mesh back, and the region with
-/// it, unless commit() succeeded.
+/// A change of the mesh that is either verified and committed, or undone completely. The destructor rolls back the
+/// mesh, and the region, unless commit() succeeded.
 class MeshTransaction
 {
 public:
-    /// Cost: a copy of the region.
+    /// Begins a change that also changes the region. Cost: a copy of the region.
     MeshTransaction(VerifiedMesh& surface, Region& region)
         : m_surface(surface)
         , m_region(&region)
         , m_saved(region.save())
         , m_mark(surface.mesh().mark())
     {}
-    /// For a change that leaves the region as it is.
+    /// Begins a change that leaves the region unchanged.
     explicit MeshTransaction(VerifiedMesh& surface) : m_surface(surface), m_mark(surface.mesh().mark()) {}
     ~MeshTransaction() { rollBack(); }
     MeshTransaction(const MeshTransaction&) = delete;
     MeshTransaction& operator=(const MeshTransaction&) = delete;
 
-    /// Verifies what changed, and commits it if it is sound. Otherwise the change is still there to be looked at:
-    /// VerifiedMesh::badFaces() tells what is wrong with it.
+    /// Verifies the change and commits it if it is sound. Otherwise returns false and leaves the change in place, so
+    /// that VerifiedMesh::badFaces() can be examined before rollBack().
     bool commit()
     {
         m_isOpen = !m_surface.verify(m_mark);
         return !m_isOpen;
     }
 
-    /// Does nothing after a commit or a rollback.
+    /// Undoes the change. Does nothing after a commit or a rollback.
     void rollBack()
     {
         if (!std::exchange(m_isOpen, false))

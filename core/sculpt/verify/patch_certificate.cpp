@@ -13,22 +13,22 @@ using Vector = IntegerDirection;
 constexpr double largestComponent = 1023;
 constexpr std::size_t certifiedPerChunk = 1024;
 
-// Bounds: lattice differences are at most 2^24, a cross product's component 2^49, times 2^10 and three terms: below
-// 2^61.
+// Overflow bounds: lattice differences are at most 2^24, so a cross product's component is at most 2^49. Times a
+// direction component of 2^10, summed over three terms: below 2^61.
 
 Vector difference(const LatticePoint& a, const LatticePoint& b)
 {
     return (a - b).cast<std::int64_t>();
 }
 
-/// Sign of the area of pqr in the projection along the direction.
+/// Returns the sign of the area of the triangle pqr in the projection along the direction.
 int projectedOrientation(const Vector& direction, const LatticePoint& p, const LatticePoint& q, const LatticePoint& r)
 {
     const std::int64_t area = direction.dot(difference(q, p).cross(difference(r, p)));
     return (area > 0) - (area < 0);
 }
 
-/// Puts the edges in the order in which the loop runs. False if they are not one loop through distinct vertices.
+/// Sorts the edges in their order along the loop. Returns false if they do not form one loop through distinct vertices.
 bool orderLoop(std::vector<BoundaryEdge>& boundary)
 {
     if (boundary.size() < 3)
@@ -53,11 +53,11 @@ bool orderLoop(std::vector<BoundaryEdge>& boundary)
     return closed;
 }
 
-/// An edge's extent in two coordinates of the projection plane, for the sweep.
+/// An edge's extent in two coordinates of the projection plane, for the sweep in isSimple().
 struct Extent
 {
     std::int64_t minX, maxX, minY, maxY;
-    std::size_t index; ///< along the loop
+    std::size_t index; ///< the edge's position along the loop
 };
 
 bool segmentsMeet(const Vector& direction, const BoundaryEdge& s, const BoundaryEdge& t)
@@ -66,17 +66,18 @@ bool segmentsMeet(const Vector& direction, const BoundaryEdge& s, const Boundary
     const int b = projectedOrientation(direction, s.fromPoint, s.toPoint, t.toPoint);
     const int c = projectedOrientation(direction, t.fromPoint, t.toPoint, s.fromPoint);
     const int d = projectedOrientation(direction, t.fromPoint, t.toPoint, s.toPoint);
-    return a * b <= 0 && c * d <= 0; // their extents overlap: touching and collinear count as meeting
+    // the caller has checked that the extents overlap, so touching and collinear segments count as meeting
+    return a * b <= 0 && c * d <= 0;
 }
 
-/// Neighbours on the loop share their end; they overlap if the second runs straight back.
+/// Returns whether the edge t overlaps its predecessor s on the loop: t runs straight back.
 bool runsBack(const Vector& direction, const BoundaryEdge& s, const BoundaryEdge& t)
 {
     if (projectedOrientation(direction, s.fromPoint, s.toPoint, t.toPoint) != 0)
         return false;
     const Vector along = difference(s.toPoint, s.fromPoint), on = difference(t.toPoint, t.fromPoint);
-    // In projection: compare the two perpendiculars, direction x along and direction x on. Doubles do: collinear
-    // vectors' dot product is never near zero unless one of them is.
+    // Compares the perpendiculars of the edges in the projection plane, direction x along and direction x on. Doubles
+    // suffice, because the dot product of two collinear vectors is near zero only if one of them is.
     const Eigen::Vector3d u = direction.cross(along).cast<double>(), w = direction.cross(on).cast<double>();
     return u.dot(w) <= 0;
 }
@@ -85,7 +86,8 @@ bool isSimple(const std::vector<BoundaryEdge>& loop, const Vector& direction)
 {
     int axis = 0;
     direction.cwiseAbs().maxCoeff(&axis);
-    // Two coordinates that are constant along the direction: multiples of components, so exact (|.| <= 2^34).
+    // Projects onto two coordinates that are constant along the direction. They are integers of magnitude up to 2^34,
+    // so exact.
     const int i = (axis + 1) % 3, j = (axis + 2) % 3;
     const auto coordinate = [&](const LatticePoint& p, int k) {
         return direction[axis] * p[k] - direction[k] * static_cast<std::int64_t>(p[axis]);
@@ -172,8 +174,8 @@ bool certifyStar(const Mesh& mesh, Slot v)
         if (direction.dot(normals[i]) <= 0)
             return false;
     }
-    // Once around: no later sector holds the first spoke. A sector is less than half a turn, since its face is
-    // positive.
+    // The faces go around once if no later sector contains the first spoke. Each sector is less than half a turn, since
+    // its face is positive.
     for (std::size_t i = 1; i < n; ++i) {
         const std::int64_t before = direction.dot(spokes[i].cross(spokes[0]));
         const std::int64_t after = direction.dot(spokes[0].cross(spokes[(i + 1) % n]));

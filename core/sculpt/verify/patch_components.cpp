@@ -23,13 +23,14 @@ void PatchComponents::find(const Mesh& mesh, const DirtyNeighbourhood& neighbour
     }
 }
 
-/// Adds the component of a face that is in none yet. Dirty faces come first: if this one is clean, all others are.
+/// Adds the patch that contains the face `seed`, which is in no patch yet. Dirty faces have the lowest indices and are
+/// used as seeds first, so a patch with a clean seed contains no dirty face.
 void PatchComponents::add(const Mesh& mesh, const DirtyNeighbourhood& neighbourhood, Slot seed)
 {
     const Slot dirtyCount = neighbourhood.dirtyCount(), number = static_cast<Slot>(m_components.size());
     const bool isDirty = seed < dirtyCount;
     Component& component = m_components.emplace_back();
-    Vec3 sum = Vec3::Zero(); // of the dirty faces' normals
+    Vec3 sum = Vec3::Zero(); // sum of the dirty faces' normals
     m_patch.clear();
     m_boundary.clear();
     m_component[seed] = number;

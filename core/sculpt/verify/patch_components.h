@@ -4,25 +4,25 @@
 
 namespace core
 {
-/// The faces of a neighbourhood, divided into patches that edges connect. A patch with dirty faces gets a certificate
-/// if it can: then no two of its faces meet where they may not. Functions name a face by its index in the
+/// Divides the faces of a neighbourhood into patches that are connected by edges. Tries to certify each patch that
+/// contains dirty faces; no two faces of a certified patch intersect. Functions identify a face by its index in the
 /// neighbourhood. Owns scratch memory.
 class PatchComponents
 {
 public:
-    /// Precondition: the neighbourhood is gathered and indexed. Cost: its faces.
+    /// Finds the patches. Preconditions: gather() and buildIndex() of the neighbourhood were called. Cost: its faces.
     void find(const Mesh& mesh, const DirtyNeighbourhood& neighbourhood);
 
     Slot size() const { return static_cast<Slot>(m_components.size()); }
     Slot of(Slot index) const { return m_component[index]; }
-    /// Whether no edge of the patch leads out of the neighbourhood.
+    /// Returns whether the patch is a closed surface: none of its edges leads out of the neighbourhood.
     bool isClosed(Slot component) const { return m_components[component].isClosed; }
     bool isCertified(Slot component) const { return m_components[component].isCertified; }
     bool areInOneCertified(Slot i, Slot j) const
     {
         return m_component[i] == m_component[j] && m_components[m_component[i]].isCertified;
     }
-    /// Whether there are patches with dirty faces, and each has its certificate.
+    /// Returns whether there are patches with dirty faces and all of these are certified.
     bool areCertified() const;
 
 private:
@@ -33,14 +33,14 @@ private:
     };
     void add(const Mesh& mesh, const DirtyNeighbourhood& neighbourhood, Slot seed);
 
-    std::vector<Slot> m_component; ///< by index in the neighbourhood
+    std::vector<Slot> m_component; ///< number of the patch of each face, by index in the neighbourhood
     std::vector<Component> m_components;
-    Slot m_dirtyComponents = 0;           ///< the first ones, which hold dirty faces
-    std::vector<PatchFace> m_patch;       ///< faces of the component that is being added
-    std::vector<BoundaryEdge> m_boundary; ///< likewise
-    std::vector<Slot> m_front;            ///< indices of faces whose neighbours are still to be visited
+    Slot m_dirtyComponents = 0;           ///< number of patches with dirty faces; they are the first in m_components
+    std::vector<PatchFace> m_patch;       ///< faces of the patch being added
+    std::vector<BoundaryEdge> m_boundary; ///< boundary of the patch being added
+    std::vector<Slot> m_front;            ///< indices of faces whose neighbours have not been visited yet
 };
 
-/// Returns a half-edge with its ends' lattice points.
+/// Returns the half-edge with its ends' lattice points.
 BoundaryEdge boundaryEdge(const Mesh& mesh, Slot h);
 } // namespace core

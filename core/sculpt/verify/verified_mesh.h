@@ -7,8 +7,8 @@
 
 namespace core
 {
-/// A mesh with all that is kept in step with it: the octree, the ranges to draw anew, and the verifier, which verifies
-/// each change before the others learn of it.
+/// A mesh together with data that follows its changes: the octree and the ranges to be redrawn. The verifier checks
+/// each change before these are updated.
 class VerifiedMesh
 {
 public:
@@ -19,32 +19,35 @@ public:
     const FaceOctree& octree() const { return m_octree; }
     DirtySlots& dirtySlots() { return m_dirtySlots; }
 
-    /// See Sculptor::setVerification.
+    /// Switches verification on or off; see Sculptor::setVerification().
     void setVerification(bool on) { m_verification = on; }
 
-    /// Verifies what changed since the mark, and commits it if it is sound. Otherwise it is left to be rolled back, and
-    /// badFaces() tells why.
+    /// Verifies the changes since the mark and commits them if they are sound. Otherwise returns false and leaves the
+    /// rollback to the caller; badFaces() contains the faulty faces.
     bool verify(const Mesh::Mark& mark);
-    /// Whether a change in which verify() found a fault may be sound now that these vertices have moved less far
-    /// (Verifier::recheck). It is still to be verified. If it is not, badFaces() tells why.
+    /// Rechecks a change in which verify() found a fault, after these vertices have moved less far (see
+    /// Verifier::recheck()). Returns false if a fault remains, which is then in badFaces(). If true, the change must
+    /// still be verified.
     bool recheck(std::span<const Slot> vertices);
-    /// Verifies once without effect, so that the first verification that counts is fast.
+    /// Verifies the changes since the mark without any effect. Allocates memory, so that later verifications are fast.
     void warmUp(const Mesh::Mark& mark) { m_verifier.verify(m_mesh, m_octree, m_mesh.touchedSince(mark)); }
-    /// Runs the operation, and rolls it back unless the result is sound.
+    /// Runs the operation and verifies the result. If it is not sound, rolls it back and returns false.
     bool tryOperation(const std::function<void()>& operation);
-    /// Returns the faces that the last verify() looked at: some microseconds each where the surface is crumpled.
+    /// Returns the number of faces that the last verify() examined. They cost a few microseconds each where the surface
+    /// is crumpled.
     Slot facesVisited() const { return m_verifier.facesVisited(); }
     /// Returns the faces in which the last verify() or recheck() found a fault.
     const std::vector<Slot>& badFaces() const { return m_badFaces; }
 
-    /// Commits a change that moved nothing, as painting does.
+    /// Commits a change that moved no vertex, such as painting, without verifying it.
     void commitUnverified(const Mesh::Mark& mark);
-    /// Follows Mesh::swap.
+    /// Updates the octree and the ranges to be redrawn after Mesh::swap().
     void follow(const MeshDelta& swapped);
 
     const std::array<std::uint64_t, 3>& tiers() const { return m_tiers; }
-    const double& verifyMs() const { return m_verifyMs; }  ///< spent in verify() so far
-    Slot maxDirtyFaces() const { return m_maxDirtyFaces; } ///< of one verify() since forgetDirtyFaces()
+    const double& verifyMs() const { return m_verifyMs; } ///< total time spent in verify() and recheck(), milliseconds
+    /// largest number of changed faces in one verify() since forgetDirtyFaces()
+    Slot maxDirtyFaces() const { return m_maxDirtyFaces; }
     void forgetDirtyFaces() { m_maxDirtyFaces = 0; }
 
 private:

@@ -1,14 +1,14 @@
 // The exact local check of a change (core/README.md, "A dab"):
-//   1. dirty faces:  those the journal says were relinked, and those around a vertex that moved dirty_neighbourhood
-//   2. linked:       each rightly
-//   3. partners:     every face that meets a box of the dirty ones, where they are and where they were: one box, or one
-//                    for each part of the change that nothing connects, as on both sides of a mirror
-//                    dirty_neighbourhood
-//   4. Patch:        one certificate for all of these, or for each patch around dirty faces           patch_components
-//      Stars:        certificates for the stars of the vertices of a patch that has none              patch_certificate
-//                    and exact tests of its disjoint pairs
+//   1. dirty faces:  the relinked faces in the journal, and the faces around moved vertices      (dirty_neighbourhood)
+//   2. links:        every relinked face must be linked correctly
+//   3. partners:     all faces that meet a box of the change, which covers the dirty faces where they are and where
+//                    they were. Unconnected parts of the change have a box each, as on both sides of a mirror
+//                                                                                                (dirty_neighbourhood)
+//   4. Patch:        one certificate for all these faces, or one for each patch around dirty faces  (patch_components)
+//      Stars:        for patches without a certificate: certificates of their vertices' stars      (patch_certificate)
+//                    and exact tests of pairs of disjoint faces
 //      Pairs:        exact tests of neighbouring pairs too, where a star has no certificate
-//   5. nesting:      a shell wholly inside a box must still face the right way at its depth
+//   5. nesting:      a shell completely inside a box must still face the right way at its nesting depth
 
 #include "core/sculpt/verify/verifier.h"
 
@@ -23,8 +23,7 @@ namespace core
 {
 namespace
 {
-/// Faces, or stars, that a core takes at a time: some ten microseconds of work, so that small dabs do not wake the
-/// others.
+/// Faces, or stars, per parallel chunk: about ten microseconds of work. Small dabs then run on one core.
 constexpr std::size_t facesPerBoundary = 512, starsPerChunk = 128;
 
 void sortUniquely(std::vector<Slot>& faces)
@@ -41,7 +40,7 @@ IntegerDirection directionOfChange(const DirtyNeighbourhood& neighbourhood)
     return integerDirection(sum);
 }
 
-/// Returns the half-edges of all gathered faces that have none of these on the other side.
+/// Returns the half-edges of the gathered faces whose opposite face was not gathered.
 std::vector<BoundaryEdge> boundaryOf(const Mesh& mesh, const DirtyNeighbourhood& neighbourhood)
 {
     return joinChunks<std::vector<BoundaryEdge>>(
@@ -57,7 +56,8 @@ std::vector<BoundaryEdge> boundaryOf(const Mesh& mesh, const DirtyNeighbourhood&
         });
 }
 
-/// Checks the links of a face around the loop, to the face, to the corners, and across to a live neighbour.
+/// Returns whether the face's half-edges are linked correctly: in a cycle, to the face, to its corners, and to a live
+/// neighbour.
 bool isLinked(const Mesh& mesh, Slot f, const Triangle& corners)
 {
     Slot h = mesh.faceHalfedge(f);
@@ -97,10 +97,11 @@ VerifyResult Verifier::verify(const Mesh& mesh, const FaceOctree& octree, const 
     return m_result;
 }
 
-/// The neighbourhood of the larger change holds everything that the smaller one can meet.
+/// The neighbourhood gathered by verify() for the larger motion contains all faces that the smaller motion can reach.
 std::vector<Slot> Verifier::recheck(const Mesh& mesh, std::span<const Slot> vertices)
 {
-    SparseIndex near; // indices in the neighbourhood: the faces at the vertices, then those that meet the box of these
+    // indices in the neighbourhood: first the faces at the vertices, then the faces whose boxes meet the box of these
+    SparseIndex near;
     std::vector<Slot> bad;
     LatticeBox box;
     for (Slot v : vertices) {
@@ -136,8 +137,8 @@ std::vector<Slot> Verifier::recheck(const Mesh& mesh, std::span<const Slot> vert
     return bad;
 }
 
-/// Whether one certificate holds for all gathered faces, as after most changes. (Then none of the faces is degenerate,
-/// and they are one component with an edge: a second one would have a boundary of its own.)
+/// Returns whether one certificate covers all gathered faces, as it does after most changes. If so, no face is
+/// degenerate, and the faces are one patch with a boundary: a second patch would have a boundary of its own.
 bool Verifier::certifyAll(const Mesh& mesh)
 {
     if (m_neighbourhood.dirtyCount() == 0)
@@ -165,7 +166,7 @@ void Verifier::findDegenerate()
     }
 }
 
-/// Tests the pairs with at least one dirty face whose boxes meet, except those within a certified patch.
+/// Tests all pairs of faces whose boxes meet and of which at least one is dirty, except pairs within a certified patch.
 void Verifier::testPairs(const Mesh& mesh)
 {
     m_stars.clear();
@@ -178,8 +179,7 @@ void Verifier::testPairs(const Mesh& mesh)
     }
 }
 
-/// Certifies the stars of all corners of dirty faces in patches that have no certificate. False if one of them has
-/// none.
+/// Tries to certify the stars of all corners of dirty faces in uncertified patches. Returns whether all were certified.
 bool Verifier::certifyStars(const Mesh& mesh)
 {
     for (Slot i = 0; i < m_neighbourhood.dirtyCount(); ++i) {
@@ -196,7 +196,7 @@ bool Verifier::certifyStars(const Mesh& mesh)
     return std::ranges::find(m_isStarCertified, 0) == m_isStarCertified.end();
 }
 
-/// Whether two faces meet where they may not.
+/// Returns whether two faces meet anywhere except at shared vertices and edges.
 bool Verifier::meetBadly(Slot i, Slot j) const
 {
     const PatchFace& s = m_neighbourhood.shape(i);
@@ -209,8 +209,8 @@ bool Verifier::meetBadly(Slot i, Slot j) const
     return trianglesIntersect<LatticePredicates>({s.corners, s.points}, {t.corners, t.points});
 }
 
-/// A shell wholly inside a box of the change may have been turned over, swallowed or let out without any two faces
-/// meeting now.
+/// Checks the shells that are completely inside a box of the change. Such a shell may have been turned over, enclosed
+/// by another shell, or released from one, without any two faces meeting now.
 void Verifier::checkNesting(const Mesh& mesh, const FaceOctree& octree)
 {
     for (Slot component = 0; component < m_components.size(); ++component) {
@@ -223,7 +223,7 @@ void Verifier::checkNesting(const Mesh& mesh, const FaceOctree& octree)
     }
 }
 
-/// Whether a shell faces outward at even nesting depth, inward at odd.
+/// Returns whether the shell faces outward at even nesting depth, inward at odd depth.
 bool Verifier::isNestedWell(const Mesh& mesh, const FaceOctree& octree, Slot component) const
 {
     ShellOrientation probe;

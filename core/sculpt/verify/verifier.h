@@ -6,47 +6,49 @@
 
 namespace core
 {
-/// The means that proved a change sound, besides tests of pairs of different patches: a certificate of each patch
-/// that changed, certificates of all stars of one and tests of its disjoint pairs, or tests of neighbouring pairs too.
+/// The method that proved a change sound. Patch: a certificate for each changed patch. Stars: for the patches without a
+/// certificate, certificates of all vertex stars and exact tests of pairs of disjoint faces. Pairs: exact tests of
+/// neighbouring pairs too. In all three, pairs of faces from different patches are tested exactly.
 enum class VerifyTier { Patch, Stars, Pairs };
 
 struct VerifyResult
 {
     VerifyTier tier = VerifyTier::Patch;
-    /// Ascending. Complete: every face of every pair that meets, every face that is degenerate or wrongly linked, every
-    /// face of a shell that turned over or was swallowed.
+    /// Faulty faces, in ascending order and complete: all faces of intersecting pairs, all degenerate or wrongly linked
+    /// faces, and all faces of shells that were turned over or enclosed.
     std::vector<Slot> badFaces;
 
     bool ok() const { return badFaces.empty(); }
 };
 
-/// The exact local check of a change (core/README.md, "A dab"). If the mesh was sound before the change, then it is
-/// sound after it if and only if this finds no bad face. Not thread-safe: owns scratch memory.
+/// Checks a change exactly and locally (core/README.md, "A dab"). If the mesh was sound before the change, then it is
+/// sound after it if and only if verify() finds no bad face. Owns scratch memory. Thread: not thread-safe.
 class Verifier
 {
 public:
-    /// `touched` comes from the mesh's journal and holds all that changed since `octree` was last up to date.
+    /// Verifies a change. `touched`: from the mesh's journal; all changes since `octree` was last up to date.
     VerifyResult verify(const Mesh& mesh, const FaceOctree& octree, const TouchedSlots& touched);
 
-    /// Returns bad faces at these vertices, after a verify() that found fault and the same change again, only that they
-    /// have moved less far. Does not look for other faces that were bad. Cost: the faces around these vertices.
+    /// Returns the bad faces at these vertices. Preconditions: the last verify() found a fault; the mesh now has that
+    /// change again, except that these vertices have moved less far. Does not look for bad faces elsewhere. Cost: the
+    /// faces around these vertices, plus a box test for each face of the last verify().
     std::vector<Slot> recheck(const Mesh& mesh, std::span<const Slot> vertices);
 
-    /// Only finds out which faces changed, and their boxes.
+    /// Collects the changed faces and their boxes, without verifying anything.
     void collectDirty(const Mesh& mesh, const TouchedSlots& touched) { m_neighbourhood.collectDirty(mesh, touched); }
 
-    /// Returns the faces of the last verify() or collectDirty() that changed: relinked or with a moved corner, and
-    /// alive.
+    /// Returns the live faces that changed (relinked, or with a moved corner) in the last verify() or collectDirty().
     std::span<const Slot> dirtyFaces() const
     {
         return std::span(m_neighbourhood.faces()).first(m_neighbourhood.dirtyCount());
     }
-    /// Returns their boxes, in their order.
+    /// Returns the boxes of dirtyFaces(), in the same order.
     std::span<const LatticeBox> dirtyBoxes() const
     {
         return m_neighbourhood.boxes().first(m_neighbourhood.dirtyCount());
     }
-    /// Returns how many faces the last verify() or collectDirty() looked at: those that changed, and all near them.
+    /// Returns the number of faces that the last verify() or collectDirty() examined: the changed ones and all near
+    /// them.
     Slot facesVisited() const { return m_neighbourhood.size(); }
 
 private:
@@ -64,7 +66,7 @@ private:
     VerifyResult m_result;
     DirtyNeighbourhood m_neighbourhood;
     PatchComponents m_components;
-    SparseIndex m_stars;                 ///< vertices of whose faces a certificate was tried (certifyStar)
-    std::vector<char> m_isStarCertified; ///< by position among them
+    SparseIndex m_stars;                 ///< vertices for whose stars a certificate was tried (certifyStar())
+    std::vector<char> m_isStarCertified; ///< whether the star is certified, by position in m_stars
 };
 } // namespace core
