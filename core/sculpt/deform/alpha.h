@@ -10,18 +10,20 @@
 
 namespace core
 {
-/// A grey-scale image that weights a dab: white takes all of it, black nothing. Its longer side is the brush's
-/// diameter, its middle the dab's centre. Immutable: any thread.
+/// A grey-scale image that scales the effect of a dab: full effect where it is white, none where it is black. Its
+/// longer side spans the brush's diameter, and its middle is the dab's centre. Immutable. Thread: any.
 class Alpha
 {
 public:
-    /// Of a side, in pixels: a reader refuses more before it decodes.
+    /// Largest width and height, in pixels. Readers refuse larger images before decoding them.
     static constexpr int maxSide = 4096;
 
-    /// `pixels`: rows from the top, width x height of them. `source`: a name of builtInAlphas(), or the file's path.
+    /// Makes an alpha. `pixels`: width x height values, row by row from the top. `source`: a name in builtInAlphas(),
+    /// or the file's path.
     Alpha(int width, int height, std::vector<std::uint8_t> pixels, std::string source);
 
-    /// Between pixel centres bilinear, 0 to 1. The image's longer side runs from -1 to 1; 0 beside it.
+    /// Returns the shade at a point, 0 to 1, interpolated bilinearly between pixel centres. The image's longer side
+    /// extends from -1 to 1; outside the image the shade is 0.
     double at(double right, double up) const;
 
     int width() const { return m_width; }
@@ -29,7 +31,7 @@ public:
     const std::vector<std::uint8_t>& pixels() const { return m_pixels; }
     const std::string& source() const { return m_source; }
     bool isBuiltIn() const;
-    /// Of the image, in 16 hex digits.
+    /// Returns a fingerprint of the image: 16 hexadecimal digits.
     std::string fingerprint() const;
 
 private:
@@ -38,8 +40,8 @@ private:
     std::string m_source;
 };
 
-/// Our own, by their names in stroke files, in the order in which they are shown.
+/// Returns the names of the built-in alphas, as used in stroke files, in display order.
 std::span<const std::string_view> builtInAlphas();
-/// Drawn when it is first asked for. Null if there is none of that name.
+/// Returns the built-in alpha of this name, or null. All are drawn at the first call.
 std::shared_ptr<const Alpha> builtInAlpha(std::string_view name);
 } // namespace core

@@ -1,4 +1,5 @@
-// Our own alphas, drawn by formula: a shade for each point of the square from -1 to 1, x to the right and y up.
+// The built-in alphas, drawn by formulas: each gives a shade for every point of the square from -1 to 1, x to the right
+// and y up.
 #include "core/sculpt/deform/alpha.h"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace
 {
 constexpr int pixelsPerSide = 256;
 
-/// 0 up to `from`, 1 beyond `to`, smooth between.
+/// Returns 0 for x up to `from`, 1 beyond `to`, and a smooth transition between them.
 double smoothStep(double from, double to, double x)
 {
     const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
@@ -23,7 +24,7 @@ double distanceOf(double x, double y)
     return std::sqrt(x * x + y * y);
 }
 
-/// A number in [0, 1) for each cell of a grid; `which`: another grid.
+/// Returns a pseudo-random number in [0, 1) for a cell of a grid. `which`: selects an independent set of numbers.
 double cellValue(double column, double row, std::uint32_t which)
 {
     std::uint32_t h = static_cast<std::uint32_t>(static_cast<int>(column)) * 0x8da6b343u ^
@@ -33,16 +34,17 @@ double cellValue(double column, double row, std::uint32_t which)
     return (h ^ h >> 16) * 0x1p-32;
 }
 
-/// A round top of height 1 in the middle, 0 from x = 1 on.
+/// Returns a semicircular profile: height 1 at x = 0, falling to 0 at |x| = 1.
 double dome(double x)
 {
     return std::sqrt(std::max(1 - x * x, 0.0));
 }
 
-/// Seeds, one a cell, off its middle by up to `jitter` of half of it.
+/// Randomly placed points, one in each cell of a grid. `jitter`: their largest offset from the middle of the cell, in
+/// half cells.
 struct Seeds
 {
-    double cells; ///< in 2
+    double cells; ///< number of cells per side of the square, whose side is 2
     double jitter;
 
     template <class Visit> void forEachNear(double x, double y, Visit visit) const
@@ -67,7 +69,7 @@ double shadeOfPores(double x, double y)
     return shade;
 }
 
-/// In rows, each over the one below it: the free edge is high, the root lies under the row above.
+/// Draws scales in rows. The raised free edges of each row cover the roots of the row below.
 double shadeOfScales(double x, double y)
 {
     constexpr double rows = 0.26, columns = 0.4, radius = 0.27;
@@ -82,7 +84,7 @@ double shadeOfScales(double x, double y)
     return 0;
 }
 
-/// Where two seeds are equally near.
+/// Draws lines where two seeds are equally near (edges of Voronoi cells).
 double shadeOfCracks(double x, double y)
 {
     double first = 9, second = 9, fx = 0, fy = 0, sx = 0, sy = 0;
@@ -100,10 +102,10 @@ double shadeOfCracks(double x, double y)
     return 1 - smoothStep(0.015, 0.075, fromEdge);
 }
 
-/// Bands that go over and under each other.
+/// Draws bands that pass alternately over and under each other.
 double shadeOfWeave(double x, double y)
 {
-    constexpr double cell = 0.4, width = 0.46; // of a cell, on either side
+    constexpr double cell = 0.4, width = 0.46; // width: half the width of a band, in cells
     const double column = std::floor((x + 1) / cell), row = std::floor((y + 1) / cell);
     const double s = (x + 1) / cell - column - 0.5, t = (y + 1) / cell - row - 0.5;
     const bool isLevel = static_cast<int>(column + row + 64) % 2 == 0;
@@ -113,7 +115,7 @@ double shadeOfWeave(double x, double y)
     return std::max(over, under);
 }
 
-/// Of five points, rising to a ridge along each.
+/// Draws a star with five points, and a ridge along each.
 double shadeOfStar(double x, double y)
 {
     constexpr double inner = 0.4;
@@ -126,11 +128,12 @@ double shadeOfStar(double x, double y)
     double shade = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
         const auto& tip = rays[i];
-        const auto& opposite = rays[(i + 3) % 5]; // its opposite ray is the notch between this tip and the next
+        const auto& opposite = rays[(i + 3) % 5]; // the notch between this tip and the next is opposite to this ray
         const double ax = outer * tip[0], ay = outer * tip[1], bx = -inner * opposite[0], by = -inner * opposite[1];
         const auto& next = rays[(i + 1) % 5];
         const double cx = outer * next[0], cy = outer * next[1];
-        const auto halfOf = [&](double px, double py, double qx, double qy) { // the middle, a tip and a notch
+        // the triangle of the middle, a tip and a notch
+        const auto halfOf = [&](double px, double py, double qx, double qy) {
             const double area = px * qy - py * qx;
             const double u = (x * qy - y * qx) / area, v = (px * y - py * x) / area;
             if (u >= 0 && v >= 0 && u + v <= 1)
@@ -147,7 +150,7 @@ double shadeOfRing(double x, double y)
     return dome((distanceOf(x, y) - 0.66) / 0.2);
 }
 
-/// Four octaves of smoothed random values.
+/// Draws noise: four octaves of smoothly interpolated random values.
 double shadeOfNoise(double x, double y)
 {
     double sum = 0, share = 0.5, cells = 5;
@@ -184,7 +187,7 @@ constexpr std::array<DrawnAlpha, 8> alphaTable{{{"pores", shadeOfPores},
                                                 {"ring", shadeOfRing},
                                                 {"star", shadeOfStar}}};
 
-/// Each pixel the mean of 2 x 2 samples.
+/// Returns the image of an alpha. Each pixel is the mean of 2 x 2 samples.
 std::shared_ptr<const Alpha> drawn(const DrawnAlpha& builtIn)
 {
     std::vector<std::uint8_t> pixels;

@@ -11,10 +11,10 @@ namespace core
 {
 namespace
 {
-/// Around a point that is looked for, so that rounding it to float32 loses no face.
+/// Margin around the vertical line searched, so that rounding it to float32 loses no face.
 constexpr float columnSlack = 1e-6f;
 
-/// All at height 0: the tree then sorts by what a vertical line meets.
+/// Returns the faces' boxes, all at height 0, so that the tree is queried by vertical lines.
 std::vector<FaceBox> columnsOf(const TriangleMesh& mesh)
 {
     std::vector<FaceBox> boxes = faceBoxes(mesh.points, mesh.triangles);
@@ -37,8 +37,8 @@ TriangleMesh toUnitSize(const TriangleMesh& mesh)
     return unit;
 }
 
-/// Which side of the edge the line through (x, z) passes on; both faces of an edge get the same answer but for its
-/// sign, and 0 never is.
+/// Returns whether the line through (x, z) along y passes to the left of the edge. The two faces of an edge get
+/// opposite answers, and no line counts as hitting the edge itself.
 bool isLeftOf(const Vec3f& from, const Vec3f& to, double x, double z)
 {
     const bool runsOn = from.x() < to.x() || (from.x() == to.x() && from.z() < to.z());
@@ -47,7 +47,7 @@ bool isLeftOf(const Vec3f& from, const Vec3f& to, double x, double z)
     return isLeft == runsOn;
 }
 
-/// Where a vertical line crosses a face: from below into the solid, or out of it.
+/// A point where an upward line crosses a face, entering the solid or leaving it (isExit).
 struct Crossing
 {
     double height;

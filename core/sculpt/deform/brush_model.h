@@ -10,49 +10,50 @@
 
 namespace core
 {
-/// A closed model as a brush's shape: the middle of its box at the origin, its farthest corner at distance 1.
-/// Immutable: any thread.
+/// A closed model that serves as a brush's shape. It is scaled and moved so that the middle of its bounding box is the
+/// origin and its farthest corner has distance 1. Immutable. Thread: any.
 class BrushModel
 {
 public:
-    /// Why a model is no brush.
+    /// The reason why a model cannot be a brush.
     enum class Fault {
         None,
-        Unsound,     ///< it does not bound a solid: `report` says why
-        TooFlat,     ///< its box is thinner than `minThickness` of its length
-        TooSmall,    ///< its box is shorter than `minLength`
-        TooManyFaces ///< more than `maxFaces`
+        Unsound,     ///< it does not bound a solid: `report` gives details
+        TooFlat,     ///< its bounding box is thinner than `minThickness` times its length
+        TooSmall,    ///< its bounding box is shorter than `minLength`
+        TooManyFaces ///< it has more than `maxFaces` faces
     };
     static constexpr std::size_t maxFaces = 250'000;
-    static constexpr double minThickness = 1e-3, minLength = 1e-5; ///< mm
+    static constexpr double minThickness = 1e-3, minLength = 1e-5; ///< minThickness: share of the length; minLength: mm
 
     struct Made
     {
-        std::shared_ptr<const BrushModel> model; ///< null: refused
+        std::shared_ptr<const BrushModel> model; ///< null: the model was refused
         Fault fault = Fault::None;
         MeshReport report;
     };
-    /// Checks the model exactly. `source`: the path of its file, or empty. Cost: checkMesh, and a sort.
+    /// Checks the mesh exactly and makes a brush model of it. `source`: the path of its file, or empty. Cost:
+    /// checkMesh(), plus a sort.
     static Made of(const TriangleMesh& mesh, std::string source);
 
     struct Span
     {
         double low, high;
     };
-    /// Of the line through p along y, what around p lies inside; nothing if p is outside. Cost: the faces that the line
-    /// meets.
+    /// Returns the range of y within which the vertical line through p is inside the model, around p; nothing if p is
+    /// outside. Cost: the faces that the line meets.
     std::optional<Span> spanAt(const Vec3& p) const;
 
     const TriangleMesh& surface() const { return m_surface; }
     const std::string& source() const { return m_source; }
-    /// Of its points and faces, in 16 hex digits.
+    /// Returns a fingerprint of the points and faces: 16 hexadecimal digits.
     const std::string& fingerprint() const { return m_fingerprint; }
 
 private:
     BrushModel(TriangleMesh surface, std::string source);
 
-    TriangleMesh m_surface; ///< without colours
+    TriangleMesh m_surface;
     std::string m_source, m_fingerprint;
-    BoxTree m_columns; ///< the faces' boxes, seen along y
+    BoxTree m_columns; ///< the faces' bounding boxes, projected along y
 };
 } // namespace core

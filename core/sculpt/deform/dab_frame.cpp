@@ -6,7 +6,8 @@ namespace core
 {
 namespace
 {
-/// Squared sine of the angle between a way and the normal: below that it does not lie along the plane.
+/// Squared sine of the smallest angle between a direction and the normal at which the direction is used as up in the
+/// plane.
 constexpr double minUpright2 = 0.01;
 
 Vec3 alongPlane(const Vec3& v, const Vec3& normal)

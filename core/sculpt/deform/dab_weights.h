@@ -5,14 +5,14 @@
 
 namespace core
 {
-/// A dab's share of each vertex of its region: b(x) of the distance times the alpha's shade, for tools that use one; of
-/// Stamp 1 inside of the brush's model, else 0. Refers to what it was made of.
+/// The weight of a dab at each vertex of its region: b(x) of the distance, times the alpha's shade for tools that use
+/// an alpha. Stamp: 1 inside the brush's model, else 0. Keeps references to the constructor's arguments.
 class DabWeights
 {
 public:
     DabWeights(const Region& region, const Mesh& mesh, const StrokeSettings& settings, const Dab& dab);
 
-    /// Precondition: the region holds v.
+    /// Returns the weight of a vertex, 0 to 1. Precondition: the region contains v.
     double of(Slot v) const
     {
         const Vec3 p = m_mesh.point(v).cast<double>();
@@ -28,7 +28,7 @@ private:
     const Mesh& m_mesh;
     const StrokeSettings& m_settings;
     const Dab& m_dab;
-    const Alpha* m_alpha; ///< or none
+    const Alpha* m_alpha; ///< null: no alpha
     DabFrame m_frame;
     std::optional<StampShape> m_stamp;
 };

@@ -12,16 +12,19 @@ namespace core
 {
 namespace
 {
-/// The peak of Pull and Push at strength 1, in radii, and the step of Clay and Layer. Our choice: the paper (section
-/// 3.3) has eps = +-1 and leaves the length open.
+/// Displacement at the centre of Pull and Push at strength 1, and step of Clay and Layer, in radii. The paper (section
+/// 3.3) has eps = +-1 and leaves its length open.
 constexpr double peakPerRadius = 0.1;
-/// Factor of the peak for Inflate: vertices that move along converging normals soon fold the surface up.
+/// Inflate's peak as a fraction of Pull's. Smaller, because displacement along converging normals soon makes the
+/// surface intersect itself.
 constexpr double swellPerPeak = 0.6;
-/// The share of a vertex's distance from the line by which Pinch and Crease move it at strength 1, and the largest one.
+/// Shares of a vertex's distance from the line by which Pinch and Crease move it at strength 1, and the largest share
+/// at any strength.
 constexpr double pinchShare = 0.1, creasePinchShare = 0.25, maxPinched = 0.5;
-/// The depth that a dab of Crease cuts at strength 1, in radii.
+/// Depth of the groove that a dab of Crease cuts at strength 1, in radii.
 constexpr double creaseDepth = 0.05;
-/// The least divisor 1 + cos a for a dab of Snake Hook whose way turns by a: beyond a right angle it turns by less.
+/// Smallest divisor 1 + cos a in hook(), for a dab of Snake Hook whose heading turns by the angle a. Beyond a right
+/// angle the dab turns by less than a.
 constexpr double minTurnDivisor = 1;
 constexpr std::size_t plannedPerChunk = 256;
 
@@ -35,14 +38,14 @@ Vec3 unitNormal(const Mesh& mesh, Slot v)
 /// A deformation field: returns the displacement, in mm, of a vertex that has this weight.
 using Field = std::function<Vec3(Slot v, double weight)>;
 
-/// The input of a field.
+/// The input of a displacement field.
 struct FieldInput : DeformInput
 {
     const Region& region;
 
-    /// Returns the peak of the dab, in mm.
+    /// Returns the displacement at the dab's centre, in mm.
     double peak() const { return peakPerRadius * dab.radius * dab.strength; }
-    /// Returns the share of its way that a vertex moves towards the target of a field, at most 1.
+    /// Returns the share of the distance to the field's target that a vertex moves, at most 1.
     double share() const { return std::min(dab.strength, 1.0); }
     double sign() const { return settings.inverted ? -1 : 1; }
     Vec3 point(Slot v) const { return mesh.point(v).cast<double>(); }
@@ -63,8 +66,8 @@ Plane meanPlane(const FieldInput& d)
     return {center / d.region.size(), meanNormal(d.region, d.mesh)};
 }
 
-/// Returns a function that gives a vertex's offset from the line through the dab's centre along its motion, within the
-/// surface's mean plane. A dab without motion has its centre for a line. Refers to `d`.
+/// Returns a function that returns the offset of a vertex from the line through the dab's centre along its motion,
+/// within the surface's mean plane. If the dab has no motion, the offset is from the centre. Keeps a reference to `d`.
 std::function<Vec3(Slot)> acrossLine(const FieldInput& d, const Vec3& normal)
 {
     Vec3 way = d.dab.motion - d.dab.motion.dot(normal) * normal;
@@ -76,14 +79,15 @@ std::function<Vec3(Slot)> acrossLine(const FieldInput& d, const Vec3& normal)
     };
 }
 
-/// D(r_i) = eps b(r_i/R) N_i (paper, section 3.3). `length`: eps, in mm; negative for Push. w is b(r_i/R), times the
-/// alpha.
+/// Returns the field of Pull and Push: D(r_i) = eps b(r_i/R) N_i (paper, section 3.3). `length`: eps, in mm; negative
+/// for Push. The weight w is b(r_i/R), times the alpha's shade.
 Field pull(const FieldInput& d, double length)
 {
     return [&d, length](Slot v, double w) -> Vec3 { return length * w * unitNormal(d.mesh, v); };
 }
 
-/// Inflates: +-0.06 R s w (2 - w) n_i. Its profile is fuller than Pull's, and its peak lower.
+/// Returns the field of Inflate: +-0.06 R s w (2 - w) n_i, where R is the radius and s the strength. Its profile is
+/// fuller than Pull's, and its peak lower.
 Field inflate(const FieldInput& d)
 {
     return [&d, length = d.sign() * swellPerPeak * d.peak()](Slot v, double w) -> Vec3 {
@@ -91,8 +95,8 @@ Field inflate(const FieldInput& d)
     };
 }
 
-/// Moves vertices towards the mean plane raised by one peak, as the clay brushes of SculptGL and Blender do, by two
-/// peaks at most. Vertices above that plane stay. Inverted it digs.
+/// Returns the field of Clay. Moves vertices by at most two peaks towards the mean plane raised by one peak, as the
+/// clay brushes of SculptGL and Blender do. Vertices above the raised plane stay. Inverted, it digs.
 Field clay(const FieldInput& d)
 {
     const Plane plane = meanPlane(d);
@@ -101,8 +105,8 @@ Field clay(const FieldInput& d)
     };
 }
 
-/// Raises a layer: n_i h min(1, sum w) over the surface at the beginning of the stroke, with its normals n_i and the
-/// peak for h.
+/// Returns the field of Layer: n_i h min(1, sum w) over the surface before the stroke, where n_i are the normals before
+/// the stroke and h is the peak.
 Field layer(const FieldInput& d)
 {
     return [&d, up = d.sign(), h = d.peak()](Slot v, double w) -> Vec3 {
@@ -112,7 +116,8 @@ Field layer(const FieldInput& d)
     };
 }
 
-/// Flattens onto the plane of P_center and N_avg (paper, section 3.3): -s w ((p_i - P_center) . N_avg) N_avg.
+/// Returns the field of Flatten: -s w ((p_i - P_center) . N_avg) N_avg (paper, section 3.3), onto the plane of P_center
+/// and N_avg.
 Field flatten(const FieldInput& d)
 {
     return [&d, plane = meanPlane(d), s = d.share()](Slot v, double w) -> Vec3 {
@@ -120,7 +125,7 @@ Field flatten(const FieldInput& d)
     };
 }
 
-/// Flattens only vertices above the mean plane; inverted, only those below it.
+/// Returns the field of Scrape: flattens only vertices above the mean plane; inverted, only those below it.
 Field scrape(const FieldInput& d)
 {
     return [&d, plane = meanPlane(d), up = d.sign(), s = d.share()](Slot v, double w) -> Vec3 {
@@ -128,13 +133,15 @@ Field scrape(const FieldInput& d)
     };
 }
 
-/// Smooths by the Laplacian of uniform weights (paper, section 3.3): s w (mean of the neighbours - p_i).
+/// Returns the field of Smooth, the Laplacian with uniform weights (paper, section 3.3): s w (mean of the neighbours -
+/// p_i).
 Field smooth(const FieldInput& d)
 {
     return [&d, s = d.share()](Slot v, double w) -> Vec3 { return s * w * (neighbourMean(d.mesh, v) - d.point(v)); };
 }
 
-/// Moves vertices along the mean plane towards the line; inverted, away from it.
+/// Returns the field of Pinch. Moves vertices within the mean plane towards the line of the dab's motion; inverted,
+/// away from it.
 Field pinch(const FieldInput& d)
 {
     const double share = d.sign() * std::min(pinchShare * d.dab.strength, maxPinched);
@@ -143,8 +150,8 @@ Field pinch(const FieldInput& d)
     };
 }
 
-/// Pinches, and cuts in with a V for a profile: (1 - x)^4 of the distance x from the line, in radii. Inverted it raises
-/// a ridge.
+/// Returns the field of Crease. Pinches, and cuts a V-shaped groove with the profile (1 - x)^4, where x is the distance
+/// from the line in radii. Inverted, it raises a ridge.
 Field crease(const FieldInput& d)
 {
     const Vec3 normal = meanNormal(d.region, d.mesh);
@@ -157,14 +164,15 @@ Field crease(const FieldInput& d)
     };
 }
 
-/// Moves vertices with the hand: s w times the dab's motion.
+/// Returns the field of Grab: s w times the dab's motion.
 Field follow(const FieldInput& d)
 {
     return [way = Vec3(d.share() * d.dab.motion)](Slot, double w) -> Vec3 { return w * way; };
 }
 
-/// Moves vertices with the hand, and turns them about the dab's centre as its way turns, so that a tentacle stays round
-/// in a bend. The quaternion takes a share of tan(a/2) for that of an angle a.
+/// Returns the field of Snake Hook. Moves vertices by the dab's motion and turns them about the dab's centre as its
+/// heading turns, so that a tentacle stays round in a bend. The quaternion uses a share of tan(a/2) where a share of
+/// the angle a would be exact.
 Field hook(const FieldInput& d)
 {
     const Vec3 before = d.dab.heading, after = headingAfter(d.dab);
@@ -177,8 +185,9 @@ Field hook(const FieldInput& d)
     };
 }
 
-/// Turns vertices about the axis through the dab's centre, by the angle s w turn. The quaternion takes a/2 for
-/// tan(a/2), which differs little for the turn of one dab and gives the same bits on every machine.
+/// Returns the field of Twist. Turns vertices about the axis through the dab's centre, by the angle s w turn. The
+/// quaternion uses a/2 in place of tan(a/2), which differs little for the turn of one dab and gives the same bits on
+/// every machine.
 Field twist(const FieldInput& d)
 {
     return [&d, half = 0.5 * d.share() * d.dab.turn](Slot v, double w) -> Vec3 {
@@ -196,8 +205,9 @@ double longestEdge(const Mesh& mesh, Slot v)
     return std::sqrt(longest2);
 }
 
-/// Moves vertices to the surface of the stamp (StampShape); those on its outline stay. Where the mesh is kept, and so
-/// was not cut along the outline, smooths that over a square as wide as the longest edge at a vertex.
+/// Returns the field of Stamp. Moves vertices onto the stamp's shape (StampShape); vertices on its outline stay. With
+/// Topology::Keep the outline is not cut into the mesh. Instead the field is averaged over a square as wide as the
+/// longest edge at a vertex.
 Field stamp(const FieldInput& d)
 {
     const bool isCut = d.settings.topology != Topology::Keep;

@@ -6,30 +6,31 @@
 
 namespace core
 {
-/// Returns the weight b(x) of a vertex at this distance from the dab's centre, in mm: 1 at the centre, 0 at the rim
-/// (paper, section 3.3). x is the distance in radii, n the stroke's falloff.
+/// Returns the weight b(x) at this distance (mm) from the dab's centre: 1 at the centre, 0 at the rim (paper, section
+/// 3.3). x is the distance in radii, n the stroke's falloff.
 double weightAt(double distance, const StrokeSettings& settings, const Dab& dab);
 
-/// Returns the normalised sum of the unit normals of the region's vertices, N_avg of the paper (section 3.3); zero if
-/// they cancel out.
+/// Returns the mean normal of the region: the normalised sum of its vertices' unit normals (N_avg in the paper, section
+/// 3.3). Returns zero if they cancel out.
 Vec3 meanNormal(const Region& region, const Mesh& mesh);
 
-/// The input of a tool's field, besides the vertices that it moves.
+/// The input of a tool's displacement field, except the vertices that it moves.
 struct DeformInput
 {
     const Mesh& mesh;
     const StrokeSettings& settings;
     const Dab& dab;
-    const StrokeDisplacements& displacements; ///< of the stroke so far; Layer needs those of the region filled
+    /// displacements by the stroke so far; for Layer, fill() must have been called for the region
+    const StrokeDisplacements& displacements;
 };
 
-/// Plans the displacement of each vertex of the region by the tool's field (deform.cpp has one function a field). r_i
-/// is the region's distance. The mask scales displacements down. Returns the longest displacement planned, in mm.
-/// Precondition: not paintsAttribute(tool).
+/// Plans the displacement of each vertex of the region by the tool's field (see the functions in deform.cpp). The
+/// distance r_i of a vertex is the region's. Masks reduce displacements. Returns the longest displacement planned, in
+/// mm. Precondition: not paintsAttribute(tool).
 double planDeformation(Region& region, const DeformInput& input);
 
-/// Turns the plans of the region's vertices at and around the given ones towards their neighbours' mean, and keeps
-/// their lengths. On a rough surface normals differ so much that neighbours would pass each other and faces turn over.
-/// `vertices`: some may be removed.
+/// Turns the planned displacements of the given vertices and their neighbours towards the mean of their neighbours'
+/// plans, and keeps their lengths. On a rough surface, normals differ so much that neighbours would otherwise pass each
+/// other and faces would turn over. `vertices`: some may have been removed.
 void smoothPlan(Region& region, const Mesh& mesh, std::span<const Slot> vertices);
 } // namespace core

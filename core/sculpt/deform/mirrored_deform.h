@@ -5,21 +5,23 @@
 
 namespace core
 {
-/// Removes the vertices from the region that do not lie in the mirror's half, its plane included.
+/// Removes from the region all vertices on the mirror's negative side. Vertices on the plane stay.
 void keepHalf(Region& region, const MirrorMap& mirror);
 
-/// Selects what a spherical brush selects on both sides of the plane: the half, and those of its images that lie in the
-/// ball.
+/// Selects into `whole` the vertices that a spherical brush selects on both sides of the plane: those of `half`, and
+/// the images of these that are in the ball.
 void selectWhole(Region& whole, const Region& half, MirrorMap& mirror, const Mesh& mesh, const Sphere& ball);
 
-/// Selects as selectWhole() does, but by the distance that each vertex carries for its image, in mm.
+/// Selects as selectWhole() does, but instead of the ball uses the stored distance of each image (Region::carried()),
+/// in mm: at most `radius`.
 void selectWholeGrabbed(Region& whole, const Region& half, MirrorMap& mirror, double radius);
 
-/// Plans the deformation of a half that stands for both sides. The dab and its image are two dabs of one moment, d1 and
-/// d2 with the weights w1 and w2; where they overlap they are one field,
+/// Plans the deformation of the positive side for both sides. The dab and its image act at the same time, with
+/// displacements d1 and d2 and weights w1 and w2. Where they overlap they are combined into one field:
 ///   D = (w1 d1 + w2 d2) / max(1, w1 + w2)
-/// so that on the plane nothing moves off it. Layer has one height: its D is only as long as the longer of the two.
-/// `whole`: the selection of the dab alone, on both sides of the plane; every vertex of the half belongs to it. Its
-/// plans are overwritten. Returns the longest displacement planned, in mm.
+/// Vertices on the plane therefore stay in it. Layer has a fixed height, so its D is only as long as the longer of the
+/// two displacements.
+/// `whole`: the selection of the dab alone, on both sides of the plane; contains every vertex of `half`. Its plans are
+/// overwritten. Returns the longest displacement planned, in mm.
 double planMirrored(Region& half, Region& whole, MirrorMap& mirror, const DeformInput& input);
 } // namespace core

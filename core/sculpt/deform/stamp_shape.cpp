@@ -9,7 +9,7 @@ namespace core
 {
 namespace
 {
-/// The length of an icosahedron's edges, in radii of the ball around it.
+/// Length of an icosahedron's edges, in radii of its circumscribed ball.
 constexpr double firstEdge = 1.0515;
 
 std::optional<BrushModel::Span> spanOfBall(const Vec3& p)

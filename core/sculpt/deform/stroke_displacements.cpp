@@ -6,12 +6,12 @@ namespace core
 {
 namespace
 {
-/// The difference between a tracked displacement and an estimate, as a share of the neighbours' mean, that lets the
-/// estimate win.
+/// Largest difference between a tracked displacement and its estimate, as a share of the neighbours' mean. Beyond it
+/// the estimate is used.
 constexpr double tolerance = 0.3;
 } // namespace
 
-/// Drag tools follow the hand: they have no path over the surface.
+/// Drag tools need none, because they follow the pointer and not a path over the surface.
 bool StrokeDisplacements::areUsedBy(const StrokeSettings& settings)
 {
     const bool isOnSurface = settings.brush == BrushShape::Ray || settings.place != Placement::Point;
@@ -42,7 +42,8 @@ void StrokeDisplacements::meet(const Region& region, MirrorMap* mirror)
 
 void StrokeDisplacements::fill(const Region& region, const Mesh& mesh, MirrorMap* mirror)
 {
-    std::vector<std::pair<Slot, Vec3>> all; // set at the end: means are of what was known before, in any order
+    // set after the loop, so that every mean uses the old values whatever the order
+    std::vector<std::pair<Slot, Vec3>> all;
     region.forEach([&](Slot v) { all.emplace_back(v, believed(v, mesh)); });
     for (const auto& [v, displacement] : all)
         set(v, displacement, mirror);
@@ -61,7 +62,7 @@ void StrokeDisplacements::note(const Region& region, const Mesh& mesh, double sh
         set(region.slots()[i], sums[i], mirror);
 }
 
-/// Sets the displacement of a vertex and of its image.
+/// Sets the displacement of a vertex, and of its image if there is a mirror.
 void StrokeDisplacements::set(Slot v, const std::optional<Vec3>& displacement, MirrorMap* mirror)
 {
     set(v, displacement);
@@ -84,7 +85,7 @@ std::optional<Vec3> StrokeDisplacements::of(Slot v) const
     return i == noSlot ? std::nullopt : m_displacements[i];
 }
 
-/// Sums products of lattice coordinates, which is exact, whatever edge it begins with.
+/// Sums cross products of lattice vectors. The sum is exact, so it does not depend on the edge where it starts.
 Vec3 StrokeDisplacements::normalAtRest(Slot v, const Mesh& mesh) const
 {
     const Vec3 p = restPoint(v, mesh);
@@ -129,7 +130,7 @@ Vec3 StrokeDisplacements::displacementIn(const Triangle& corners, const std::arr
     return sum;
 }
 
-/// Returns the mean displacement of the neighbours whose displacement is known, rounded to the lattice, or none.
+/// Returns the mean of the neighbours' known displacements, rounded to the lattice; zero if none is known.
 Vec3 StrokeDisplacements::meanAround(Slot v, const Mesh& mesh) const
 {
     Vec3 sum = Vec3::Zero();
@@ -143,7 +144,8 @@ Vec3 StrokeDisplacements::meanAround(Slot v, const Mesh& mesh) const
     return known > 0 ? Vec3(mesh.lattice().snap(sum / known).cast<double>()) : sum;
 }
 
-/// Returns the tracked displacement, or an estimate where that is in doubt and far from it.
+/// Returns the tracked displacement of v, or the neighbours' mean if none is tracked. A doubtful value that differs
+/// much from the estimate is replaced by the estimate.
 Vec3 StrokeDisplacements::believed(Slot v, const Mesh& mesh) const
 {
     const std::optional<Vec3> tracked = of(v);
@@ -155,7 +157,8 @@ Vec3 StrokeDisplacements::believed(Slot v, const Mesh& mesh) const
     return (estimated - *tracked).norm() > tolerance * mean.norm() ? estimated : *tracked;
 }
 
-/// Estimates a displacement along the neighbours' mean, by how far the vertex lies above them as they were.
+/// Returns an estimate of v's displacement: along the mean of its neighbours' displacements, as long as v is above the
+/// neighbours' positions before the stroke.
 Vec3 StrokeDisplacements::estimate(Slot v, const Mesh& mesh) const
 {
     const Vec3 mean = meanAround(v, mesh);

@@ -7,39 +7,41 @@
 
 namespace core
 {
-/// How far a stroke has moved each vertex, in mm, rounded to the lattice. The tool Layer raises the surface to one
-/// height by it, however often a stroke passes; and the dabs of a path over the surface stand on it as it was before.
+/// Tracks how far a stroke has moved each vertex, in mm, rounded to the lattice. Layer uses it to raise the surface to
+/// one height, however often a stroke passes. Strokes along the surface use it to place their dabs on the surface as it
+/// was before the stroke.
 class StrokeDisplacements
 {
 public:
-    /// Returns whether strokes with these settings need it.
+    /// Returns whether strokes with these settings need displacements.
     static bool areUsedBy(const StrokeSettings& settings);
 
     void clear();
 
-    /// Notes that vertices of the region that the stroke comes to for the first time have not moved. Precondition: the
-    /// mesh is not refined under the brush yet. `mirror`: of a dab that is done on both sides, or null.
+    /// Sets the displacement of the region's vertices that have none yet to zero. Precondition: the mesh under the
+    /// brush has not been refined yet. `mirror`: the mirror of a dab done on both sides, or null.
     void meet(const Region& region, MirrorMap* mirror);
-    /// Gives vertices that were put into the region since then their neighbours' mean, and mends doubtful ones. Images
-    /// get the same.
+    /// Gives vertices created since meet() the mean displacement of their neighbours, and corrects doubtful
+    /// displacements. Mirror images get the mirrored values.
     void fill(const Region& region, const Mesh& mesh, MirrorMap* mirror);
-    /// Adds the region's displacements after a dab that reached `share` of its plan.
+    /// Adds the region's motion, after a dab that reached `share` (0 to 1) of its plan.
     void note(const Region& region, const Mesh& mesh, double share, MirrorMap* mirror);
 
-    /// Doubts the displacements of vertices around which the mesh was changed: fill() compares them with the surface.
+    /// Marks the displacements of vertices around which the mesh was changed as doubtful: fill() compares them with the
+    /// surface.
     void doubt(const SlotSet& remeshed);
 
     void set(Slot v, const std::optional<Vec3>& displacement);
-    /// Returns nothing for a vertex that the stroke has not come to, or has removed.
+    /// Returns the displacement of v, mm; nothing if the stroke has not reached v yet, or has removed it.
     std::optional<Vec3> of(Slot v) const;
-    /// Returns the normal that the surface had at a vertex before the stroke moved it, of unit length, or zero.
+    /// Returns the unit normal of the surface at v before the stroke moved it, or zero.
     Vec3 normalAtRest(Slot v, const Mesh& mesh) const;
-    /// Returns where the corners of a face were before the stroke moved them, by at most longest().
+    /// Returns the positions of a face's corners before the stroke moved them. Each has moved by at most longest().
     std::array<Vec3, 3> cornersAtRest(Slot f, const Mesh& mesh) const;
     double longest() const { return m_longest; }
-    /// Returns where a point of the surface was before the stroke moved it.
+    /// Returns the position of a surface point before the stroke moved it.
     Vec3 atRest(const SurfaceHit& hit, const Mesh& mesh) const;
-    /// Returns where a point of the surface as it was before the stroke is now.
+    /// Returns the current position of a point on the surface as it was before the stroke.
     Vec3 now(const SurfaceHit& atRest, const Mesh& mesh) const;
 
 private:
@@ -51,7 +53,7 @@ private:
     void set(Slot v, const std::optional<Vec3>& displacement, MirrorMap* mirror);
 
     SparseIndex m_vertices;
-    std::vector<std::optional<Vec3>> m_displacements; ///< by position among them
+    std::vector<std::optional<Vec3>> m_displacements; ///< displacements, mm, by position in m_vertices
     double m_longest = 0;
     SlotSet m_doubtful;
 };
