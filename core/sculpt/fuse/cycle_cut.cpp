@@ -10,8 +10,8 @@ namespace core
 {
 namespace
 {
-/// Returns the normal of the area that the cycle spans, as long as twice the area. The cycle runs anticlockwise seen
-/// from where it points to.
+/// Returns the area vector of the cycle: its normal, whose length is twice the area. Seen from the normal's tip, the
+/// cycle runs anticlockwise.
 Vec3 axisOf(const Mesh& mesh, std::span<const Slot> cycle)
 {
     const Vec3 first = mesh.point(cycle[0]).cast<double>();
@@ -23,7 +23,7 @@ Vec3 axisOf(const Mesh& mesh, std::span<const Slot> cycle)
     return axis;
 }
 
-/// Returns whether the direction from the edge leads into the solid, between the edge's two faces.
+/// Returns whether the direction, starting at the edge, leads into the solid between the edge's two faces.
 bool leadsInside(const Mesh& mesh, Slot h, const Vec3& direction)
 {
     const Vec3 normal = faceNormal(mesh, mesh.face(h)), across = faceNormal(mesh, mesh.face(h ^ 1));
@@ -33,12 +33,12 @@ bool leadsInside(const Mesh& mesh, Slot h, const Vec3& direction)
     return isConvex ? isBelow && isBelowAcross : isBelow || isBelowAcross;
 }
 
-/// Returns triangles that fill a polygon of three or more corners, of the least area together. They run as it does.
-/// Cost: the cube of the corners.
+/// Returns the triangles of smallest total area that fill a polygon of three or more corners. Their orientation is that
+/// of the polygon. Cost: the cube of the number of corners.
 std::vector<Triangle> leastTriangles(std::span<const Vec3> corners)
 {
     const std::size_t count = corners.size();
-    struct Part // a part of the polygon, from one corner to another
+    struct Part // the part of the polygon between two corners
     {
         double area = 0;
         std::size_t apex = 0;
@@ -72,7 +72,7 @@ std::vector<Triangle> leastTriangles(std::span<const Vec3> corners)
     return triangles;
 }
 
-/// Caps both copies of a cycle, the first vertices of the surgery.
+/// Adds a cap to both copies of the cycle, which are the surgery's first vertices.
 void addCaps(Surgery& surgery)
 {
     const std::size_t count = surgery.vertices.size() / 2;
@@ -86,7 +86,7 @@ void addCaps(Surgery& surgery)
     }
 }
 
-/// Returns the motions of the cycle's vertices that draw its left side back by `distance`.
+/// Returns the displacements of the cycle's vertices that move its left side back by `distance`, mm.
 std::vector<Vec3> drawnBack(const Mesh& mesh, std::span<const Slot> cycle, DrawBack along, double distance)
 {
     const std::size_t count = cycle.size();
@@ -119,7 +119,7 @@ std::optional<Surgery> cutCycle(const Mesh& mesh, std::span<const Slot> cycle, D
         return std::nullopt;
     Surgery surgery;
     surgery.near = cycle[0];
-    // The side to the left of the cycle gets the first copies, the side to its right the others.
+    // The left side of the cycle gets the first copies, the right side the others.
     const std::vector<Vec3> back = drawnBack(mesh, cycle, along, 0.5 * gap);
     for (const double side : {1.0, -1.0}) {
         for (std::size_t i = 0; i < count; ++i) {
@@ -134,7 +134,8 @@ std::optional<Surgery> cutCycle(const Mesh& mesh, std::span<const Slot> cycle, D
             return v;
         return Surgery::newVertex(std::ranges::find(left, f) != left.end() ? at : at + count);
     };
-    // The faces to the left at each vertex: from the edge that goes on along the cycle to the one that came.
+    // Collects the faces left of the cycle at each vertex: from the cycle's outgoing edge, anticlockwise, to its
+    // incoming edge.
     std::vector<Slot> left;
     for (std::size_t i = 0; i < count; ++i) {
         const Slot v = cycle[i], after = cycle[(i + 1) % count], before = cycle[(i + count - 1) % count];

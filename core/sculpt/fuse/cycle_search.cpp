@@ -1,9 +1,10 @@
-// The shortest cycles at a vertex (Erickson and Whittlesey, Greedy optimal homotopy and homology generators, 2005):
-//   1. tree      the shortest paths from the vertex, as far as half a cycle reaches
-//   2. cotree    faces are connected across the other edges, those first that would close the longest cycles; what was
-//                not reached counts as one face
-//   3. essential each edge left over closes a cycle that bounds no disc of what was reached
-// The shortest of these of the kind asked for is taken along which the two sides of the surface hang together.
+// Finds the shortest cycles at a vertex (Erickson and Whittlesey, Greedy optimal homotopy and homology generators,
+// 2005):
+//   1. tree       finds the shortest paths from the vertex, up to half the length of a cycle
+//   2. cotree     connects faces across the edges outside the tree, first across those that would close the longest
+//                 cycles; all faces that were not reached count as one face
+//   3. essential  keeps the remaining edges: each closes a cycle that does not bound a disc of reached faces
+// The result is the shortest of these cycles that is of the requested kind and does not separate the surface.
 
 #include "core/sculpt/fuse/cycle_search.h"
 
@@ -18,8 +19,8 @@ namespace core
 namespace
 {
 constexpr std::size_t maxReached = 512;
-/// The cycles to try at a vertex at most, and the faces to see on each side of one: a guard, since the sides of a
-/// tunnel that is worth filling meet within fewer.
+/// Largest number of cycles to try at a vertex, and of faces to visit on each side of a cycle. A guard only: the sides
+/// of a tunnel worth filling meet within fewer faces.
 constexpr int maxTried = 8;
 constexpr std::size_t maxFaces = 8192;
 
@@ -46,7 +47,8 @@ std::vector<Slot> CycleSearch::find(const Mesh& mesh, const SlotSet& among, Slot
     return {};
 }
 
-/// Runs Dijkstra's algorithm. Returns false if there are too many vertices.
+/// Finds the shortest paths from the source by Dijkstra's algorithm. Returns false if more than maxReached vertices are
+/// within the radius (mm).
 bool CycleSearch::reach(const Mesh& mesh, const SlotSet& among, Slot source, double radius)
 {
     m_reached.clear();
@@ -99,7 +101,7 @@ void CycleSearch::findClosings(const Mesh& mesh)
     });
 }
 
-/// Keeps the edges that a spanning tree of the faces does not cross, shortest cycles first.
+/// Keeps the edges that a spanning tree of the faces does not cross, and sorts their cycles by ascending length.
 void CycleSearch::keepEssential(const Mesh& mesh)
 {
     m_faces.clear();
@@ -139,7 +141,7 @@ std::vector<Slot> CycleSearch::cycleOf(const Mesh& mesh, Slot halfedge) const
         return path;
     };
     std::vector<Slot> cycle = pathFrom(mesh.from(halfedge)), other = pathFrom(mesh.to(halfedge));
-    Slot last = noSlot; // where the paths meet
+    Slot last = noSlot; // the vertex where the two paths meet
     while (!cycle.empty() && !other.empty() && cycle.back() == other.back()) {
         last = cycle.back();
         cycle.pop_back();
@@ -150,8 +152,8 @@ std::vector<Slot> CycleSearch::cycleOf(const Mesh& mesh, Slot halfedge) const
     return cycle;
 }
 
-/// Returns whether the cycle separates the surface. Grows both sides of it, in turn, until they meet or one has no more
-/// faces; if neither happens soon, returns true.
+/// Returns whether the cycle separates the surface. Grows both sides of the cycle, in turn, until they meet (false) or
+/// one side has no more faces (true). Also returns true if neither happens within maxFaces faces.
 bool CycleSearch::isSeparating(const Mesh& mesh, const std::vector<Slot>& cycle)
 {
     m_edges.clear();

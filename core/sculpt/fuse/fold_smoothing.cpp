@@ -10,7 +10,7 @@ namespace
 {
 constexpr double smoothing = 0.5;
 
-/// Returns the step without the part of it that leads back along the way.
+/// Returns `step` without its component against the direction of `way`.
 Vec3 withoutReturn(const Vec3& step, const Vec3& way)
 {
     const double along = step.dot(way);

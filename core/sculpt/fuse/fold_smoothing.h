@@ -6,28 +6,28 @@
 
 namespace core
 {
-/// Smooths the surface locally where it has folded up so far that its faces meet, and keeps account of the motion of
-/// the dab that this takes back. The paper (section 3.4) smooths where a join makes triangles meet. Here such a join is
-/// done with the other stepping or left undone, and smoothing prepares the retry of a sub-step that did not verify
-/// (DabPipeline::prepareRetry).
+/// Smooths the surface locally where it has folded up so far that its faces intersect, and records how much of the
+/// dab's motion this undoes. In the paper (section 3.4), smoothing follows a join that makes triangles intersect. Here
+/// such a join is retried with the other Stepping or skipped. Smoothing prepares the retry of a sub-step that did not
+/// verify (DabPipeline::prepareRetry).
 class FoldSmoothing
 {
 public:
-    /// Forgets the motion that was taken back. To be called when a dab begins.
+    /// Clears the recorded motion. To be called when a dab begins.
     void clear();
 
-    /// Moves the region's vertices at and around the given ones half way to the mean of their neighbours, as a
-    /// transaction of its own. `vertices`: some may be removed. `mayTakeBack`: vertices may move against their plans,
-    /// else only across and along them. Returns whether anything was moved.
+    /// Moves the given vertices of the region and their neighbours halfway to the mean of their own neighbours, in one
+    /// transaction. `vertices`: some may have been removed. `mayTakeBack`: vertices may also move against their planned
+    /// direction. Returns whether anything was moved.
     bool smooth(VerifiedMesh& surface, MeshEditor edit, Region& region, std::span<const Slot> vertices,
                 bool mayTakeBack);
 
-    /// Returns the share of the longest displacement planned that is left when the share `done` of the plan has been
-    /// done. Cost: O(1) if nothing was smoothed, else O(region).
+    /// Returns the share of the longest planned displacement that remains after smoothing, if the share `done` of the
+    /// plan was done. Cost: O(1) if nothing was smoothed, else O(region).
     double shareLeft(const Region& region, double done) const;
 
 private:
-    SparseIndex m_vertices;          ///< smoothed in this dab
-    std::vector<double> m_takenBack; ///< mm against their plan, by position in m_vertices
+    SparseIndex m_vertices;          ///< vertices smoothed in this dab
+    std::vector<double> m_takenBack; ///< distance moved against the plan, mm, by position in m_vertices
 };
 } // namespace core

@@ -1,9 +1,9 @@
 // Topology fusion (paper, section 3.4):
-//   find       pairs of vertices that the motion is about to bring into contact            fusion_candidates
-//   join       nearest first: both lose their stars, and the 1-rings are connected         ring_join, mirrored_join
-//   operate    each join is verified by itself                                             fusion_surgery
-//   separate   what can no longer be collapsed                                             separation
-//   merge      joins between which there is a short tunnel, or a thin strand               cycle_search, cycle_cut
+//   find       finds pairs of vertices that the motion is about to bring into contact        (fusion_candidates)
+//   join       nearest pairs first: removes both stars and connects the 1-rings              (ring_join, mirrored_join)
+//   operate    verifies each join by itself                                                  (fusion_surgery)
+//   separate   cuts necks and removes specks where an edge can no longer be collapsed        (separation)
+//   merge      merges joins that have a short tunnel or a thin strand between them           (cycle_search, cycle_cut)
 
 #include "core/sculpt/fuse/fusion.h"
 
@@ -17,17 +17,17 @@ namespace core
 {
 namespace
 {
-/// The least distance between two tunnels that a stroke starts, since the first one is to widen that far, and the
-/// distance within which a neck that is cut ends a tunnel; in terms of d_detail.
+/// minTunnelDistance: smallest distance, in d_detail, between two tunnels that a stroke starts; the first one is to
+/// widen that far instead. endedTunnelDistance: distance, in d_detail, within which cutting a neck ends a tunnel.
 constexpr double minTunnelDistance = 4, endedTunnelDistance = 1;
-/// The lengths of the cycles at most, in terms of d_detail, around a tunnel that is filled and a strand that is cut
-/// between two joins; and the gaps to try between the two sides, in terms of d.
+/// Largest lengths, in d_detail, of the cycle around a tunnel that is filled and around a strand that is cut between
+/// two joins. cycleGaps: gaps to try between the two sides of a cut, in d.
 constexpr double maxTunnelLength = 6, maxStrandLength = 6;
 constexpr double cycleGaps[] = {0.5, 0.1};
-/// Rounds of joining in a sub-step: a guard, since the last round joins nothing.
+/// Largest number of rounds of joining in a sub-step. A guard only: normally a round that joins nothing ends the loop.
 constexpr int maxRounds = 64;
 
-/// Returns those of the vertices that are still there, and the new ones.
+/// Returns the vertices that still exist, and the created ones.
 std::vector<Slot> cornersLeft(const Mesh& mesh, std::vector<Slot> vertices, const std::vector<Slot>& created)
 {
     std::erase_if(vertices, [&](Slot v) { return !mesh.isVertex(v); });
@@ -57,15 +57,15 @@ bool TopologyFusion::predictContact(const VerifiedMesh& surface, const Region& r
     return !m_candidates.pairs().empty();
 }
 
-/// Joins in rounds: a tunnel widens over all of a contact before another one starts, since a hole would stay between
-/// two.
+/// Joins in rounds, in each of which at most one tunnel starts. A tunnel is first widened over the whole contact;
+/// starting two side by side would leave a hole between them.
 std::uint64_t TopologyFusion::join(VerifiedMesh& surface, Region& region, MotionLimits& limits,
                                    const FusionInput& input)
 {
     std::uint64_t joins = 0;
     for (int round = 0; round < maxRounds; ++round) {
         if (limits.inUse())
-            limits.extend(region, surface.mesh()); // copies joined the region in the round before
+            limits.extend(region, surface.mesh()); // the previous round may have added copies of vertices to the region
         m_candidates.find(surface, region, limits, input);
         m_candidates.dropTunnelsBesideJoins(surface.mesh());
         m_candidates.sort();
@@ -105,12 +105,13 @@ std::uint64_t TopologyFusion::joinPairs(VerifiedMesh& surface, Region& region, c
     return joined;
 }
 
-/// Lets the mesh around the joins become as coarse as the brush makes it. Otherwise the next sub-steps, which are as
-/// long as the brush takes them, would leave gaps between the joins of a finer mesh. `reach`: from the joins, in mm.
+/// Discards the rest lengths around the joins, so that the mesh there becomes as coarse as the brush makes it.
+/// Otherwise the next sub-steps, whose length suits the brush, would leave gaps between the joins of a finer mesh.
+/// `reach`: distance from the joins along the edges, mm.
 void TopologyFusion::forgetDetail(const Mesh& mesh, RestLengths& rest, double reach) const
 {
     SlotSet seen;
-    std::vector<double> left; // of the reach, by position among them
+    std::vector<double> left; // rest of `reach` at each vertex, mm, by position in `seen`
     const auto visit = [&](Slot v, double reachThere) {
         if (reachThere < 0 || !seen.add(v))
             return;
@@ -133,12 +134,12 @@ void TopologyFusion::forgetDetail(const Mesh& mesh, RestLengths& rest, double re
 bool TopologyFusion::mayJoin(const Mesh& mesh, const FusionPair& pair) const
 {
     const auto mayGo = [&](Slot v) { return !mesh.isMasked(v) && !m_done.contains(v) && m_surgery.mayTry(v); };
-    const bool isThere = mesh.isVertex(pair.p) && mesh.isVertex(pair.q); // they may have gone with a speck
+    const bool isThere = mesh.isVertex(pair.p) && mesh.isVertex(pair.q); // a vertex may have been removed with a speck
     return isThere && mayGo(pair.p) && mayGo(pair.q);
 }
 
-/// Joins the pair with even steps, or else by nearest vertices. The vertices around the join take part in no other one
-/// of this round.
+/// Joins the pair with Stepping::Even or, if that fails, with Stepping::Nearest. The vertices around the join take part
+/// in no other join of this round.
 bool TopologyFusion::joinPair(VerifiedMesh& surface, Region& region, const FusionPair& pair, const EdgeBounds& bounds)
 {
     const Mesh& mesh = surface.mesh();
@@ -153,7 +154,7 @@ bool TopologyFusion::joinPair(VerifiedMesh& surface, Region& region, const Fusio
             hasFailed = true;
             continue;
         }
-        if (!created->empty()) // a vertex of several umbrellas was split: one part may be a speck
+        if (!created->empty()) // a vertex with several umbrellas was split; one part may be a speck
             m_separation.removeSpecks(surface, region, cornersLeft(mesh, around, *created), bounds);
         for (const std::vector<Slot>* vertices : {&around, &*created}) {
             for (Slot v : *vertices) {
@@ -187,13 +188,14 @@ std::optional<Surgery> TopologyFusion::joining(const VerifiedMesh& surface, cons
     else if (pOnPlane && qOnPlane)
         half = joinOnPlane(mesh, *mirror, pair.p, pair.q);
     else if (pOnPlane || qOnPlane)
-        return std::nullopt; // with the image three stars; a neighbour on the plane is near, too
+        // with the image there would be three stars; a neighbouring vertex on the plane is near too and can join
+        return std::nullopt;
     else
         half = joinStars(mesh, pair.p, pair.q, stepping);
     return m_surgery.withItsImage(surface, half);
 }
 
-/// Forgets the tunnels that ended when necks were cut: the surfaces there may join again.
+/// Forgets the tunnels at which necks were cut: the surfaces there may join again.
 void TopologyFusion::forgetTunnelsAtNecks(double detail)
 {
     const double near = endedTunnelDistance * detail;
@@ -218,7 +220,8 @@ void TopologyFusion::addJoined(Region& region, const Mesh& mesh, const Vec3& cen
     }
 }
 
-/// Returns the vertices and their neighbours. `region`: null, or only its vertices count.
+/// Returns the live vertices of the set, and their neighbours. `region`: if not null, only vertices in the region are
+/// used.
 SlotSet TopologyFusion::neighboursOf(const SlotSet& vertices, const Mesh& mesh, const Region* region)
 {
     SlotSet around;
@@ -254,9 +257,10 @@ std::uint64_t TopologyFusion::mergeJoins(VerifiedMesh& surface, Region& region, 
     return merged;
 }
 
-/// Fills a tunnel between two joins near the vertex. Where that cannot be done, as if something passes through it, or
-/// where holes were pushed, cuts a strand between two. `around`: the vertices at the joins of this dab, which alone are
-/// looked at: cycles over others run around holes and handles of the model.
+/// Fills a tunnel between two joins near the vertex. Cuts a strand between two joins instead if there are pushed holes
+/// here, or if the tunnel cannot be filled, for example because something passes through it. `around`: the vertices at
+/// this dab's joins. Only cycles of these are considered, because other cycles run around holes and handles of the
+/// model.
 bool TopologyFusion::mergeJoinsAt(VerifiedMesh& surface, Region& region, Slot v, const SlotSet& around,
                                   const EdgeBounds& bounds)
 {
@@ -280,7 +284,7 @@ bool TopologyFusion::mergeJoinsAt(VerifiedMesh& surface, Region& region, Slot v,
     return false;
 }
 
-/// Cuts the surface along the cycle and caps both sides. The new vertices count as joined.
+/// Cuts the surface along the cycle and caps both sides. Adds the new vertices to m_joined and m_joints.
 bool TopologyFusion::cut(VerifiedMesh& surface, Region& region, const std::vector<Slot>& cycle,
                          const EdgeBounds& bounds)
 {
@@ -307,14 +311,14 @@ bool TopologyFusion::isContact(const VerifiedMesh& surface, const Region& region
     MirrorMap* mirror = m_surgery.mirror();
     SlotSet& at = m_done;
     at.clear();
-    for (Slot v : vertices) { // some came with what was rolled back
+    for (Slot v : vertices) { // vertices created by a change that was rolled back no longer exist
         if (v >= mesh.slots().vertices || !mesh.isVertex(v))
             continue;
         if (const Slot named = mirror && !mirror->isInHalf(v) ? mirror->imageOf(v) : v; named != noSlot)
             at.add(named);
     }
     FusionInput pushing = input;
-    pushing.pushes = true; // which meets the other side of a wall, too
+    pushing.pushes = true; // also finds pairs on the two sides of a wall
     m_candidates.find(surface, region, {}, pushing);
     return std::ranges::any_of(m_candidates.pairs(), [&](const FusionPair& pair) {
         const bool mayFuse =

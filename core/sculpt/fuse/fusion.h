@@ -7,49 +7,49 @@
 
 namespace core
 {
-/// Topology fusion (paper, section 3.4): joins surfaces that are about to meet, and separates necks that are too thin.
-/// Each operation is verified by itself; one that is not sound is left undone. Owns scratch memory.
+/// Topology fusion (paper, section 3.4): joins surfaces that are about to meet, and cuts necks that are too thin. Each
+/// operation is verified by itself, and skipped if the result is not sound. Owns scratch memory.
 class TopologyFusion
 {
 public:
-    /// Begins a stroke: forgets the joins and tunnels of the one before.
+    /// Begins a stroke: clears the joins and tunnels of the previous stroke.
     void beginStroke();
-    /// Begins a dab: forgets the joins and the failures of the one before. `mirror`: null, or on; then the regions
-    /// are of the half, and each operation is done to the half and its image. `detailShare`, `shredSize`: see
+    /// Begins a dab: clears the joins and the failures of the previous dab. `mirror`: null, or on; then the regions
+    /// cover only the positive side, and each operation is done on both sides. `detailShare`, `shredSize`: see
     /// Separation::beginDab().
     void beginDab(MirrorMap* mirror, double detailShare, double shredSize);
 
-    /// Whether the whole plan would bring surfaces into contact that are near each other now. A guess, since surfaces
-    /// that are far apart now may come near: the change has to be verified all the same.
+    /// Returns whether the complete plan would bring surfaces that are near each other now into contact. This is a
+    /// guess, because other surfaces may come near on the way; the change must still be verified.
     bool predictContact(const VerifiedMesh& surface, const Region& region, const EdgeBounds& bounds);
 
-    /// Joins surfaces that the motion of the region is about to bring into contact: those that meet from outside become
-    /// one, a wall that is pushed through gets a hole. The mesh around a join is not quasi-uniform until it is
-    /// optimised again. Returns how many joins there were.
+    /// Joins surfaces that the motion of the region is about to bring into contact. Surfaces that meet from outside
+    /// become one; a wall that is pushed through gets a hole. The mesh around a join is not quasi-uniform until it is
+    /// optimised. Returns the number of joins.
     std::uint64_t join(VerifiedMesh& surface, Region& region, MotionLimits& limits, const FusionInput& input);
 
-    /// Whether surfaces that join() may not join are about to meet at one of these vertices: without fusion any, with
-    /// it the two sides of a wall that is not pushed, and what is masked.
+    /// Returns whether surfaces that join() must not join are about to meet at one of these vertices. Without fusion
+    /// these are all surfaces; with fusion, masked surfaces and the two sides of a wall that is not pushed.
     bool isContact(const VerifiedMesh& surface, const Region& region, const FusionInput& input, bool fusion,
                    const std::vector<Slot>& vertices);
 
-    /// See Separation::separate().
+    /// Cuts necks and removes specks: see Separation::separate().
     std::uint64_t separate(VerifiedMesh& surface, Region& region, const std::vector<VertexPair>& blocked,
                            const EdgeBounds& bounds);
 
-    /// See FusionCandidates::takeVisits().
+    /// Returns a measure of the time spent: see FusionCandidates::takeVisits().
     std::uint64_t takeVisits() { return m_candidates.takeVisits(); }
     /// Returns whether this stroke has joined anything.
     bool hasJoints() const { return m_joints.size() > 0; }
     /// Returns whether this dab has joined anything.
     bool hasJoined() const { return m_joined.size() > 0; }
-    /// Whether the vertex lies at a join of this dab.
+    /// Returns whether the vertex is at a join of this dab.
     bool isJoined(Slot v) const { return m_joined.contains(v); }
-    /// Adds what this dab has joined to the region: what it met besides.
+    /// Adds the vertices at this dab's joins to the region, if they are not in it yet.
     void addJoined(Region& region, const Mesh& mesh, const Vec3& center) const;
-    /// Makes one seam of two: fills the short tunnels between what this dab has joined from outside, and cuts the thin
-    /// strands between the holes that it has pushed. Leaves the holes and handles that were there before. Then does as
-    /// Separation::cutCycles() at what the stroke has joined in the region. Returns how many changes there were.
+    /// Merges adjacent joins into one: fills the short tunnels between joins that met from outside, and cuts the thin
+    /// strands between holes pushed through a wall. Holes and handles that existed before the dab remain. Then calls
+    /// Separation::cutCycles() at the stroke's joins in the region. Returns the number of changes.
     std::uint64_t cutCycles(VerifiedMesh& surface, Region& region, const EdgeBounds& bounds, const RestLengths* rest);
 
 private:
@@ -68,10 +68,10 @@ private:
     FusionCandidates m_candidates;
     Separation m_separation{m_surgery};
     CycleSearch m_cycleSearch;
-    std::vector<Vec3> m_tunnels; ///< where this stroke started tunnels; mm
-    SlotSet m_done;              ///< vertices around the joins of this round
-    SlotSet m_joints;            ///< vertices around the joins of this stroke; some may be gone, or others by now
-    SlotSet m_joined;            ///< vertices around the joins of this dab; some may be gone, or others by now
-    SlotSet m_pierced;           ///< those of them at holes through a wall that is pushed
+    std::vector<Vec3> m_tunnels; ///< centres of the tunnels that this stroke has started, mm
+    SlotSet m_done;              ///< vertices around the joins of the current round
+    SlotSet m_joints;  ///< vertices around the joins of this stroke; slots may since have been freed or reused
+    SlotSet m_joined;  ///< vertices around the joins of this dab; slots may since have been freed or reused
+    SlotSet m_pierced; ///< the vertices in m_joined that are at holes pushed through a wall
 };
 } // namespace core

@@ -1,7 +1,9 @@
-// Finds the vertices that the motion is about to bring into contact (paper, section 3.4):
-//   gather     the vertices within d_thickness of the region
-//   turned     the vertices whose normals lie outside a cone around the region's mean normal: each pair has one of them
-//   pairs      vertices that are no neighbours, face each other, approach each other, and would meet in a sub-step
+// Finds the pairs of vertices that the motion is about to bring into contact (paper, section 3.4):
+//   gather     collects the vertices in the region's box, grown by d_thickness
+//   turned     finds the vertices whose normals are outside a cone around the region's mean normal; every pair contains
+//              at least one of them
+//   pairs      finds vertices that are not neighbours, face each other, approach each other, and would meet in the next
+//              transaction
 // Surfaces that meet from outside join with any tool. The two sides of a wall join only if the tool pushes.
 
 #include "core/sculpt/fuse/fusion_candidates.h"
@@ -18,16 +20,17 @@ namespace core
 {
 namespace
 {
-/// Surfaces face each other if their normals are more than 135 degrees apart.
+/// Cosine of the angle, 135 degrees, beyond which two normals count as facing each other.
 constexpr double facingCosine = -0.7071;
-/// If all normals lie within this cone around one direction, no two of them are more than 135 degrees apart.
+/// Cosine of the half-angle of a cone. If all normals are within such a cone around one direction, no two of them are
+/// more than 135 degrees apart.
 constexpr double coneCosine = 0.3827;   // cos 67.5 degrees
-constexpr double safeConeCosine = 0.39; // a little narrower: rounding does not matter then
-/// A pair meets if the next sub-step closes this share of its gap or more.
+constexpr double safeConeCosine = 0.39; // slightly narrower, so that rounding errors do not matter
+/// Share of a pair's gap that the next sub-step must close for the pair to count as meeting.
 constexpr double closingShare = 1 / 1.5;
-/// A pair meets if its gap is closing and smaller than this, in terms of d_detail.
+/// Gap, in d_detail, below which a pair counts as meeting if its gap is closing at all.
 constexpr double contactPerDetail = 0.05;
-/// Faces that a core takes at a time.
+/// Faces per parallel chunk.
 constexpr std::size_t facesPerChunk = 1024;
 
 bool haveCommonNeighbour(const Mesh& mesh, Slot p, Slot q)
@@ -37,7 +40,7 @@ bool haveCommonNeighbour(const Mesh& mesh, Slot p, Slot q)
     return found;
 }
 
-/// Returns the least product of a normal and any vector in the box.
+/// Returns the smallest dot product of `normal` and any vector in the box.
 double leastCosine(const Vec3& normal, const Box& box)
 {
     return normal.cwiseProduct(box.min()).cwiseMin(normal.cwiseProduct(box.max())).sum();
@@ -53,12 +56,13 @@ Vec3 unit(const Vec3& v)
 double FusionInput::detail(Slot v) const
 {
     return rest ? std::min(2 * rest->of(v), bounds.detail)
-                : bounds.detail; // the rest length stands for d; d_detail is 2 d
+                : bounds.detail; // the rest length is taken for d, and d_detail is 2 d
 }
 
 bool FusionCandidates::mayFace(const Mesh& mesh, const Region& region, std::span<const Slot> faces)
 {
-    std::vector<Vec3> normals(faces.size()); // exact, and so is their sum: the order of the faces does not matter
+    // exact vectors with an exact sum, so the order of the faces does not matter
+    std::vector<Vec3> normals(faces.size());
     std::vector<Vec3> sums(1 + chunksOf(faces.size(), facesPerChunk), Vec3::Zero());
     forEachChunk(faces.size(), facesPerChunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -82,7 +86,7 @@ void FusionCandidates::find(const VerifiedMesh& surface, const Region& region, c
     findPairs(surface.mesh(), region, limits, input);
 }
 
-/// Gathers the vertices of the region, and those within its box grown by d_thickness.
+/// Gathers the vertices of the region, and all vertices in its bounding box grown by d_thickness.
 void FusionCandidates::gather(const VerifiedMesh& surface, const Region& region, double thickness)
 {
     const Mesh& mesh = surface.mesh();
@@ -104,15 +108,16 @@ void FusionCandidates::gather(const VerifiedMesh& surface, const Region& region,
                 m_vertices.add(v);
         }
     });
-    region.forEach([&](Slot v) { m_vertices.add(v); }); // the octree need not know yet what refining has made
+    // the octree may not contain vertices that refining has just created
+    region.forEach([&](Slot v) { m_vertices.add(v); });
     m_vertices.sort();
     for (Slot v : m_vertices.slots())
         m_points.push_back(mesh.point(v).cast<double>());
     m_normals.resize(m_points.size());
 }
 
-/// Finds the vertices whose normals lie outside a cone around the region's mean normal. Vertices within it do not face
-/// each other, so each pair has a vertex outside.
+/// Finds the vertices whose normals are outside a cone around the region's mean normal. Vertices inside the cone do not
+/// face each other, so every pair contains a vertex outside it.
 void FusionCandidates::findTurned(const Mesh& mesh, const Region& region)
 {
     Vec3 sum = Vec3::Zero();
@@ -150,7 +155,7 @@ void FusionCandidates::findPairs(const Mesh& mesh, const Region& region, const M
     for (Slot turned : m_turned) {
         grid.forEachCellIn(partnersBox(turned, maxMotion, input), [&](Slot cell) {
             if (leastCosine(m_normals[turned], normals[cell]) > facingCosine)
-                return; // none in the cell faces it
+                return; // no vertex in the cell faces this one
             m_visits += grid.pointsIn(cell).size();
             for (Slot near : grid.pointsIn(cell))
                 addPair(mesh, region, limits, input, turned, near);
@@ -158,13 +163,13 @@ void FusionCandidates::findPairs(const Mesh& mesh, const Region& region, const M
     }
 }
 
-/// Adds the pair of a turned vertex and another, if they are about to meet.
+/// Adds the pair of a turned vertex and another vertex, if they are about to meet.
 void FusionCandidates::addPair(const Mesh& mesh, const Region& region, const MotionLimits& limits,
                                const FusionInput& input, Slot turned, Slot near)
 {
     const double distance2 = (m_points[near] - m_points[turned]).squaredNorm(), thickness = input.bounds.thickness();
     if (distance2 >= thickness * thickness || near == turned ||
-        (m_isTurned[near] && near < turned)) // the last: met from the other side
+        (m_isTurned[near] && near < turned)) // a pair of two turned vertices is examined only once
         return;
     const Slot lower = std::min(near, turned), upper = std::max(near, turned);
     const bool fromLower = region.contains(m_vertices.slots()[lower]);
@@ -176,9 +181,10 @@ void FusionCandidates::addPair(const Mesh& mesh, const Region& region, const Mot
                        (m_points[j] - m_points[i]).dot(m_normals[i]) < 0});
 }
 
-/// Returns a box around all vertices that may be about to meet one. They lie within d_thickness, and at a finer mesh
-/// within the gap that two vertices can close and the distance aside that willMeet() allows, both along an axis at most
-/// 22.5 degrees from the normal. `maxMotion`: of a vertex in the next sub-step, in mm.
+/// Returns a box that contains all vertices that may be about to meet vertex i. They are within d_thickness. On a mesh
+/// finer than the brush, they are also within the gap that two vertices can close, and within the sideways distance
+/// that willMeet() allows. The gap is measured along an axis at most 22.5 degrees from i's normal. `maxMotion`: longest
+/// motion of a vertex in the next sub-step, mm.
 Box FusionCandidates::partnersBox(Slot i, double maxMotion, const FusionInput& input) const
 {
     const Vec3 &p = m_points[i], &n = m_normals[i];
@@ -186,7 +192,7 @@ Box FusionCandidates::partnersBox(Slot i, double maxMotion, const FusionInput& i
     const Box reach(p - Vec3::Constant(thickness), p + Vec3::Constant(thickness));
     if (detail >= input.bounds.detail)
         return reach;
-    constexpr double sine = 0.3827; // of 22.5 degrees, rounded up
+    constexpr double sine = 0.3827; // sine of 22.5 degrees, rounded up
     const double gap = 2 * maxMotion / closingShare, aside = EdgeBounds::thicknessPerDetail * detail;
     const double along = gap + sine * aside, across = sine * gap + aside;
     Box box(p, p);
@@ -198,8 +204,8 @@ Box FusionCandidates::partnersBox(Slot i, double maxMotion, const FusionInput& i
     return box.intersection(reach);
 }
 
-/// Whether the mirror lets the two join: both are in the half, or one is the other's image. Precondition: v is in the
-/// half.
+/// Returns whether the mirror allows the two vertices to join: both are on the positive side, or one is the other's
+/// image. Precondition: v is on the positive side.
 bool FusionCandidates::mayPair(Slot v, Slot other) const
 {
     return !m_mirror || m_mirror->isInHalf(other) || m_mirror->imageOf(v) == other;
@@ -211,11 +217,11 @@ bool FusionCandidates::areFacing(const Mesh& mesh, Slot i, Slot j) const
            mesh.findHalfedge(m_vertices.slots()[i], m_vertices.slots()[j]) == noSlot;
 }
 
-/// Whether the next sub-step would bring the two into contact. The paper (section 3.4) joins two vertices if the
-/// distance of their final positions is below d_thickness. Here their present distance is below it, and the next
-/// sub-step has to close most of the gap along the mean axis of their normals, or some of a gap that is nearly closed:
-/// vertices that slide past each other, or move apart, do not join. Preconditions: areFacing(), and the region contains
-/// the first of the two.
+/// Returns whether the next sub-step would bring two vertices into contact. The paper (section 3.4) joins two vertices
+/// if the distance of their final positions is below d_thickness. Here their present distance is below it. The next
+/// sub-step must close most of the gap along the mean axis of their normals, or any part of a gap that is nearly
+/// closed. So vertices that slide past each other or move apart do not join. Preconditions: areFacing(), and the region
+/// contains vertex i.
 bool FusionCandidates::willMeet(Slot i, Slot j, const Region& region, const MotionLimits& limits,
                                 const FusionInput& input) const
 {
@@ -239,11 +245,12 @@ bool FusionCandidates::willMeet(Slot i, Slot j, const Region& region, const Moti
     if (detail == input.bounds.detail)
         return closingShare * gap <= closing || gap <= contactPerDetail * detail;
     const double aside2 = between.squaredNorm() - gap * gap, thickness = EdgeBounds::thicknessPerDetail * detail;
-    return closingShare * gap <= closing && aside2 < thickness * thickness; // folds of detail may be near each other
+    // the sideways distance is limited too, because fine folds may be close to each other without meeting
+    return closingShare * gap <= closing && aside2 < thickness * thickness;
 }
 
-/// A patch meets its own image everywhere at once. Where joins have connected the two at the plane, further joins widen
-/// that tunnel; a new tunnel beside it would leave a hole between the two.
+/// A patch meets its mirror image everywhere at once. Once joins have connected the two at the plane, further joins are
+/// to widen that tunnel. Starting a new tunnel beside it would leave a hole between the two.
 void FusionCandidates::dropTunnelsBesideJoins(const Mesh& mesh)
 {
     if (!m_mirror)
@@ -251,7 +258,8 @@ void FusionCandidates::dropTunnelsBesideJoins(const Mesh& mesh)
     const auto meetsImage = [&](const FusionPair& pair) {
         return !m_mirror->isInHalf(pair.p) || !m_mirror->isInHalf(pair.q);
     };
-    SlotSet meeting, grown; // vertices of the half that meet their image; with what joins connect to them
+    // meeting: vertices on the positive side that meet their image; grown: those connected to existing joins
+    SlotSet meeting, grown;
     for (const FusionPair& pair : m_pairs) {
         if (meetsImage(pair))
             meeting.add(m_mirror->isInHalf(pair.p) ? pair.p : pair.q);

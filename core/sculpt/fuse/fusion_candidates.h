@@ -9,48 +9,49 @@
 
 namespace core
 {
-/// The motion that is to come, as fusion needs to know it.
+/// The coming motion, as far as fusion needs to know it.
 struct FusionInput
 {
-    bool pushes = false; ///< a wall whose two sides meet gets a hole
+    bool pushes = false; ///< the tool pushes: a wall whose two sides meet gets a hole
     EdgeBounds bounds;
-    double part = 1;             ///< share of the plan that one sub-step does
-    RestLengths* rest = nullptr; ///< of a stroke that keeps detail
-    double maxVisits = 0;        ///< no more is joined once so many pairs of near vertices were looked at
-    /// Returns d_detail at a vertex, in mm: less than the brush's where the surface was finer before the stroke.
+    double part = 1;             ///< share of the plan that the next transaction does, 0 to 1
+    RestLengths* rest = nullptr; ///< null, or the rest lengths of a stroke that keeps detail
+    double maxVisits = 0;        ///< joining ends after this number of pairs of near vertices has been examined
+    /// Returns d_detail at a vertex, in mm: smaller than the brush's where the surface was finer before the stroke.
     double detail(Slot v) const;
 };
 
-/// Two vertices that are about to meet.
+/// Two vertices that are about to come into contact.
 struct FusionPair
 {
-    bool startsTunnel; ///< no vertex lies in both 1-rings: their join makes a new tunnel; otherwise it widens one
-    double distance2;  ///< mm2
-    Slot p, q;         ///< p < q
-    bool inside;       ///< the two sides of a wall
+    /// the 1-rings of p and q share no vertex: joining them makes a new tunnel; otherwise it widens one
+    bool startsTunnel;
+    double distance2; ///< squared distance between p and q, mm2
+    Slot p, q;        ///< p < q
+    bool inside;      ///< p and q are on the two sides of a wall
 };
 
 /// Finds the vertices that a motion is about to bring into contact (paper, section 3.4). Owns scratch memory.
 class FusionCandidates
 {
 public:
-    /// Whether two of the faces may face each other. Otherwise there is nothing to find. False is certain, true is a
-    /// guess. `faces`: all around the region. Cost: O(faces).
+    /// Returns whether any two of the faces may face each other. If not, there is nothing to join. False is certain;
+    /// true is a guess. `faces`: all faces around the region. Cost: O(faces).
     static bool mayFace(const Mesh& mesh, const Region& region, std::span<const Slot> faces);
 
-    /// `mirror`: null, or on; then the region is of the half.
+    /// Sets the mirror: null, or on; then the region covers only the positive side.
     void setMirror(MirrorMap* mirror) { m_mirror = mirror; }
-    /// Finds the pairs that the motion of the region within its limits brings together.
+    /// Finds the pairs that the motion of the region, within its limits, brings into contact.
     void find(const VerifiedMesh& surface, const Region& region, const MotionLimits& limits, const FusionInput& input);
-    /// With a mirror: drops pairs that would start a tunnel between a patch and its image, where a join has connected
-    /// the two already.
+    /// Drops pairs that would start another tunnel between a patch and its mirror image where a join has already
+    /// connected the two. Does nothing without a mirror.
     void dropTunnelsBesideJoins(const Mesh& mesh);
-    /// Sorts the pairs: those that widen a tunnel first, then by distance.
+    /// Sorts the pairs: pairs that widen a tunnel first, then by distance.
     void sort();
 
     const std::vector<FusionPair>& pairs() const { return m_pairs; }
 
-    /// Returns the pairs of near vertices that were looked at since takeVisits(): a measure of the time spent.
+    /// Returns the number of pairs of near vertices examined since takeVisits(): a measure of the time spent.
     std::uint64_t visits() const { return m_visits; }
     std::uint64_t takeVisits() { return std::exchange(m_visits, 0); }
 
@@ -66,11 +67,12 @@ private:
     bool willMeet(Slot i, Slot j, const Region& region, const MotionLimits& limits, const FusionInput& input) const;
 
     MirrorMap* m_mirror = nullptr;
-    SlotSet m_vertices;           ///< near the region
-    std::vector<Vec3> m_points;   ///< by position in m_vertices
-    std::vector<Vec3> m_normals;  ///< by position; unit length, or zero
-    std::vector<Slot> m_turned;   ///< positions of vertices whose normals lie outside the cone of findTurned()
-    std::vector<char> m_isTurned; ///< by position
+    SlotSet m_vertices;          ///< vertices of the region and near it
+    std::vector<Vec3> m_points;  ///< their points, mm, by position in m_vertices
+    std::vector<Vec3> m_normals; ///< their normals, by position in m_vertices; of unit length, or zero
+    /// positions in m_vertices of vertices whose normals are outside the cone of findTurned()
+    std::vector<Slot> m_turned;
+    std::vector<char> m_isTurned; ///< whether a vertex is in m_turned, by position in m_vertices
     std::vector<FusionPair> m_pairs;
     std::uint64_t m_visits = 0;
 };

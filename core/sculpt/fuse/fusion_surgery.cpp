@@ -45,7 +45,7 @@ std::optional<std::vector<Slot>> FusionSurgery::operate(VerifiedMesh& surface, R
     return created;
 }
 
-/// Lets the mirror know which of the vertices that came are each other's image.
+/// Registers in the mirror map which of the created vertices are each other's images.
 void FusionSurgery::pairUp(const Mesh& mesh, const std::vector<Slot>& created)
 {
     for (Slot v : created) {

@@ -8,7 +8,8 @@ namespace core
 {
 namespace
 {
-/// The part of a vertex's ring in the half, counter-clockwise, from the plane to the plane; the faces there are added.
+/// Returns the part of a vertex's ring on the mirror's positive side, counter-clockwise, from plane to plane. Appends
+/// the faces there to `faces`.
 Ring halfRing(const Mesh& mesh, const MirrorMap& mirror, Slot v, std::vector<Slot>& faces)
 {
     Slot first = noSlot;
@@ -30,14 +31,14 @@ Ring halfRing(const Mesh& mesh, const MirrorMap& mirror, Slot v, std::vector<Slo
     return ring;
 }
 
-/// A new vertex where v would lie on the plane.
+/// Adds a new vertex at the projection of v onto the plane. Returns it.
 Slot projected(const Mesh& mesh, const MirrorMap& mirror, Slot v, Surgery& surgery)
 {
     surgery.vertices.push_back({mirror.kept(mesh.point(v), true), mesh.color(v), v, mesh.mask(v)});
     return Surgery::newVertex(surgery.vertices.size() - 1);
 }
 
-/// A ring with no vertex on the plane is connected to its projection.
+/// Connects a ring that has no vertex on the plane to its projection onto the plane.
 void stripToPlane(const Mesh& mesh, const MirrorMap& mirror, Ring ring, Surgery& surgery)
 {
     Ring onPlane;
@@ -48,12 +49,12 @@ void stripToPlane(const Mesh& mesh, const MirrorMap& mirror, Ring ring, Surgery&
     RingStrip(ring, onPlane, surgery.faces).open();
 }
 
-/// An arc that starts and ends on the plane: its vertices next to the ends need no projection of their own, which might
-/// be where the end is.
+/// Connects an arc that starts and ends on the plane to its projection. The vertices next to the arc's ends are not
+/// projected, because their projections might coincide with the ends.
 void stripArcToPlane(const Mesh& mesh, const MirrorMap& mirror, const Ring& arc, Surgery& surgery)
 {
     if (arc.size() == 2)
-        return; // an edge on the plane, that both stars leave behind
+        return; // a single edge on the plane, where the removed stars leave no gap
     Ring onPlane = {arc.front()};
     for (std::size_t i = 2; i + 2 < arc.size(); ++i)
         onPlane.push_back(projected(mesh, mirror, arc[i], surgery));
@@ -89,7 +90,7 @@ std::optional<Surgery> joinOnPlane(const Mesh& mesh, const MirrorMap& mirror, Sl
     surgery.near = p;
     const Ring a = halfRing(mesh, mirror, p, surgery.removed);
     Ring b = halfRing(mesh, mirror, q, surgery.removed);
-    std::ranges::reverse(b); // seen from outside; then both run the same way
+    std::ranges::reverse(b); // the two half rings then run in the same direction
     const auto common = [&](Slot v) { return v == p || v == q || std::ranges::find(b, v) != b.end(); };
     if (a.size() < 2 || b.size() < 2 || std::ranges::any_of(a, common))
         return std::nullopt;
@@ -102,7 +103,7 @@ std::optional<Surgery> withImage(const Mesh& mesh, MirrorMap& mirror, const Surg
     Surgery both = half;
     for (Slot f : half.removed) {
         if (!half.faces.empty() && !mirror.isInHalf(mesh.corners(f)))
-            return std::nullopt; // a face across the plane would be exchanged twice
+            return std::nullopt; // a face that crosses the plane would be replaced twice
         both.removed.push_back(mirror.imageOfFace(f));
         if (both.removed.back() == noSlot)
             return std::nullopt;

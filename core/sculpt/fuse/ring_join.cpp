@@ -1,9 +1,11 @@
-// Joins two stars (paper, section 3.4, Figure 13; the case of common ring vertices is ours):
-//   1. rings:      of p counter-clockwise, of q clockwise, seen from outside: they then run the same way
-//   2. arcs:       between successive common vertices; or both rings whole, from where they are nearest
-//   3. strip:      each pair of arcs is connected by triangles, evenly by Bresenham's error diffusion or by nearest
+// Joins two stars (paper, section 3.4, Figure 13; the case of common ring vertices is not in the paper):
+//   1. rings:      takes the ring of p counter-clockwise and that of q clockwise, seen from outside; the two then run
+//                  in the same direction
+//   2. arcs:       divides the rings at their common vertices; without any, starts both rings where they are nearest
+//   3. strip:      connects each pair of arcs by triangles, evenly by Bresenham's error diffusion or by nearest
 //                  vertices
-//   4. umbrellas:  a vertex that is left with several gets a copy for each further one (Brochu and Bridson 2009)
+//   4. umbrellas:  gives each umbrella its own copy of a vertex whose faces form several umbrellas (Brochu and Bridson
+//                  2009)
 
 #include "core/sculpt/fuse/ring_join.h"
 
@@ -14,7 +16,7 @@ namespace core
 {
 namespace
 {
-/// Share of the way to the middle of its umbrella by which a copy of a vertex moves.
+/// Share of the distance to the middle of its umbrella by which the copy of a vertex is moved.
 constexpr double apart = 0.25;
 
 Ring ringOf(const Mesh& mesh, Slot v)
@@ -34,7 +36,7 @@ bool has(const Ring& ring, Slot v)
     return std::ranges::find(ring, v) != ring.end();
 }
 
-/// Turns b so that its vertices lie nearest to those of a at the same share of the way round.
+/// Rotates b's starting point so that vertices of a and b at equal shares of the way round are as close as possible.
 void alignEvenly(const Mesh& mesh, const Ring& a, Ring& b)
 {
     const auto cost = [&](std::size_t start) {
@@ -57,7 +59,7 @@ void alignEvenly(const Mesh& mesh, const Ring& a, Ring& b)
     std::ranges::rotate(b, b.begin() + static_cast<std::ptrdiff_t>(best));
 }
 
-/// Turns both so that they start where they lie nearest to each other.
+/// Rotates the starting points of both rings to the pair of vertices that are nearest to each other.
 void alignAtNearest(const Mesh& mesh, Ring& a, Ring& b)
 {
     std::size_t bestA = 0, bestB = 0;
@@ -91,7 +93,8 @@ std::vector<std::size_t> commonPositions(const Ring& ring, const Ring& other)
     return positions;
 }
 
-/// The strip between two rings with common vertices. False if these do not follow each other in the same order.
+/// Makes the strip between two rings with common vertices. Returns false if these are not in the same order on both
+/// rings.
 bool stripArcs(const Mesh& mesh, Stepping stepping, const Ring& a, Ring b, std::vector<Triangle>& faces)
 {
     const std::vector<std::size_t> inA = commonPositions(a, b);
@@ -142,7 +145,7 @@ std::optional<Surgery> joinStars(const Mesh& mesh, Slot p, Slot q, Stepping step
     else if (!stripArcs(mesh, stepping, a, b, surgery.faces))
         return std::nullopt;
     if (surgery.faces.empty())
-        return std::nullopt; // the component has no other faces
+        return std::nullopt; // the two stars are their whole component
     splitUmbrellas(mesh, surgery, apart);
     return ifOk(mesh, std::move(surgery));
 }

@@ -16,7 +16,7 @@ void RingStrip::betweenCommonEnds()
 {
     const std::size_t n = m_a.size() - 1, m = m_b.size() - 1;
     if (n == 1 && m == 1)
-        return; // one edge, that both stars leave behind
+        return; // a single edge, where the removed stars leave no gap
     if (n == 1) {
         for (std::size_t j = 1; j < m; ++j)
             m_faces.push_back({m_b[j + 1], m_b[j], m_a[0]});
@@ -30,7 +30,8 @@ void RingStrip::betweenCommonEnds()
     }
 }
 
-/// From (i, j) to (n, m). Evenly, the side goes on that has come less far, as a share of its length.
+/// Makes the strip from (i, j) to (n, m). With Stepping::Even, the side advances that has covered the smaller share of
+/// its length.
 void RingStrip::step(std::size_t i, std::size_t j, std::size_t n, std::size_t m)
 {
     const std::size_t i0 = i, j0 = j;
@@ -46,7 +47,7 @@ void RingStrip::step(std::size_t i, std::size_t j, std::size_t n, std::size_t m)
     }
 }
 
-/// a's next vertex to where b is, than b's next to where a is.
+/// Returns whether a's next vertex is nearer to b's current vertex than b's next vertex is to a's current one.
 bool RingStrip::isNearer(std::size_t i, std::size_t j) const
 {
     const auto distance2 = [&](Slot v, Slot w) {

@@ -6,27 +6,28 @@
 
 namespace core
 {
-/// Vertices around another, or a part of them, in order.
+/// The vertices around another vertex, or a part of them, in order.
 using Ring = std::vector<Slot>;
 
-/// From ring[first] to ring[last], around the end if need be; the whole ring if they are the same.
+/// Returns the part of the ring from ring[first] to ring[last], past the end if necessary; the whole ring if first
+/// equals last.
 Ring arc(const Ring& ring, std::size_t first, std::size_t last);
 
-/// In which order a strip goes on along its two sides.
+/// The rule by which a strip of triangles advances along its two sides.
 enum class Stepping {
     Even, ///< Bresenham's error diffusion (paper, section 3.4, Figure 13)
-    /// By the shorter of the two edges across (Christiansen and Sederberg 1978): for sides that lie close, with uneven
-    /// edges.
+    /// advances so that the new edge across is the shorter one (Christiansen and Sederberg 1978); for sides that are
+    /// close together and have uneven edges
     Nearest
 };
 
-/// Connects two polylines that run the same way by a strip of triangles. With common ends the first and the last
-/// triangle close the gap there.
+/// Connects two polylines of the same direction by a strip of triangles. If their ends coincide, the first and the last
+/// triangle close the strip there.
 class RingStrip
 {
 public:
     RingStrip(const Ring& a, const Ring& b, std::vector<Triangle>& faces) : m_a(a), m_b(b), m_faces(faces) {}
-    /// Stepping::Nearest, by where the mesh has the vertices.
+    /// Makes a strip with Stepping::Nearest, by the vertices' positions in the mesh.
     RingStrip(const Ring& a, const Ring& b, std::vector<Triangle>& faces, const Mesh& mesh)
         : m_a(a)
         , m_b(b)
@@ -44,6 +45,6 @@ private:
     const Ring& m_a;
     const Ring& m_b;
     std::vector<Triangle>& m_faces;
-    const Mesh* m_mesh = nullptr; ///< null: each ring takes its steps at an even rate
+    const Mesh* m_mesh = nullptr; ///< null: each ring advances at an even rate (Stepping::Even)
 };
 } // namespace core

@@ -8,21 +8,23 @@ namespace core
 {
 namespace
 {
-/// A neck is cut when the edges around it are shorter than this together, in terms of d. One that a join has left is
-/// cut if no ball of diameter d fits through: 3 sqrt(3) of an even triangle.
+/// Largest perimeter, in d, of a cycle of three edges at which a neck is cut. jointPerimeter applies to necks left by
+/// joins: 3 sqrt(3) is the perimeter of an equilateral triangle through which a ball of diameter d just fits.
 constexpr double neckPerimeter = 3, jointPerimeter = 5.2;
-/// The gaps to try between the two sides of a cut neck, in terms of d.
+/// Gaps to try between the two sides of a cut neck, in d.
 constexpr double neckGaps[] = {0.5, 0.1};
-/// A speck: a component smaller than this, in terms of the brush's d; one of few faces may be a little larger.
+/// Largest extents of a speck, in d of the brush: speckSize for a component of up to speckFaces faces, crumbSize if it
+/// has fewer than fewFaces faces.
 constexpr double speckSize = 2, crumbSize = 4;
 constexpr std::size_t speckFaces = 64, fewFaces = 16;
-/// The faces of a shred at most, and how many times as many the part has at least from which it came off.
+/// Largest number of faces of a shred; and the factor by which the part that it came off must have more faces.
 constexpr std::size_t maxShredFaces = 2048, bodyPerShred = 10;
-/// A void that a join has closed is filled if it is smaller than this, in terms of the brush's d.
+/// Largest extent, in d of the brush, and largest number of faces of a void that is filled after a join has closed it
+/// off.
 constexpr double voidSize = 5;
 constexpr std::size_t voidFaces = 256;
 
-/// Six times the volume that the faces enclose, in mm3: negative for a void.
+/// Returns six times the volume that the faces enclose, mm3; negative for a void.
 double volume6(const Mesh& mesh, std::span<const Slot> faces)
 {
     double sum = 0;
@@ -34,8 +36,8 @@ double volume6(const Mesh& mesh, std::span<const Slot> faces)
     return sum;
 }
 
-/// Returns the third vertex of the shortest cycle of three edges that holds this edge and is no face; noSlot if there
-/// is none of that length.
+/// Returns the third vertex of the shortest cycle of three edges that contains this edge and is not a face; noSlot if
+/// there is none shorter than maxPerimeter (mm).
 Slot neckAt(const Mesh& mesh, const VertexPair& edge, double maxPerimeter)
 {
     const Slot a = edge[0], b = edge[1];
@@ -119,7 +121,7 @@ bool Separation::cutNeck(VerifiedMesh& surface, Region& region, const VertexPair
             return false;
         if (const auto created = m_surgery.operate(surface, region, *surgery)) {
             m_necks.push_back(middle);
-            // a copy of the cycle's vertex on each side
+            // created[0] and created[3] are copies of one vertex of the cycle, on its two sides
             removeSpecks(surface, region, {(*created)[0], (*created)[3]}, bounds);
             removeShred(surface, region, (*created)[0], (*created)[3], bounds);
             removeShred(surface, region, (*created)[3], (*created)[0], bounds);
@@ -131,7 +133,7 @@ bool Separation::cutNeck(VerifiedMesh& surface, Region& region, const VertexPair
     return false;
 }
 
-/// Whether the neck lies on the mirror's plane, and no face around it reaches across.
+/// Returns whether the neck's cycle is in the mirror plane and no face around it crosses the plane.
 bool Separation::isOwnImage(const Mesh& mesh, const Triangle& cycle) const
 {
     const MirrorMap* mirror = m_surgery.mirror();
@@ -149,12 +151,13 @@ void Separation::removeSpecks(VerifiedMesh& surface, Region& region, const std::
                               const EdgeBounds& bounds)
 {
     for (Slot v : vertices) {
-        if (surface.mesh().isVertex(v)) // else it went with one before
+        if (surface.mesh().isVertex(v)) // it may have been removed with an earlier speck
             removeSpeck(surface, region, v, bounds);
     }
 }
 
-/// Removes the component of a vertex, if it is a shred and the one that it came off is far larger.
+/// Removes the component of `vertex` if it is a shred and the component of `body`, from which it came off, is much
+/// larger.
 void Separation::removeShred(VerifiedMesh& surface, Region& region, Slot vertex, Slot body, const EdgeBounds& bounds)
 {
     const Mesh& mesh = surface.mesh();
@@ -176,8 +179,8 @@ void Separation::removeShred(VerifiedMesh& surface, Region& region, Slot vertex,
         removeSpeck(surface, region, vertex, bounds, Also::Shreds);
 }
 
-/// Removes the component of a vertex, if it is small and not all there is: a speck, a void or a shred. (One that holds
-/// another is not sound to remove.)
+/// Removes the component of a vertex if it is small: a speck, a void or a shred. Keeps it if it is the whole model.
+/// (Removing a component that encloses another one does not verify.)
 bool Separation::removeSpeck(VerifiedMesh& surface, Region& region, Slot vertex, const EdgeBounds& bounds, Also also)
 {
     const Mesh& mesh = surface.mesh();
@@ -198,7 +201,8 @@ bool Separation::removeSpeck(VerifiedMesh& surface, Region& region, Slot vertex,
             found.add(mesh.face(h ^ 1));
             box.extend(mesh.latticePoint(mesh.to(h)));
         }
-        if (!isSpeck() && !isShred() && !mayBeVoid()) // and stays so: both only grow
+        // and it cannot become one later: its size and its number of faces only grow
+        if (!isSpeck() && !isShred() && !mayBeVoid())
             return false;
     }
     if (!isSpeck() && !isShred() && volume6(mesh, found.slots()) >= 0)
