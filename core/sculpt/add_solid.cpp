@@ -15,16 +15,19 @@ namespace core
 {
 namespace
 {
-/// Edges of 0.13 to 0.16 radii, between d and d_detail of a brush of the sphere's radius.
+/// Subdivisions of the icosahedron for a sphere. Its edges are 0.13 to 0.16 radii long, between d and d_detail of a
+/// brush of that radius.
 constexpr int sphereSubdivisions = 3;
 
-/// Returns the least distance of a new solid from every triangle: d_thickness of a brush of the solid's radius.
+/// Returns the smallest allowed distance, in mm, between a new solid and the surface: d_thickness of a brush of the
+/// solid's radius.
 double clearanceOf(const Sphere& ball)
 {
     return edgeBounds(ball.radius, 1).thickness();
 }
 
-/// Decides by ray parity, as the paper does, and by distance: a large triangle may be near though no vertex is.
+/// Returns the reason why a sphere must not be added there. Inside or outside is decided by ray parity, as in the
+/// paper; clearance by the distance to the nearest face, because a large face may be near although its corners are not.
 Refusal refusalOf(const VerifiedMesh& surface, const Sphere& ball)
 {
     const Mesh& mesh = surface.mesh();
@@ -53,7 +56,7 @@ void reverseOrientation(TriangleMesh& shell)
         std::swap(t[1], t[2]);
 }
 
-/// Returns the solid's faces, and in `places` its points where the dab wants them, not snapped.
+/// Returns the solid's mesh. `places` receives the positions of its points, mm, not yet snapped to the lattice.
 TriangleMesh solidAt(const Dab& dab, const BrushModel* model, std::vector<Vec3>& places)
 {
     TriangleMesh solid = model ? model->surface() : icosphere(sphereSubdivisions, dab.radius);
@@ -77,7 +80,7 @@ TriangleMesh imageOf(TriangleMesh shell, const MirrorMap& mirror)
     return shell;
 }
 
-/// Adds the solid clear of the surface.
+/// Adds the solid as a separate shell, clear of the surface.
 void addApart(VerifiedMesh& surface, const BrushModel* model, const Dab& dab, const MirrorMap* mirror,
               DabReport& report)
 {
@@ -118,8 +121,8 @@ void addApart(VerifiedMesh& surface, const BrushModel* model, const Dab& dab, co
     report.touchedFaces = shells * static_cast<std::uint32_t>(solid.triangles.size());
 }
 
-/// Unites the model with the solid, and with its image, if their surfaces cross. False if they do not; then nothing has
-/// changed.
+/// Unites the model with the solid, and with its image if there is a mirror. Returns false, with nothing changed, if
+/// the surfaces do not cross or the solid leaves the working volume.
 bool joinSolid(DabContext& context)
 {
     std::vector<Vec3> places;
@@ -151,7 +154,8 @@ bool wantsSolid(const VerifiedMesh& surface, const StrokeSettings& settings, con
     if (!region.empty())
         return false;
     const std::optional<SurfaceHit> nearest = nearestPoint(surface.mesh(), surface.octree(), dab.position);
-    return !nearest || nearest->distance > dab.radius; // else a face is under the brush, if no vertex is
+    // otherwise a face is under the brush, although none of its corners is
+    return !nearest || nearest->distance > dab.radius;
 }
 
 Refusal refusalOf(const VerifiedMesh& surface, const std::vector<Vec3>& centers, double radius)

@@ -4,18 +4,20 @@
 
 namespace core
 {
-/// Whether the dab is to add a solid: the stroke asks for that, and nothing is under the brush, or it may join.
-/// `region`: what the dab selects.
+/// Returns whether the dab is to add a solid: the stroke's settings ask for it, and either nothing is under the brush
+/// or the solid may join the model. `region`: the vertices that the dab selects.
 bool wantsSolid(const VerifiedMesh& surface, const StrokeSettings& settings, const Dab& dab, const Region& region);
 
-/// Returns why spheres of that radius may not be added at these places together, if so. Equal places count once.
+/// Returns the reason why spheres of this radius must not be added at all of these centres; Refusal::None if they may
+/// be. Equal centres count once.
 Refusal refusalOf(const VerifiedMesh& surface, const std::vector<Vec3>& centers, double radius);
 
-/// Adds a sphere of the dab's radius, or the brush's model in it, upright (free topology: paper, section 3.5.1), and
-/// notes in the context's report what came of it. Without StrokeSettings::join the sphere must lie outside the surface,
-/// clear of it, and inside the working volume; with it and fusion one that crosses the surface becomes part of the
-/// model by an exact union. A solid that is refused changes nothing. With a mirror the image is added, too, or neither
-/// is. A solid whose centre is on the mirror's plane counts as its own image, another must be clear of its image.
+/// Adds a sphere of the dab's radius, or the brush's model, upright and scaled to that radius (free topology: paper,
+/// section 3.5.1). Writes the outcome to the context's report. A refused solid changes nothing.
+/// Without StrokeSettings::join the sphere must be outside the surface, clear of it, and inside the working volume.
+/// With both join and fusion, a solid that crosses the surface becomes part of the model by an exact union.
+/// With a mirror, either both the solid and its image are added or neither is. A solid centred on the mirror plane
+/// counts as its own image; any other solid must be clear of its image.
 /// Precondition: a stroke is open.
 void addSolid(DabContext& context);
 } // namespace core

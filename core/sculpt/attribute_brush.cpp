@@ -9,7 +9,7 @@ namespace core
 {
 namespace
 {
-/// Mixes a share of the colour into the vertex's.
+/// Mixes `share` (0 to 1) of the colour into the vertex's colour.
 void paint(Mesh& mesh, Slot v, Rgb color, double share)
 {
     const Rgb before = mesh.color(v), after = mixed(before, color, share);
@@ -17,7 +17,7 @@ void paint(Mesh& mesh, Slot v, Rgb color, double share)
         mesh.setColor(v, after);
 }
 
-/// Adds to the vertex's mask. `change`: -1 to 1, in terms of a whole mask.
+/// Adds to the vertex's mask. `change`: -1 to 1, where 1 is a full mask.
 void addMask(Mesh& mesh, Slot v, double change)
 {
     const double after = std::clamp(mesh.mask(v) + 255 * change, 0.0, 255.0);
@@ -34,7 +34,7 @@ void change(Mesh& mesh, const StrokeSettings& settings, Slot v, double share)
 }
 } // namespace
 
-/// With a mirror a vertex and its image get the same share: the larger of what the dab alone gives to the two.
+/// Paints each vertex by its weight. With a mirror, a vertex and its image both get the larger of their two weights.
 void AttributeBrush::apply(DabContext& context)
 {
     Mesh& mesh = context.surface.mesh();

@@ -4,14 +4,14 @@
 
 namespace core
 {
-/// Paints the region (paper, section 3.5.3), or masks it. Moves nothing and remeshes nothing.
+/// Paints or masks the region (paper, section 3.5.3). Does not move vertices or remesh.
 class AttributeBrush
 {
 public:
-    /// Precondition: the region is selected.
+    /// Applies the dab. Precondition: the region is selected.
     void apply(DabContext& context);
 
 private:
-    Region m_whole; ///< with a mirror: what the dab alone selects, on both sides
+    Region m_whole; ///< with a mirror: the vertices that the dab alone selects, on both sides
 };
 } // namespace core

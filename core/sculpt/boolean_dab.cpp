@@ -10,11 +10,12 @@ namespace core
 {
 namespace
 {
-/// Tries, each with the solid grown by some lattice units more: enough for it to lie in no plane of the model's.
+/// Number of tries, and lattice units by which each further try grows the solid. Growing it moves its faces out of
+/// planes that contain faces of the model.
 constexpr int maxTries = 3;
 const Vec3 growth(3, 5, 7);
 
-/// Returns the exchange on the other side of the mirror.
+/// Returns the mirror image of the surgery.
 Surgery imageOf(const Surgery& surgery, MirrorMap& mirror)
 {
     Surgery image;
@@ -31,8 +32,8 @@ Surgery imageOf(const Surgery& surgery, MirrorMap& mirror)
     return image;
 }
 
-/// Exchanges the faces, on both sides of a mirror, and selects the vertices of the new ones. False if the result would
-/// not be a closed 2-manifold; then something may have changed.
+/// Applies the surgery, and its image with a mirror, and selects the vertices of the new faces. Returns false if the
+/// result would not be a closed 2-manifold; the mesh may have changed then.
 bool exchange(DabContext& context, const Surgery& surgery)
 {
     Mesh& mesh = context.surface.mesh();
@@ -73,7 +74,7 @@ bool exchange(DabContext& context, const Surgery& surgery)
     return true;
 }
 
-/// Whether the faces lie in the mirror's half, and have images of their own.
+/// Returns whether the faces are on the mirror's positive side and have mirror images.
 bool canMirror(DabContext& context, const std::vector<Slot>& faces)
 {
     MirrorMap& mirror = *context.mirror;
@@ -81,7 +82,7 @@ bool canMirror(DabContext& context, const std::vector<Slot>& faces)
            mirror.learn(faces, context.surface.octree());
 }
 
-/// Whether a face that would go is masked, be it in part.
+/// Returns whether a face to be removed has a masked corner.
 bool touchesMask(const Mesh& mesh, const Surgery& surgery)
 {
     return std::ranges::any_of(surgery.removed, [&](Slot f) {
@@ -89,7 +90,7 @@ bool touchesMask(const Mesh& mesh, const Surgery& surgery)
     });
 }
 
-/// Optimises around what the operation has changed, unless that does not verify.
+/// Optimises the mesh around the changed vertices. Leaves it as it is if that does not verify.
 void optimiseAround(DabContext& context)
 {
     if (context.settings.topology == Topology::Keep)
@@ -118,7 +119,8 @@ void PlacedSolid::addImage(const MirrorMap& mirror)
     for (std::size_t v = 0; v < count; ++v) {
         mesh.points.push_back(mesh.points[v]);
         places.push_back(mirror.imageOf(places[v]));
-        outward.push_back(2 * mirror.imageOf(outward[v])); // else they would meet in corners and along edges
+        // without the factor 2, the grown solid and its grown image could touch along edges or in corners
+        outward.push_back(2 * mirror.imageOf(outward[v]));
     }
     const auto first = static_cast<Slot>(count);
     for (std::size_t f = 0; f < faces; ++f) {

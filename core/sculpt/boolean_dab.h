@@ -5,29 +5,30 @@
 
 namespace core
 {
-/// The outcome of a boolean dab. Apart: the surfaces do not meet. Masked: masked faces would go, too. All but Done
-/// leave everything as it was.
+/// The outcome of a boolean dab. Apart: the surfaces do not cross. Masked: masked faces would be removed. Apart, Masked
+/// and Failed leave the mesh unchanged.
 enum class BooleanOutcome { Done, Apart, Masked, Failed };
 
-/// A solid of one or two shells, and where a dab wants it.
+/// A solid of one or two shells, and the positions at which the dab is to place its points.
 struct PlacedSolid
 {
-    /// `places`: of its points, in mm. `center`: it grows away from there.
+    /// `places`: positions of the mesh's points, mm. `center`: retries grow the solid away from this point.
     PlacedSolid(TriangleMesh ofMesh, std::vector<Vec3> ofPlaces, const Vec3& center);
-    /// Adds its mirror image as a second shell, which may meet the first.
+    /// Adds the solid's mirror image as a second shell, which may cross the first.
     void addImage(const MirrorMap& mirror);
 
     TriangleMesh mesh;
     std::vector<Vec3> places;
-    std::vector<Vec3> outward; ///< for each point the signs of the coordinates of the way out
+    /// for each point, the direction in which retries move it: the signs of its coordinates relative to the centre
+    std::vector<Vec3> outward;
 };
 
-/// Unites the model with a solid, or subtracts the solid from it, as one step that counts as one fusion, and makes the
-/// mesh there quasi-uniform; the curves in which the surfaces met stay sharp. The context's region becomes what was
-/// changed. A mirror has the solid's image done, too; then it fails where the solid and its image change the same
-/// faces. It fails beyond the working volume, too.
+/// Unites the model with a solid, or subtracts the solid from it, as one step that counts as one fusion. Then makes the
+/// mesh near the cut quasi-uniform; the curves in which the surfaces met stay sharp. The context's region becomes the
+/// changed vertices. With a mirror the solid's image is united or subtracted too. Fails if the solid and its image
+/// would change the same faces, or if the solid leaves the working volume.
 BooleanOutcome applyBoolean(DabContext& context, PlacedSolid solid, BooleanOperation operation);
-/// Unites the model with a solid as applyBoolean() does. Where a mirror fails, unites it with the solid and its image
-/// at once, which is not exactly symmetric, and says so in the report.
+/// Unites the model with a solid as applyBoolean() does. If that fails with a mirror, unites the solid and its image in
+/// one operation. Its result is not exactly symmetric, so the report is marked asymmetric.
 BooleanOutcome uniteOnBothSides(DabContext& context, PlacedSolid solid);
 } // namespace core

@@ -6,7 +6,8 @@ namespace core
 {
 namespace
 {
-/// A line is sharp if the mesh along it is fine. An alpha or a stamp needs a mesh as fine as its details.
+/// d of a tool as a share of the brush's d. A crease is only as sharp as the mesh along it is fine; an alpha or a stamp
+/// needs a mesh as fine as its details.
 constexpr double lineDetail = 0.5, alphaDetail = 0.35, stampDetail = 0.28;
 } // namespace
 

@@ -11,7 +11,8 @@
 
 namespace core
 {
-/// The work that a dab may do, its images included: a guard, not a tuning knob. A dab that would need more ends early.
+/// Limits the work of a dab, its mirror and radial images included. A guard against endless work, not a tuning knob: a
+/// dab that needs more ends early.
 class WorkBudget
 {
 public:
@@ -20,26 +21,28 @@ public:
     double left() const { return max - m_spent; }
 
 private:
-    /// A vertex that moves counts as 1, and so does a face that an operation verified by itself visits: some
-    /// microseconds each.
+    /// Largest number of work units of a dab. A moved vertex counts as 1 unit, as does a face visited in verifying a
+    /// single operation: a few microseconds each.
     static constexpr double max = 1 << 21;
     double m_spent = 0;
 };
 
-/// A dab as the stroke hands it down: shared by all images of the dab.
+/// The request to apply a dab. Its mirror and radial images share it.
 struct DabRequest
 {
     const StrokeSettings& settings;
     StrokeDisplacements& displacements;
     RestLengths& rest;
-    const std::function<void()>& afterSubstep; ///< may be empty
+    const std::function<void()>& afterSubstep; ///< called after each committed sub-step; may be empty
     SculptorTotals& totals;
     WorkBudget work = {};
-    bool hasLetGo = false;                 ///< result: the tip of Snake Hook has become part of another surface
-    std::optional<EdgeBounds> bounds = {}; ///< result: to which its last image has remeshed; nothing if it has not
+    /// result: the tip of Snake Hook has joined another surface, so the stroke ignores further dabs
+    bool hasLetGo = false;
+    /// result: edge bounds of the image sculpted last; empty if the dab only painted or added a solid
+    std::optional<EdgeBounds> bounds = {};
 };
 
-/// A dab at one place, or on both sides of a mirror at once: what its steps pass on from one to the next.
+/// A dab at one place, or on both sides of a mirror at once: the data that its steps pass on from one to the next.
 struct DabContext
 {
     DabContext(VerifiedMesh& surfaceToEdit, DabRequest& dabRequest, const Dab& dabToDo, Grab& dabGrab);
@@ -49,11 +52,12 @@ struct DabContext
     MeshEditor editor() { return MeshEditor(surface.mesh(), {}, mirror); }
     /// Returns the stroke's rest lengths if it keeps detail, else null.
     RestLengths* rest() const { return keepsDetail(settings.topology) ? &request.rest : nullptr; }
-    /// Returns the vertices of the region, and their images.
+    /// Returns the number of vertices in the region, their mirror images included.
     Slot touchedVertices() const;
-    /// Lets the region meet other surfaces, and be joined to them: it is no longer kept as fine as it was grabbed.
+    /// Allows the region to join surfaces that it meets. From then on the edge bounds are the brush's, not those of a
+    /// finer grabbed surface.
     void allowFusion();
-    /// Notes what a remeshing that was committed has done.
+    /// Adds the counts of a committed remeshing to the totals.
     void count(const RemeshCounts& counts);
 
     VerifiedMesh& surface;
@@ -61,17 +65,18 @@ struct DabContext
     const StrokeSettings& settings;
     Dab dab;
     Grab& grab;
-    Region& region;                 ///< the grab's; with a mirror the half of it
-    MirrorMap* mirror = nullptr;    ///< null, or one that is on: the dab is done on both sides at once
+    Region& region; ///< the grab's region; with a mirror, only its part on the positive side
+    /// null: no mirror; otherwise a map that is on, and the dab is done on both sides at once
+    MirrorMap* mirror = nullptr;
     std::vector<Slot> candidates{}; ///< candidate triangles (paper, section 3.1.1)
-    Sphere ball;                    ///< around everything that the dab moves
+    Sphere ball;                    ///< contains everything that the dab moves
     EdgeBounds bounds;
-    bool canFuse = false; ///< surfaces face each other under the brush and will meet, or something stopped the motion
+    bool canFuse = false; ///< surfaces under the brush face each other and may meet, or something stopped the motion
     MotionLimits limits{};
-    unsigned fallbackSteps = 0;        ///< done within these limits
-    std::vector<Slot> badVertices{};   ///< corners of the faces at which the last direct step failed
+    unsigned fallbackSteps = 0;        ///< fallback steps done within these limits
+    std::vector<Slot> badVertices{};   ///< corners of the bad faces of the last direct sub-step that failed
     std::vector<VertexPair> blocked{}; ///< edges that the last optimisation could not collapse
-    bool isCapped = false;             ///< a cap on operations or steps was reached: the dab ends there
+    bool isCapped = false;             ///< the limit on operations or steps was reached: the dab ends early
     DabReport report{};
 };
 } // namespace core

@@ -35,18 +35,20 @@ namespace core
 {
 namespace
 {
-/// A guard, not a tuning knob: tries to do the sub-steps of a dab. One that would need more ends early.
+/// Largest number of attempts at the sub-steps of a dab. A guard against endless loops, not a tuning knob: a dab that
+/// needs more ends early.
 constexpr int maxAttempts = 4 * 4096;
-/// Vertices of the warm-up dab at most: where the mesh is far finer than elsewhere there is none.
+/// Largest number of vertices in the warm-up dab. If the dab would select more, because the mesh is far finer there
+/// than elsewhere, the warm-up is skipped.
 constexpr Slot maxWarmUpVertices = 1024;
-/// Depth, in radii, from which a stamp is done as a solid if it cannot be done at once. A shallower solid would lie
-/// close to the surface where a stamp has been, and meet it everywhere.
+/// Depth, in radii, beyond which a stamp that cannot be done in one sub-step is done as a solid. A shallower solid
+/// would nearly coincide with the surface that an earlier stamp left, and cross it in many places.
 constexpr double deepStamp = 0.3;
-/// Sub-steps after which motion limits are lifted for one try, at the latest.
+/// Largest number of fallback steps between two tries without motion limits.
 constexpr unsigned maxLimitedSteps = 8;
 
-/// Motion limits persist across sub-steps. They are lifted for one try after 1, 2, 4, 8, then every 8 sub-steps, in
-/// case the obstacle is gone.
+/// Returns whether this sub-step is to be tried without motion limits. The limits persist across sub-steps. They are
+/// lifted for one try after 1, 2, 4, 8, then every 8 sub-steps, in case the obstacle is gone.
 bool shouldLiftLimits(const DabContext& context)
 {
     return std::has_single_bit(context.fallbackSteps) || context.fallbackSteps % maxLimitedSteps == 0;
@@ -104,7 +106,7 @@ void DabPipeline::begin(DabContext& context)
     }
 }
 
-/// Takes the sub-steps of the plan, until it is done or no more can be.
+/// Does the sub-steps of the plan until the plan is done, a sub-step fails for good, or the work budget is spent.
 void DabPipeline::deform(DabContext& context)
 {
     StepPlan plan;
@@ -121,7 +123,7 @@ void DabPipeline::deform(DabContext& context)
             report.reached = report.asked;
             break;
         }
-        if (result == Step::Empty) { // from the start, or because everything under the brush has vanished
+        if (result == Step::Empty) { // nothing was selected, or everything under the brush has vanished
             if (report.substeps == 0)
                 report.outcome = DabOutcome::Empty;
             break;
@@ -142,7 +144,7 @@ void DabPipeline::deform(DabContext& context)
     }
 }
 
-/// Does the next sub-step directly, unless motion limits are in force. One that failed is retried, or is left to the
+/// Does the next sub-step directly, unless motion limits are in force. If it fails, prepares a retry or does the
 /// fallback step.
 DabPipeline::Step DabPipeline::step(DabContext& context, StepPlan& plan)
 {
@@ -164,11 +166,11 @@ DabPipeline::Step DabPipeline::step(DabContext& context, StepPlan& plan)
     return hasMoved ? Step::Fallback : Step::Failed;
 }
 
-/// Does a sub-step in one transaction. The first one refines the mesh and makes the plan, too. A stamp whose field
-/// cannot be done at once fails: as a solid it can.
+/// Does a sub-step in one transaction. The first one also refines the mesh and makes the plan. A deep stamp that needs
+/// more than one transaction returns Failed, so that step() tries it as a solid.
 DabPipeline::Step DabPipeline::directStep(DabContext& context, StepPlan& plan)
 {
-    MeshTransaction transaction(context.surface, context.region); // rolls back what is not committed
+    MeshTransaction transaction(context.surface, context.region); // its destructor rolls back, unless it was committed
     const bool isFirst = !plan.isCut();
     RemeshCounts counts;
     if (isFirst)
@@ -196,15 +198,16 @@ DabPipeline::Step DabPipeline::directStep(DabContext& context, StepPlan& plan)
     return Step::Direct;
 }
 
-/// Prepares the retry of a direct sub-step that failed, by the first of these that applies:
-///   1. The first transaction refines and moves at once. If it failed, the mesh is refined alone and the list goes on;
-///      returns false if that does not verify.
+/// Prepares the retry of a direct sub-step that failed, by the first of these methods that applies:
+///   1. The first sub-step refines and moves in one transaction. If it failed, the mesh is refined alone; if that does
+///      not verify either, returns false. Otherwise the list goes on with 2.
 ///   2. A transaction of several sub-steps is halved.
-///   3. Surfaces that are about to meet are joined, where fusion may.
-///   4. Odd retries smooth the surface around the bad faces (FoldSmoothing); the first takes no motion back. If that
-///      moves nothing, they smooth the plan there.
+///   3. Surfaces that are about to meet are joined, if fusion is allowed.
+///   4. Odd retries smooth the surface around the bad faces (FoldSmoothing); the first retry moves no vertex back
+///      against its plan. If smoothing moves nothing, the plan is smoothed instead.
 ///   5. Even retries smooth the plan around the bad faces, and halve the sub-step, down to an eighth.
-/// Returns false if the fallback step is to do the sub-step: after 6 retries of it by 4 and 5, or 12 in the dab.
+/// Returns false if the fallback step is to do the sub-step: after 6 retries of the sub-step by 4 and 5, or 12 in the
+/// dab.
 bool DabPipeline::prepareRetry(DabContext& context, StepPlan& plan)
 {
     if (!plan.isCut() && !refineAndPlanAlone(context, plan)) {
@@ -229,7 +232,8 @@ bool DabPipeline::prepareRetry(DabContext& context, StepPlan& plan)
     return true;
 }
 
-/// Refines the mesh in a transaction of its own: what made the first sub-step fail was more likely its motion.
+/// Refines the mesh and makes the plan in a transaction of its own. The first sub-step probably failed because of its
+/// motion, not because of the refinement.
 bool DabPipeline::refineAndPlanAlone(DabContext& context, StepPlan& plan)
 {
     MeshTransaction transaction(context.surface, context.region);
@@ -242,7 +246,7 @@ bool DabPipeline::refineAndPlanAlone(DabContext& context, StepPlan& plan)
     return true;
 }
 
-/// Reports what was reached, and notes what the stroke's next dab has to know.
+/// Completes the report, and stores what the next dab of the stroke needs: displacements, grab and motion limits.
 void DabPipeline::finish(DabContext& context)
 {
     DabReport& report = context.report;
@@ -257,7 +261,7 @@ void DabPipeline::finish(DabContext& context)
     if (!keepsSelection(context.settings.tool) || context.region.empty())
         return;
     grab.keep(context.mesh(), context.mirror != nullptr);
-    if (context.limits.inUse() && report.isWhole()) // else the limits are too tight
+    if (context.limits.inUse() && report.isWhole()) // otherwise these limits are too tight to be reused
         grab.noteLimits(context.dab, std::move(context.limits), context.fallbackSteps);
 }
 

@@ -8,21 +8,21 @@ namespace core
 {
 /// Applies a dab at one place (paper, section 3). Selects the region and refines its mesh once. Then each sub-step
 /// displaces the vertices, optimises the mesh, verifies the change and fuses surfaces. The paper optimises before it
-/// deforms; here a sub-step optimises what its own motion has stretched. Each sub-step is a transaction: one that does
-/// not verify is rolled back, and retried in an easier way.
+/// deforms. Here each sub-step optimises the mesh after its own motion has stretched it. Each sub-step is a
+/// transaction: if it does not verify, it is rolled back and retried in an easier way.
 class DabPipeline
 {
 public:
-    /// Forgets the stroke before.
+    /// Clears the state of the previous stroke.
     void beginStroke() { m_steps.beginStroke(); }
 
     /// Applies the dab of the context. Precondition: a stroke is open.
     void apply(DabContext& context);
-    /// Applies the dab to a region that is selected already. Preconditions: a stroke is open, the region is selected.
+    /// Applies the dab to the context's region. Preconditions: a stroke is open, the region is selected.
     void applyToRegion(DabContext& context);
 
-    /// Runs a dab and rolls it back: memory is then allocated, so the first real dab takes no longer than later ones.
-    /// Precondition: no stroke is open.
+    /// Runs a dab and rolls it back. Its only effect is to allocate memory, so that the first real dab is as fast as
+    /// later ones. Precondition: no stroke is open.
     void warmUp(DabContext& context);
 
 private:
@@ -41,6 +41,6 @@ private:
     FallbackStep m_fallback{m_steps};
     FoldSmoothing m_foldSmoothing;
     AttributeBrush m_attributeBrush;
-    bool m_mayStampSolid = false; ///< a stamp that has not been tried as a solid yet
+    bool m_mayStampSolid = false; ///< the tool is Stamp, and this dab has not yet tried to stamp as a solid
 };
 } // namespace core

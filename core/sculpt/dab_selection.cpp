@@ -12,14 +12,15 @@ Selector selectorOf(const DabContext& context)
     return Selector(context.mesh(), context.surface.octree());
 }
 
-/// Returns whether the dab selects only the part of the surface that is nearest to it. SnakeHook does: else it would
-/// push away the surface that it is led to, and never meet it.
+/// Returns whether the dab selects only the connected part of the surface that is nearest to it. SnakeHook does.
+/// Otherwise it would push away the surface that the tip approaches, and never meet it.
 bool selectsOnePart(const StrokeSettings& settings)
 {
     return settings.tool == Tool::SnakeHook && settings.brush == BrushShape::Sphere;
 }
 
-/// Lets each vertex carry the distance of its image, if that is selected, too.
+/// Stores, for each vertex, the distance of its mirror image (Region::carried()); twice the radius if the image is not
+/// selected.
 void carryImageDistances(DabContext& context)
 {
     Region& region = context.region;
@@ -39,7 +40,7 @@ void selectUnderBrush(DabContext& context)
         context.grab.measure(context.mesh());
 }
 
-/// Whether the candidate triangles have images, bit for bit.
+/// Returns whether the candidate triangles have mirror images, bit for bit.
 bool areMirrored(DabContext& context)
 {
     return context.mirror->learn(context.candidates, context.surface.octree());
@@ -47,7 +48,8 @@ bool areMirrored(DabContext& context)
 
 bool isSurfaceMirrored(DabContext& context)
 {
-    if (context.settings.brush == BrushShape::Ray) // its image finds the images of what it found
+    // a mirrored ray brush would select exactly the images of these faces
+    if (context.settings.brush == BrushShape::Ray)
         return areMirrored(context);
     const Selector selector = selectorOf(context);
     context.candidates = selector.facesIn(context.ball);
@@ -65,7 +67,8 @@ bool isGrabMirrored(DabContext& context)
     return areMirrored(context);
 }
 
-/// Lets the vertices of the half and of the whole carry what the tool has to know of them.
+/// Stores, for each vertex of the region, the distance of its mirror image (Region::carried()). In `whole`, that value
+/// is stored for both the vertex and its image.
 void carryToBothSides(DabContext& context, Region& whole)
 {
     context.region.forEach([&](Slot v) {
@@ -96,7 +99,7 @@ bool selectMirroredRegion(DabContext& context)
     const bool isMirrored = isGrabbed ? isGrabMirrored(context) : isSurfaceMirrored(context);
     if (isMirrored && selectsOnePart(context.settings))
         carryImageDistances(context);
-    if (isMirrored) // fusion may have brought grabbed vertices across the plane
+    if (isMirrored) // needed for grabs too: fusion may have moved grabbed vertices across the plane
         keepHalf(context.region, *context.mirror);
     return isMirrored;
 }

@@ -18,20 +18,22 @@ namespace core
 {
 namespace
 {
-/// A dab whose centre is farther from its image's than this, in radii, does not bring the two into contact.
+/// A dab whose centre is farther than this from the centre of its mirror image, in radii, cannot touch the image.
 constexpr double maxImageDistance = 4;
-/// The depth from which a stamp has an outline, in d_detail.
+/// Smallest depth of a stamp, in d_detail, at which its outline is cut into the mesh.
 constexpr double leastDepth = 0.05;
-/// Pairs of near vertices that fusion looks at in the time of one unit of work (WorkBudget). A mesh far finer than the
-/// brush has many within d_thickness.
+/// Number of vertex pairs that fusion examines in the time of one unit of work (WorkBudget). A mesh far finer than the
+/// brush has many pairs within d_thickness.
 constexpr double visitsPerWork = 128;
-/// Rounds of cleaning the joints of a dab: what one has merged may lie beside other joins.
+/// Largest number of rounds of cleaning a dab's joints. One round's merges may create joints next to other joints,
+/// which the next round merges.
 constexpr int maxCleaningRounds = 4;
-/// Rounds of smoothing at what was joined (paper, section 3.4).
+/// Rounds of smoothing at joints (paper, section 3.4).
 constexpr int jointSmoothings = 3;
 
-/// Even where surfaces face each other, as long as none stops it: the two sides of a line, the walls of an imprint and
-/// the sides of what is dragged face each other, and seldom meet.
+/// Returns whether the tool takes several sub-steps at once even where surfaces face each other, as long as no contact
+/// is predicted. The two sides of a crease, the walls of an imprint and the sides of a dragged part face each other but
+/// seldom meet.
 bool takesLongSteps(Tool tool)
 {
     return sharpens(tool) || tool == Tool::Stamp || isDragTool(tool);
@@ -57,14 +59,14 @@ void DabSteps::begin(DabContext& context)
     context.canFuse = canFacesFuse(context);
 }
 
-/// Returns whether faces may come to meet. The candidates of a brush along the surface, and of a grabbed region, are of
-/// the region's own sheet alone, so others are looked for.
+/// Returns whether faces may come into contact. For a ray brush or a grabbed region, the candidates contain only the
+/// region's own part of the surface, so all faces near the region are examined.
 bool DabSteps::canFacesFuse(const DabContext& context)
 {
     const Sphere& ball = context.ball;
     const MirrorMap* mirror = context.mirror;
     if (mirror && (mirror->imageOf(ball.center) - ball.center).norm() < maxImageDistance * ball.radius)
-        return true; // with its image, even if nothing else is there
+        return true; // contact with the mirror image, even if nothing else is near
     if (context.settings.brush == BrushShape::Sphere && !context.grab.state.isOn)
         return FusionCandidates::mayFace(context.mesh(), context.region, context.candidates);
     const Selector selector(context.mesh(), context.surface.octree());
@@ -78,7 +80,7 @@ RemeshCounts DabSteps::refineAndPlan(DabContext& context, StepPlan& plan, MeshEd
     if (rest)
         rest->measure(context.region, context.mesh());
     if (context.settings.topology == Topology::Keep) {
-        context.region.remeshed().clear(); // of an earlier dab
+        context.region.remeshed().clear(); // still set by an earlier dab
     } else if (!context.grab.state.isOn) {
         const PhaseTimer timer(context.report.optimiseMs, context.surface.verifyMs());
         counts = refine(edit, context.region, context.candidates, context.ball, context.bounds, rest);
@@ -111,7 +113,8 @@ RemeshCounts DabSteps::refineAndPlan(DabContext& context, StepPlan& plan, MeshEd
     return counts;
 }
 
-/// Returns the stamp on what is selected. Notes the mean normal, which the dab keeps when its outline is cut.
+/// Returns the stamp's shape, placed on the selected surface. Stores the mean normal in the dab, because cutting the
+/// outline changes the region.
 StampShape DabSteps::stampShape(DabContext& context)
 {
     const Region* selected = &context.region;
@@ -123,11 +126,11 @@ StampShape DabSteps::stampShape(DabContext& context)
     return {frameOn(*selected, context.mesh(), context.settings, context.dab), context.settings, context.dab};
 }
 
-/// Makes the outline of the stamp run along edges, so that its rim does.
+/// Splits and moves edges so that the stamp's outline runs along edges, and its rim becomes sharp.
 RemeshCounts DabSteps::cutOutline(DabContext& context, MeshEditor& edit)
 {
     const StampShape shape = stampShape(context);
-    const double least = leastDepth * context.bounds.detail; // what is there already needs no rim
+    const double least = leastDepth * context.bounds.detail; // a surface already at the stamp's depth needs no outline
     const ShapeDepth depth = [&](const Vec3& p) {
         const double deep = shape.depthAt(p);
         return std::abs(deep) < least ? 0 : deep;
@@ -148,7 +151,7 @@ bool DabSteps::stampSolid(DabContext& context)
     return applyBoolean(context, std::move(solid), operation) == BooleanOutcome::Done;
 }
 
-/// Returns the longest displacement planned, in mm.
+/// Plans the displacement of each vertex. Returns the longest one, in mm.
 double DabSteps::plan(DabContext& context)
 {
     const StrokeSettings& settings = context.settings;
@@ -157,7 +160,7 @@ double DabSteps::plan(DabContext& context)
     Region& whole = context.mirror ? m_whole : context.region;
     if (context.mirror)
         selectBothSides(context, m_whole);
-    context.region.forEach([&](Slot v) { // what the cut has added lies past a brush along the surface
+    context.region.forEach([&](Slot v) { // vertices added by the outline cut may be beyond the reach of a ray brush
         if (!whole.contains(v))
             whole.add(v, context.region.distance(v));
     });
@@ -256,10 +259,10 @@ void DabSteps::cleanJoints(DabContext& context)
         optimiseJoints(context);
     }
     for (int round = 0; round < maxCleaningRounds && separateJoints(context) > 0; ++round)
-        optimiseJoints(context); // the caps, too
+        optimiseJoints(context); // the caps of the cuts must be optimised too
 }
 
-/// Separates thin necks where this dab joined surfaces, and merges joins that lie side by side. Returns the number of
+/// Cuts thin necks where this stroke has joined surfaces, and merges adjacent joins of this dab. Returns the number of
 /// changes.
 std::uint64_t DabSteps::separateJoints(DabContext& context)
 {
@@ -271,8 +274,8 @@ std::uint64_t DabSteps::separateJoints(DabContext& context)
     return separations - before;
 }
 
-/// Smooths what was joined and optimises the region. If that does not verify, only optimises; else only splits what is
-/// too long.
+/// Smooths the joints and optimises the region. If that does not verify, only optimises; if that does not verify
+/// either, only splits the edges that are too long.
 void DabSteps::optimiseJoints(DabContext& context)
 {
     if (context.settings.topology == Topology::Keep)

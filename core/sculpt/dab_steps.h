@@ -6,38 +6,40 @@
 
 namespace core
 {
-/// The steps of a dab (paper, sections 3.2 to 3.4). Each changes the mesh and none is a transaction, except that fusion
-/// verifies each join and each cut by itself. Owns their scratch memory.
+/// The steps of a dab (paper, sections 3.2 to 3.4). Each step changes the mesh without verifying it; the caller wraps
+/// steps in transactions. Exception: fusion verifies each join and each cut itself. Owns the steps' scratch memory.
 class DabSteps
 {
 public:
-    /// Forgets where earlier strokes joined surfaces.
+    /// Clears the record of where earlier strokes joined surfaces.
     void beginStroke() { m_fusion.beginStroke(); }
-    /// Forgets what earlier dabs could not join, and finds out whether surfaces face each other under this one.
+    /// Clears the record of joins that failed in earlier dabs, and determines whether surfaces face each other under
+    /// this dab.
     void begin(DabContext& context);
 
     /// Makes the mesh under the brush fine enough to plan on, plans how far each vertex is to move, and cuts the plan.
     RemeshCounts refineAndPlan(DabContext& context, StepPlan& plan, MeshEditor edit);
-    /// Moves each vertex of the region by a part of its plan. False if one would leave the working volume.
+    /// Moves each vertex of the region by a part of its plan. Returns false if a vertex would leave the working volume.
     bool displace(DabContext& context, double part);
-    /// Makes the mesh under the brush quasi-uniform. Keeps edges that the tool has made sharp; of a drag it evens the
-    /// lines of those that were not sharp before.
+    /// Makes the mesh under the brush quasi-uniform. Keeps edges that the tool has made sharp. For a drag tool, also
+    /// evens out the spacing along lines that became sharp in this stroke.
     RemeshCounts optimise(DabContext& context, MeshEditor edit);
-    /// Displaces, and optimises unless a vertex would leave the working volume: false.
+    /// Displaces, then optimises. Returns false, without optimising, if a vertex would leave the working volume.
     bool displaceAndOptimise(DabContext& context, double part, RemeshCounts& counts);
 
-    /// Presses the stamp in, or raises it, as a solid, by a boolean operation: for a surface with folds, which its
-    /// field would push into each other. False if that cannot be done; then nothing has changed.
+    /// Presses the stamp in, or raises it, as a solid by a boolean operation. For a folded surface, whose folds the
+    /// displacement field of the stamp would push into each other. Returns false, with nothing changed, if that fails.
     bool stampSolid(DabContext& context);
 
-    /// Joins what the next transaction of the plan would bring into contact. Returns whether anything was joined.
+    /// Joins surfaces that the next transaction of the plan would bring into contact. Returns whether anything was
+    /// joined.
     bool join(DabContext& context, const StepPlan& plan);
     /// Cuts necks that have grown too thin to be collapsed, and removes specks.
     void separate(DabContext& context);
-    /// Smooths what the dab has joined, makes it quasi-uniform, and cuts the necks and tunnels narrower than d that
-    /// this dab and earlier ones of the stroke have left by joining.
+    /// Smooths what the dab has joined and makes it quasi-uniform. Also cuts necks and tunnels narrower than d that
+    /// this dab, or earlier dabs of the stroke, have made by joining.
     void cleanJoints(DabContext& context);
-    /// Whether surfaces that may not be joined are about to meet at the context's bad vertices.
+    /// Returns whether surfaces that must not be joined are about to meet at the context's bad vertices.
     bool isContact(const DabContext& context, const StepPlan& plan);
 
 private:
@@ -50,7 +52,7 @@ private:
     static bool canFacesFuse(const DabContext& context);
 
     TopologyFusion m_fusion;
-    Region m_whole;    ///< with a mirror: what the dab alone selects, on both sides
-    SlotSet m_outline; ///< of Stamp: vertices on the outline that was cut
+    Region m_whole;    ///< with a mirror: the vertices that the dab alone selects, on both sides
+    SlotSet m_outline; ///< Stamp: vertices on the outline that was cut
 };
 } // namespace core

@@ -8,15 +8,16 @@ namespace core
 {
 namespace
 {
-/// Rounds of tightening the limits; after so many of them one more ring of vertices around the bad faces is limited.
+/// maxTightenRounds: rounds of tightening the motion limits. After every roundsPerRing rounds, the vertices limited
+/// around the bad faces extend by one more ring.
 constexpr int maxTightenRounds = 64, roundsPerRing = 4;
-/// Rounds of optimising at once, before the rest is done operation by operation.
+/// Rounds of optimising in one transaction, before the remaining operations are done one by one.
 constexpr int maxFreezeRounds = 16;
-/// Work that moving a vertex counts for where all of its faces are verified.
+/// Work units (WorkBudget) per moved vertex when the whole motion is verified.
 constexpr double verifiedMoveWork = 16;
 
-/// Returns the share of the longest displacement planned that the limited motion reaches. Vertices that were joined or
-/// collapsed do not count.
+/// Returns the longest displacement that the limits allow, as a share of the longest displacement planned. Vertices
+/// that fusion or a collapse has removed do not count.
 double shareOfPeak(const DabContext& context)
 {
     const Region& region = context.region;
@@ -29,7 +30,8 @@ double shareOfPeak(const DabContext& context)
     return planned2 > 0 ? std::sqrt(reached2 / planned2) : 0;
 }
 
-/// Returns the corners of the faces and their neighbours; with a mirror those of the half, or their images there.
+/// Returns the corners of the faces and their neighbours. With a mirror, each vertex on its negative side is replaced
+/// by its image on the positive side.
 std::vector<Slot> cornersAndNeighbours(const DabContext& context, std::span<const Slot> faces)
 {
     const Mesh& mesh = context.mesh();
@@ -66,7 +68,8 @@ bool FallbackStep::apply(DabContext& context, StepPlan& plan)
         context.count(m_steps.refineAndPlan(context, plan, verifiedEditor(context)));
         context.allowFusion();
     }
-    plan.takeSingleSteps(); // limited vertices stay, and the mesh between them and those that move has to follow
+    // limited vertices stay behind, so the mesh between them and the moving ones must be optimised after each sub-step
+    plan.takeSingleSteps();
     m_steps.join(context, plan);
     if (moveWithinLimits(context, plan.part()))
         return true;
@@ -78,7 +81,7 @@ bool FallbackStep::apply(DabContext& context, StepPlan& plan)
     return hasMoved;
 }
 
-/// Does motion and optimisation in one transaction, within the limits of an earlier sub-step, which are mostly enough.
+/// Moves and optimises in one transaction, within the limits of an earlier sub-step. These limits usually suffice.
 bool FallbackStep::moveWithinLimits(DabContext& context, double part)
 {
     if (!context.limits.inUse())
@@ -96,9 +99,9 @@ bool FallbackStep::moveWithinLimits(DabContext& context, double part)
     return true;
 }
 
-/// Moves every vertex as far as it can go without contact. Terminates: each round succeeds or fixes a vertex for the
-/// rest of the dab. A round first looks at what its tightening has changed, and verifies the whole only if that is in
-/// order.
+/// Moves every vertex as far as it can go without contact. Each failed round tightens the limits of at least one
+/// vertex, so the loop ends. A round first rechecks only the vertices tightened last, and verifies the whole change
+/// only if they are sound.
 bool FallbackStep::tightenAndMove(DabContext& context, double part)
 {
     const double moved = context.region.size();
@@ -134,8 +137,9 @@ bool FallbackStep::tightenAndMove(DabContext& context, double part)
     return false;
 }
 
-/// Does all operations in one transaction: what stopped the direct step was most likely the motion, not one of them.
-/// Failing that, does all except those around faces that went bad. False if operations are left to be tried one by one.
+/// Optimises in one transaction: the direct sub-step probably failed because of its motion, not because of a remeshing
+/// operation. If that fails, tries again without the operations near bad faces. Returns false if operations are left to
+/// be tried one by one.
 bool FallbackStep::optimiseAtOnce(DabContext& context)
 {
     m_frozen.clear();

@@ -4,15 +4,15 @@
 
 namespace core
 {
-/// A sub-step of last resort, where a direct one did not verify and could not be made easier: first the motion alone,
-/// limited where it would touch something, then each remeshing operation, verified by itself. What cannot be done is
-/// left undone.
+/// A sub-step of last resort, used if a direct sub-step did not verify and all retries failed. It first only moves the
+/// vertices, with limits where they would touch something. Then it does each remeshing operation as its own verified
+/// transaction; operations that fail are skipped.
 class FallbackStep
 {
 public:
     explicit FallbackStep(DabSteps& steps) : m_steps(steps) {}
 
-    /// Returns whether anything moved.
+    /// Does the next transaction of the plan. Returns whether anything moved.
     bool apply(DabContext& context, StepPlan& plan);
 
 private:
@@ -21,6 +21,6 @@ private:
     bool optimiseAtOnce(DabContext& context);
 
     DabSteps& m_steps;
-    SlotSet m_frozen; ///< vertices around the operations of an optimisation that were not sound
+    SlotSet m_frozen; ///< vertices near operations that did not verify; optimiseAtOnce() does not change them
 };
 } // namespace core

@@ -9,7 +9,7 @@ namespace core
 {
 namespace
 {
-/// Cosine of the largest angle between the motions of two dabs that go the same way.
+/// Cosine of the largest angle between the motions of two dabs that count as moving in the same direction.
 constexpr double sameWay = 0.9;
 
 Vec3 wayOf(const Dab& dab)
@@ -48,14 +48,14 @@ void Grab::keep(const Mesh& mesh, bool isHalf)
 
 void Grab::grow(const StrokeSettings& settings, const Mesh& mesh, double radius)
 {
-    if (settings.falloff == 0) // every vertex of the region weighs
+    if (settings.falloff == 0) // without falloff every vertex of the region has weight 1
         return;
     const EdgeBounds brushBounds = dabBounds(settings, mesh, radius);
     const double detail = state.limits.inUse() ? brushBounds.detail : bounds(settings, mesh, brushBounds).detail;
     std::vector<Slot> rim;
     region.forEach([&](Slot v) {
         if (region.distance(v) >= radius && !(state.isHalf && region.carried(v) < radius))
-            return; // was added here itself
+            return; // this vertex was added by grow() itself
         mesh.forEachOutgoing(v, [&](Slot h) {
             const Slot other = mesh.to(h);
             if (!region.contains(other) &&

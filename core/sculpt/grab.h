@@ -7,44 +7,50 @@
 
 namespace core
 {
-/// The state of a grab, besides its vertices.
+/// The state of a grab, except its vertices. A grab is the selection that Grab or Twist keeps for a whole stroke.
 struct GrabState
 {
     bool isOn = false;
-    bool isHalf = false;        ///< the region is the half of what was grabbed, and stands for both sides of the mirror
-    Vec3 axis = Vec3::Zero();   ///< mean normal when it was grabbed, of unit length or zero
-    double detail = 0;          ///< d_detail that keeps it as fine as it was then, in mm
-    std::size_t known = 0;      ///< removed vertices of the mesh that are no longer in the region, by their count
-    Vec3 way = Vec3::Zero();    ///< motion of the last dab: if the next one goes the same way, `limits` still hold
-    MotionLimits limits{};      ///< left by the last dab
-    unsigned fallbackSteps = 0; ///< done within these limits
+    /// mirrored stroke: the region holds only the grabbed vertices on the mirror's positive side and represents both
+    /// sides
+    bool isHalf = false;
+    Vec3 axis = Vec3::Zero(); ///< mean normal of the region at the time of grabbing, of unit length, or zero
+    double detail = 0;        ///< d_detail, in mm, that keeps the mesh as fine as it was at the time of grabbing
+    /// number of entries of Mesh::removedVertices() that have been dropped from the region already
+    std::size_t known = 0;
+    /// motion of the last dab; if the next dab moves in nearly this direction, `limits` are still valid
+    Vec3 way = Vec3::Zero();
+    MotionLimits limits{};      ///< motion limits at the end of the last dab
+    unsigned fallbackSteps = 0; ///< fallback steps done since these limits were set
 };
 
-/// The region under the brush. A tool that keeps its selection grabs it with the first dab of a stroke, and works on it
-/// from then on, wherever that goes.
+/// The region under the brush. A tool that keeps its selection (Grab, Twist) grabs the region with the first dab of a
+/// stroke and deforms these vertices from then on, wherever they move.
 struct Grab
 {
-    /// Remembers the region that was just selected, for keep().
+    /// Stores the mean normal and the mean edge length of the region just selected; keep() needs them.
     void measure(const Mesh& mesh);
-    /// Keeps the region for the dabs that follow.
+    /// Marks the region as grabbed, for the following dabs of the stroke.
     void keep(const Mesh& mesh, bool isHalf);
     void release() { state = {}; }
 
-    /// Adds, with no weight, the vertices at the far ends of long edges that leave the region: such an edge would never
-    /// be split, and would soon be in the way.
+    /// Adds the vertices at the far ends of long edges that leave the region, with weight zero. Otherwise such an edge
+    /// would never be split and would soon limit the motion.
     void grow(const StrokeSettings& settings, const Mesh& mesh, double radius);
-    /// Drops the vertices that other dabs have removed; their slots may be other vertices' by now.
+    /// Removes the vertices that other dabs have deleted from the mesh. Their slots may already be used by new
+    /// vertices.
     void dropRemoved(const Mesh& mesh);
 
-    /// Returns the faces around the region, ascending.
+    /// Returns the faces that have a corner in the region, ascending by slot.
     std::vector<Slot> faces(const Mesh& mesh);
-    /// Returns a ball around the region.
+    /// Returns a ball that contains the region.
     Sphere ball(const Mesh& mesh) const;
-    /// Returns the edge lengths that keep what was grabbed as fine as it was; `bounds` if nothing was, or if it was
-    /// coarser.
+    /// Returns the edge bounds that keep the grabbed surface as fine as it was at the time of grabbing. Returns
+    /// `bounds` if nothing was grabbed, or if the grabbed surface was coarser than `bounds`.
     EdgeBounds bounds(const StrokeSettings& settings, const Mesh& mesh, const EdgeBounds& bounds) const;
 
-    /// Whether the limits of the dab before hold for this one.
+    /// Returns whether the motion limits of the previous dab are still valid: the dab moves in nearly the same
+    /// direction.
     bool isLimitedFor(const Dab& dab) const;
     void noteLimits(const Dab& dab, MotionLimits limits, unsigned fallbackSteps);
 
@@ -52,7 +58,7 @@ struct Grab
     GrabState state;
 };
 
-/// The grabs of a stroke in one place. A mirrored stroke on a model that is not symmetric needs one for each side.
+/// The grabs of a stroke in one sector. A mirrored stroke on a model that is not symmetric needs one grab per side.
 struct GrabPair
 {
     void dropRemoved(const Mesh& mesh)

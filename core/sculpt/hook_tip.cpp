@@ -15,34 +15,37 @@ namespace core
 {
 namespace
 {
-/// The shortest way of a tip that joins, in radii: before that it is among what lies around its root.
+/// Shortest distance from its start at which a tip may join, in radii. A closer tip would join the surface around its
+/// own root.
 constexpr double minWay = 1;
-/// The least distance of a tip that joins from its mirror image, in radii: nearer ones are selected by halves.
+/// Shortest distance between the tip and its mirror image for a join, in radii. If they are closer, the region holds
+/// only one half of the tip.
 constexpr double minApart = 2;
-/// The range of distances behind the tip, in radii, from which its section is measured.
+/// Range of distances behind the tip, in radii, within which vertices are used to measure its cross-section.
 constexpr double sectionBegin = 0.05, sectionEnd = 0.35;
-/// The largest distance of a surface that is reached, before the rim of the tip meets it, and the largest gap ahead of
-/// the tip. In radii of the section.
+/// Largest distance to a surface in reach, and largest gap straight ahead of the tip, both in radii of the section.
+/// reachDistance is more than 1, so that the union comes before the rim of the tip touches the surface.
 constexpr double reachDistance = 1.3, maxGap = 4;
-/// The least cosine of the angle between the heading and the way to a surface that is reached.
+/// Smallest cosine of the angle between the heading and the direction to a surface in reach.
 constexpr double minAhead = 0.2;
-/// The capsule's radius, the length of its rear, and how far its sides begin behind the tip, in radii of the section.
-/// It is a little wider than the section and narrows soon behind it, so their surfaces cross in one ring.
+/// The capsule's radius, the length of its rear cap, and how far its sides start behind the tip, all in radii of the
+/// section. The capsule is slightly wider than the section and narrows just behind it, so that the two surfaces cross
+/// in a single closed curve.
 constexpr double capsuleRadius = 1.03, rearLength = 0.5, overlap = 0.15;
-/// The largest share of a wall's thickness that the capsule goes in.
+/// Largest depth of the capsule in the reached surface, as a share of the wall's thickness.
 constexpr double maxDepthShare = 0.5;
-/// Subdivisions of the capsule's ball: its edges are 0.13 to 0.16 radii long.
+/// Subdivisions of the icosahedron that the capsule is made of: edges of 0.13 to 0.16 radii.
 constexpr int subdivisions = 3;
 constexpr int smoothings = 3;
 
-/// A section of the tentacle, across its way behind the tip.
+/// A cross-section of the tentacle, just behind its tip.
 struct Section
 {
-    Vec3 center = Vec3::Zero(); ///< in the plane through the tip, in mm
-    double radius = 0;          ///< the mean, in mm; 0: nothing lies behind the tip
+    Vec3 center = Vec3::Zero(); ///< centre, mm; in the plane through the tip
+    double radius = 0;          ///< mean radius, mm; 0 if there are no vertices behind the tip
 };
 
-/// Measures the section at the tip.
+/// Measures the cross-section at the tip.
 Section sectionOf(const DabContext& context)
 {
     const Dab& dab = context.dab;
@@ -65,21 +68,22 @@ Section sectionOf(const DabContext& context)
     return section;
 }
 
-/// The way from the tip into a surface, along the heading, in mm.
+/// The path from the tip into a surface, along the heading.
 struct Reach
 {
-    double gap;   ///< from the section to the surface
-    double depth; ///< from there to the capsule's end
+    double gap;   ///< from the section to the surface, mm
+    double depth; ///< from the surface to the capsule's end, mm
 };
 
-/// Measures the way into the next surface ahead of the tip. Returns nothing if the section's rim does not meet it soon.
+/// Measures the path into the next surface ahead of the tip. Returns nothing if no surface is within reachDistance of
+/// the section's centre and within maxGap straight ahead.
 std::optional<Reach> reachOf(const DabContext& context, const Section& section)
 {
     const Mesh& mesh = context.mesh();
     const Ray ahead = {section.center, context.dab.heading};
     const double unreached = std::numeric_limits<double>::infinity(), farthest = (maxGap + 2) * section.radius;
     double nearest = unreached, gap = unreached;
-    std::vector<double> exits; // through faces that look away from the tip
+    std::vector<double> exits; // distances at which the ray leaves the solid, mm
     for (Slot f : Selector(mesh, context.surface.octree()).facesIn({section.center, farthest})) {
         const Triangle& t = mesh.corners(f);
         if (std::ranges::any_of(t, [&](Slot v) { return context.region.contains(v); }))
@@ -105,7 +109,7 @@ std::optional<Reach> reachOf(const DabContext& context, const Section& section)
     return Reach{gap, depth};
 }
 
-/// Returns a capsule from the section over the gap into the surface.
+/// Returns a capsule from the section across the gap into the surface.
 PlacedSolid capsuleOver(const Section& section, const Vec3& heading, const Reach& reach)
 {
     TriangleMesh mesh = icosphere(subdivisions, 1);
@@ -121,8 +125,8 @@ PlacedSolid capsuleOver(const Section& section, const Vec3& heading, const Reach
     return PlacedSolid(std::move(mesh), std::move(places), section.center);
 }
 
-/// Makes the joints round, by smoothing what the union has changed, and optimises them. Leaves them sharp if that is
-/// not sound.
+/// Rounds the joints by smoothing the vertices that the union has changed, and optimises the mesh there. Leaves the
+/// joints sharp if that does not verify.
 void smoothJoints(DabContext& context)
 {
     const Mesh& mesh = context.mesh();

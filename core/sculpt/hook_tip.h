@@ -4,10 +4,10 @@
 
 namespace core
 {
-/// Joins the tip of a tentacle that Snake Hook draws out to another surface that it reaches, by an exact union with a
-/// capsule over the gap. Joined vertex by vertex, the tip would stop at its first corner and push the rest in.
-/// Precondition: the context's region is selected. Returns false if nothing is in reach, the union cannot be done, or
-/// the tip is near its mirror image; nothing has changed then. Cost: the faces within six radii of the tentacle, and
-/// for a union those around it.
+/// Joins the tip of a tentacle that Snake Hook draws out to another surface within reach, by an exact union with a
+/// capsule that bridges the gap. Joining it vertex by vertex (fuse/) would stop at the first corner that touches and
+/// push the other surface in. Precondition: the context's region is selected. Returns false, with nothing changed, if
+/// nothing is in reach, the union fails, or the tip is close to its mirror image. Cost: the faces within six radii of
+/// the tentacle, plus, for a union, the faces around it.
 bool joinHookTip(DabContext& context);
 } // namespace core

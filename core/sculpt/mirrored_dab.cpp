@@ -25,7 +25,7 @@ DabReport MirroredDab::apply(DabRequest& request, const Dab& dab, GrabPair& grab
     return report;
 }
 
-/// False if the surface is not symmetric here: then nothing has changed.
+/// Applies the dab to both sides at once. Returns false, with nothing changed, if the surface is not symmetric here.
 bool MirroredDab::applyToHalf(DabContext& half)
 {
     {
@@ -37,7 +37,7 @@ bool MirroredDab::applyToHalf(DabContext& half)
     return true;
 }
 
-/// `selectMs`: time that was spent on selecting it before.
+/// Applies one dab without a mirror. `selectMs`: milliseconds already spent on selecting for this dab.
 DabReport MirroredDab::applyAlone(DabRequest& request, const Dab& dab, Grab& grab, double selectMs)
 {
     DabContext context(m_surface, request, dab, grab);
@@ -46,7 +46,8 @@ DabReport MirroredDab::applyAlone(DabRequest& request, const Dab& dab, Grab& gra
     return context.report;
 }
 
-/// Does the second of two dabs. A tool that keeps its selection has a grab of its own there.
+/// Applies the dab's mirror image after the dab itself. A tool that keeps its selection uses a separate grab for the
+/// image.
 DabReport MirroredDab::applyToImage(DabRequest& request, const Dab& image, GrabPair& grabs)
 {
     if (!keepsSelection(request.settings.tool))

@@ -4,9 +4,9 @@
 
 namespace core
 {
-/// A dab and its image in the stroke's mirror, if it has one (paper, section 3.5.2). Where the surface is symmetric,
-/// bit for bit, the two are done at once: one half is planned, and each operation is done with its mirror image.
-/// Elsewhere they are two dabs, one after the other.
+/// Applies a dab and its mirror image, if the stroke has a mirror plane (paper, section 3.5.2). Where the surface is
+/// symmetric, bit for bit, both are done at once: the positive side is planned, and each operation is done together
+/// with its mirror image. Elsewhere the dab and its image are applied one after the other.
 class MirroredDab
 {
 public:
@@ -16,7 +16,7 @@ public:
         , m_mirror(surface.mesh())
     {}
 
-    /// Precondition: a stroke is open.
+    /// Applies the dab and its image. Precondition: a stroke is open.
     DabReport apply(DabRequest& request, const Dab& dab, GrabPair& grabs);
 
 private:
@@ -26,6 +26,6 @@ private:
 
     VerifiedMesh& m_surface;
     DabPipeline& m_pipeline;
-    MirrorMap m_mirror; ///< on while a dab is done on both sides at once
+    MirrorMap m_mirror; ///< on only while a dab is done on both sides at once
 };
 } // namespace core

@@ -1,8 +1,8 @@
-// A dab in several sectors about the Y axis. Sectors that lie to each other by quarter or half turns are an orbit. Its
-// first dab is done as any other, and then
-//   copied     to the other sectors: its patch is exchanged there for the turned copy, bit for bit      copy/patch_copy
-//   or redone  where that cannot be: the surface is not its own image there, or the patches meet
-// Orbits are done one after the other. Each sector has grabs of its own.                                sector_grabs
+// Applies a dab in all sectors about the Y axis. Sectors that differ by quarter or half turns form an orbit. The first
+// dab of an orbit is applied like any other dab. Each further dab of the orbit is either
+//   copied   the patch in its sector is replaced, bit for bit, by the turned patch of the first dab   (copy/patch_copy)
+//   redone   if it cannot be copied: the surface is not symmetric under the turn, or the patches overlap
+// Orbits are processed one after the other. Each sector has its own grabs (sector_grabs).
 
 #include "core/sculpt/radial_dabs.h"
 
@@ -12,13 +12,13 @@
 
 namespace core
 {
-/// The dabs of an orbit, and what they share. Its sectors are `first`, and each `step` on.
+/// One orbit: the sectors first, first + step, first + 2 step, ..., and the data that processing them shares.
 struct RadialDabs::Orbit
 {
     DabRequest& request;
     SectorGrabs& grabs;
-    std::span<const Dab> dabs;     ///< dabs of all sectors
-    std::span<const Dab> previous; ///< dabs of the orbits before
+    std::span<const Dab> dabs;     ///< dabs of all sectors, those of other orbits included
+    std::span<const Dab> previous; ///< dabs of the orbits that are done already
     std::size_t first, step;
     bool addsSolids;
 
@@ -31,7 +31,7 @@ struct RadialDabs::Orbit
     std::vector<Sphere> firstBalls() const;
 };
 
-/// Returns the orbit's sectors except the first, and except those whose dab does what another does.
+/// Returns the orbit's sectors except the first, and except those whose dab would only repeat another dab (isAmong()).
 std::vector<std::size_t> RadialDabs::Orbit::others() const
 {
     std::vector<Dab> done(previous.begin(), previous.end());
@@ -46,7 +46,7 @@ std::vector<std::size_t> RadialDabs::Orbit::others() const
     return others;
 }
 
-/// Returns the balls in which the first dab selects.
+/// Returns the balls in which the orbit's first dab and its mirror image select vertices.
 std::vector<Sphere> RadialDabs::Orbit::firstBalls() const
 {
     StrokeSettings inSector = request.settings;
@@ -88,11 +88,12 @@ DabReport RadialDabs::apply(DabRequest& request, const Dab& dab, SectorGrabs& gr
             report += all;
         report.sequential = exact == dabs.size() && all.sequential;
     }
-    grabs.in(0, settings.tool); // without what the other sectors' dabs have removed
+    grabs.in(0, settings.tool); // drops the vertices that the dabs of other sectors have removed
     return report;
 }
 
-/// Whether the dab finds nothing under its brush and adds a solid: then it does so in all sectors, or in none.
+/// Returns whether the dab adds a solid (wantsSolid()). Unless solids join the model, apply() adds them in all sectors
+/// or in none. `scratch`: is overwritten.
 bool RadialDabs::addsSolids(const DabRequest& request, const Dab& dab, Region& scratch) const
 {
     const StrokeSettings& settings = request.settings;
@@ -126,7 +127,9 @@ DabReport RadialDabs::applyInOrbit(Orbit& orbit)
         match = canCopyPatch(orbit, others);
     }
     report.sequential =
-        others.size() + 1 < orbit.dabs.size() / orbit.step; // the rest do the same, and yet are not exact images
+        // a skipped dab repeats another sector's dab, but the result need not be symmetric under the turn between the
+        // two
+        others.size() + 1 < orbit.dabs.size() / orbit.step;
     for (std::size_t i = 0; i < others.size(); ++i) {
         if (match && copyPatch(orbit, i, orbit.turnTo(others[i]), once, report))
             continue;
@@ -144,7 +147,8 @@ DabReport RadialDabs::applyInSector(Orbit& orbit, std::size_t sector)
     return m_mirroredDab.apply(orbit.request, orbit.dabs[sector], orbit.grabs.in(sector, orbit.request.settings.tool));
 }
 
-/// To all others or to none: what a plane mirrors besides comes in pairs of sectors.
+/// Returns whether the patch can be copied to all the given sectors. It is copied to all or to none: with a mirror
+/// plane, the patches of two mirrored sectors must be made in the same way.
 bool RadialDabs::canCopyPatch(const Orbit& orbit, const std::vector<std::size_t>& others)
 {
     std::vector<Turn> turns;
@@ -156,8 +160,9 @@ bool RadialDabs::canCopyPatch(const Orbit& orbit, const std::vector<std::size_t>
     return m_patchCopy.match(m_surface, turns);
 }
 
-/// Does in another sector, the image of the orbit's first by `turn`, what the first dab did. `other`: an index of what
-/// canCopyPatch() has found. False if the result would not be sound: then nothing has changed.
+/// Repeats the first dab's change in another sector by a turned copy of its patch. `other`: index of that sector in the
+/// list given to canCopyPatch(). `turn`: takes the orbit's first sector to it. Returns false, with nothing changed, if
+/// the result would not verify.
 bool RadialDabs::copyPatch(Orbit& orbit, std::size_t other, const Turn& turn, const DabReport& once, DabReport& report)
 {
     {
@@ -180,7 +185,7 @@ bool RadialDabs::copyPatch(Orbit& orbit, std::size_t other, const Turn& turn, co
     return true;
 }
 
-/// From this sector on, the orbit's sectors have grabs of their own.
+/// Gives the orbit's sectors from `from` on grabs of their own, for the rest of the stroke.
 void RadialDabs::separate(Orbit& orbit, std::size_t from, const GrabSnapshot& snapshot)
 {
     for (std::size_t sector = from; sector < orbit.dabs.size(); sector += orbit.step)

@@ -6,13 +6,14 @@
 
 namespace core
 {
-/// A dab in several sectors about the Y axis, each of which may be mirrored, too.
+/// Applies a dab in every sector of a radially symmetric stroke. The sectors are equal angles about the Y axis. In each
+/// sector the dab is also mirrored if the stroke has a mirror plane.
 class RadialDabs
 {
 public:
     RadialDabs(VerifiedMesh& surface, MirroredDab& mirroredDab) : m_surface(surface), m_mirroredDab(mirroredDab) {}
 
-    /// Precondition: a stroke is open.
+    /// Applies the dab in all sectors. Precondition: a stroke is open.
     DabReport apply(DabRequest& request, const Dab& dab, SectorGrabs& grabs);
 
 private:

@@ -14,7 +14,7 @@ namespace core
 {
 namespace
 {
-/// The largest motion of the hand at which a search for the nearest place ends, in radii.
+/// nearestPlace() ends its search when two successive estimates of the displacement differ by at most this, in radii.
 constexpr double centerTolerance = 0.02;
 constexpr int maxCenterSearches = 12;
 
@@ -24,11 +24,11 @@ bool isAtRest(const StrokeSettings& settings, const Dab& dab)
 }
 } // namespace
 
-/// The surface, the stages of a dab, and the state of the open stroke.
+/// Owns the surface, the stages of a dab, and the state of the open stroke.
 class Sculptor::Engine
 {
 public:
-    /// A place of the surface, before the stroke moved it and now.
+    /// A point of the surface: where it was before the stroke moved it, and where it is now.
     struct SurfacePlace
     {
         Vec3 atRest, now;
@@ -61,20 +61,22 @@ public:
     StrokeSettings settings;
     std::optional<StrokePath> path;
     std::optional<StrokeAnchor> anchor;
-    bool mayAdd = false;   ///< the stroke's first dab may add a solid
-    bool hasLetGo = false; ///< the stroke has nothing more to do (DabRequest::hasLetGo)
-    bool isShown = false;  ///< the dab of the anchored stroke is applied as its newest sample has it
+    /// StrokeSettings::add as it was at the stroke's start; `settings.add` is cleared after the first dab
+    bool mayAdd = false;
+    bool hasLetGo = false; ///< the stroke ignores all further dabs (DabRequest::hasLetGo)
+    bool isShown = false;  ///< the newest sample's preview of an anchored stroke is applied to the mesh
     SectorGrabs grabs{surface};
     StrokeDisplacements displacements;
     RestLengths rest;
-    std::optional<EdgeBounds> lastBounds; ///< edge lengths of the last dab, if it remeshes
+    std::optional<EdgeBounds> lastBounds; ///< edge bounds of the last dab; empty if it only painted or added a solid
 
 private:
     void warmUp();
     DabReport sculpt(const Dab& dab);
     DabReport selectOnly(DabRequest& request, const Dab& dab);
 
-    Region m_footprintRegion; ///< of its own: a footprint may be asked for in the middle of a dab
+    /// separate from the grabs' regions, because a footprint may be requested in the middle of a dab
+    Region m_footprintRegion;
 };
 
 void Sculptor::Engine::beginStroke(const StrokeSettings& strokeSettings)
@@ -86,7 +88,7 @@ void Sculptor::Engine::beginStroke(const StrokeSettings& strokeSettings)
     startOver();
 }
 
-/// Clears the memory of the stroke's dabs.
+/// Clears all that the stroke has recorded about its dabs.
 void Sculptor::Engine::startOver()
 {
     anchor.emplace(settings);
@@ -98,7 +100,7 @@ void Sculptor::Engine::startOver()
     rest.clear();
 }
 
-/// Makes the mesh what it was when the stroke began, and leaves the stroke open.
+/// Restores the mesh from before the stroke. The stroke stays open.
 void Sculptor::Engine::takeBackShown()
 {
     MeshDelta shown = surface.mesh().endStroke();
@@ -111,12 +113,12 @@ void Sculptor::Engine::swap(MeshDelta& delta)
 {
     surface.mesh().swap(delta);
     surface.follow(delta);
-    lastBounds.reset(); // the last selection may be gone
+    lastBounds.reset(); // the vertices of the last selection may no longer exist
 }
 
-/// Returns a dab's centre as the stroke places it (StrokeSettings::place); nothing where a ray misses. On the surface
-/// it is where the stroke found it, before it raised it: else a stroke would climb onto its own ridge, most of all
-/// where the surface turns away.
+/// Returns a dab's centre as StrokeSettings::place asks for it; nothing if a ray misses. A centre on the surface refers
+/// to the surface before the stroke moved it. Otherwise a stroke would climb onto its own ridge, most of all where the
+/// surface turns away from the viewer.
 std::optional<Vec3> Sculptor::Engine::centerOf(const Vec3& position, const Vec3& direction) const
 {
     if (anchor->isSet())
@@ -131,7 +133,7 @@ std::optional<Vec3> Sculptor::Engine::centerOf(const Vec3& position, const Vec3&
     return place ? std::optional(place->atRest) : std::nullopt;
 }
 
-/// Moves a resting dab to where its place is now: what the hand holds in one place goes on growing.
+/// Moves the centre of an airbrush dab to the current surface, so that the shape under a pointer at rest keeps growing.
 void Sculptor::Engine::placeResting(StrokePath::Due& due) const
 {
     if (placement() == Placement::Point)
@@ -140,15 +142,16 @@ void Sculptor::Engine::placeResting(StrokePath::Due& due) const
         due.dab.position = place->now;
 }
 
-/// Returns the place that the ray met, or that was nearest, before the stroke.
+/// Returns the surface point that the ray meets, or the one nearest to the position. Both refer to the surface before
+/// the stroke.
 std::optional<Sculptor::Engine::SurfacePlace> Sculptor::Engine::placeOf(const Vec3& position,
                                                                         const Vec3& direction) const
 {
     return placement() == Placement::Ray ? placeOnRay({position, direction}) : nearestPlace(position);
 }
 
-/// Returns the place where the ray meets the surface as it was before the stroke. Where the ray only meets what the
-/// stroke has raised there is none.
+/// Returns the point where the ray meets the surface as it was before the stroke. Returns nothing if the ray meets only
+/// material that the stroke has raised.
 std::optional<Sculptor::Engine::SurfacePlace> Sculptor::Engine::placeOnRay(const Ray& ray) const
 {
     const Mesh& mesh = surface.mesh();
@@ -157,7 +160,8 @@ std::optional<Sculptor::Engine::SurfacePlace> Sculptor::Engine::placeOnRay(const
     return hit ? std::optional(SurfacePlace{hit->position, displacements.now(*hit, mesh)}) : std::nullopt;
 }
 
-/// Searches with a hand that is moved as far as the stroke has moved what was nearest.
+/// Returns the surface point that was nearest to `hand` before the stroke. Fixed-point iteration: searches the current
+/// surface from `hand`, displaced by the stroke's displacement at the nearest point found so far.
 std::optional<Sculptor::Engine::SurfacePlace> Sculptor::Engine::nearestPlace(const Vec3& hand) const
 {
     std::optional<SurfacePlace> found;
@@ -189,11 +193,11 @@ DabReport Sculptor::Engine::apply(Dab dab)
     if (!settings.join && report.outcome != DabOutcome::Empty)
         settings.add = false;
     if (settings.tool == Tool::Stamp && report.outcome == DabOutcome::Added && !settings.join)
-        hasLetGo = true; // else it would be pressed into what it has added
+        hasLetGo = true; // otherwise the next stamp would be pressed into the solid just added
     return report;
 }
 
-/// Applies the dabs that are due on a path. Returns their reports.
+/// Applies the dabs that are due on the path. Returns their reports.
 std::vector<DabReport> Sculptor::Engine::applyDue(StrokePath& dabs)
 {
     std::vector<DabReport> reports;
@@ -210,7 +214,8 @@ std::vector<DabReport> Sculptor::Engine::applyDue(StrokePath& dabs)
     return reports;
 }
 
-/// Routes the dab. A pipeline adds solids, paints, or deforms, by what is under the brush.
+/// Applies the dab, in all sectors and on both sides of a mirror if the stroke has these. DabPipeline then decides
+/// whether to add a solid, paint or deform.
 DabReport Sculptor::Engine::sculpt(const Dab& dab)
 {
     lastBounds.reset();
@@ -235,7 +240,7 @@ DabReport Sculptor::Engine::sculpt(const Dab& dab)
     return report;
 }
 
-/// Selects, and moves nothing: a drag tool has not moved since the dab before.
+/// Only selects, because a drag tool has not moved since the previous dab.
 DabReport Sculptor::Engine::selectOnly(DabRequest& request, const Dab& dab)
 {
     DabContext context(surface, request, dab, grabs.first().own);
@@ -276,7 +281,7 @@ Footprint Sculptor::Engine::footprint(const StrokeSettings& strokeSettings, cons
     return footprint;
 }
 
-/// Warms the pipeline up with a dab at the last vertex: memory that has room for it has room for all.
+/// Warms the pipeline up with a dab at the last vertex slot. Containers indexed by slot then have memory for all slots.
 void Sculptor::Engine::warmUp()
 {
     const Mesh& mesh = surface.mesh();

@@ -13,9 +13,8 @@
 
 namespace core
 {
-/// Sculpts one mesh. After every dab the mesh is closed, manifold, consistently oriented, free of self-intersections
-/// and bounds a solid, if it was before. A dab that would break this ends early. Thread: the mesh thread; not
-/// thread-safe.
+/// Sculpts one mesh. If the mesh bounds a solid, it still does after every dab: closed, manifold, consistently oriented
+/// and free of self-intersections. A dab that would break this ends early. Thread: the mesh thread; not thread-safe.
 class Sculptor
 {
 public:
@@ -25,54 +24,60 @@ public:
 
     const Mesh& mesh() const { return *m_mesh; }
 
-    /// Verification is on from the start. Switched off to measure its cost; the promise is not kept then.
+    /// Switches verification on or off; it is on initially. Without it the mesh may become unsound. To be used only to
+    /// measure the cost of verification.
     void setVerification(bool on);
-    /// The hook is called between sub-steps. The mesh is valid then and may be read. Thread: that of addSample().
+    /// Sets a function that is called between sub-steps, when the mesh is valid and may be read. Thread: that of
+    /// addSample().
     void setBetweenSubsteps(std::function<void()> hook);
-    /// The hook is called after each dab, outside the times of the report. Thread: that of addSample().
+    /// Sets a function that is called with the report of each dab. Its time does not count in the report. Thread: that
+    /// of addSample().
     void setAfterDab(std::function<void(const DabReport&)> hook);
 
     enum class Anchored { Waits, Shown };
 
     void beginStroke(const StrokeSettings& settings);
     bool strokeOpen() const { return m_mesh->strokeOpen(); }
-    /// Places the dabs of the path up to this sample, and applies them. Returns their reports. Those that wait for
-    /// another sample (StrokePath::next) come with it, or with endStroke(). A sample that is not usable (isUsable)
-    /// counts as one empty dab, and is no part of the path.
+    /// Applies the dabs of the path up to this sample. Returns their reports. Dabs that need a further sample to be
+    /// placed (StrokePath::next) are applied with that sample, or by endStroke(). An unusable sample (isUsable())
+    /// counts as one empty dab and does not become part of the path.
     ///
-    /// The dab of an anchored stroke waits for its end. Anchored::Shown applies it as if that came now, in place of the
-    /// one shown before; the stroke ends as it would without.
+    /// The single dab of an anchored stroke is applied when the stroke ends. Anchored::Shown applies it now as a
+    /// preview that replaces the previous preview. The result of the stroke is the same with and without previews.
     std::vector<DabReport> addSample(const StrokeSample& sample, Anchored anchored = Anchored::Waits);
-    /// Applies the dabs that still wait, whose reports only the hook after dabs gets, and closes the stroke. The delta
-    /// is already applied; it is empty if nothing changed. A stroke that is taken back leaves the mesh as it was before
-    /// it, and does not apply what waits.
+    /// Applies the remaining dabs, whose reports go to the hook of setAfterDab() only, and closes the stroke. Returns
+    /// the stroke's delta, which is already applied and is empty if nothing changed. StrokeEnd::TakenBack instead
+    /// restores the mesh from before the stroke and applies no remaining dabs.
     MeshDelta endStroke(StrokeEnd how = StrokeEnd::Kept);
 
-    /// Applies a delta backwards, or forwards again: swaps its images with the mesh's. Cost: the delta's elements.
+    /// Undoes a delta, or redoes it: exchanges the element states in the delta with those of the mesh. Cost: the
+    /// delta's elements.
     void swap(MeshDelta& delta);
 
-    /// Returns the first hit from outside, or nothing. Cost: O(faces near the ray).
+    /// Returns the first intersection of the ray with a face that it enters from outside; nothing if there is none.
+    /// Cost: O(faces near the ray).
     std::optional<SurfaceHit> hit(const Ray& ray) const;
-    /// Returns the surface's nearest point, if it is no farther than `within`, in mm. Cost: O(faces in that ball).
+    /// Returns the surface point nearest to `point`, if it is no farther than `within` (mm). Cost: O(faces in that
+    /// ball).
     std::optional<SurfaceHit> nearest(const Vec3& point, double within) const;
 
-    /// Returns what a dab with these settings and this centre would select on the mesh as it is. A ray brush selects
-    /// nothing where it would be more than Footprint::maxSlots on a side. May be called between sub-steps. Cost: the
-    /// selection.
+    /// Returns the vertices that a dab with these settings and this centre would select on the current mesh, with their
+    /// weights. A ray brush selects nothing in a sector, or in its mirror image, where it would select more than
+    /// Footprint::maxSlots vertices. May be called between sub-steps. Cost: the selection.
     Footprint footprint(const StrokeSettings& settings, const Vec3& center);
 
-    /// Returns what has changed since the last call.
+    /// Returns the changes since the previous call of takePatch().
     MeshPatch takePatch();
-    /// Returns everything, for a viewer that comes late. Does not change what takePatch() returns next.
+    /// Returns the whole mesh as a patch, for a viewer that starts late. Does not affect what takePatch() returns next.
     MeshPatch wholePatch() const;
 
-    /// Returns the quality of the last dab's selection on the mesh as it is now; nothing if that dab remeshes nothing.
-    /// Cost: O(selection).
+    /// Returns the quality of the last dab's selection on the current mesh; nothing if that dab only painted, added a
+    /// solid, or selected no face. Cost: O(selection log selection).
     std::optional<SelectionQuality> selectionQuality() const;
 
     SculptorTotals totals() const;
 
-    /// Compares the octree with the mesh, for tests.
+    /// Returns whether the octree agrees with the mesh. For tests.
     bool indexIsConsistent() const;
 
 private:

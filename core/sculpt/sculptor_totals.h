@@ -5,10 +5,10 @@
 
 namespace core
 {
-/// Operations that a sculptor has done since it was made.
+/// Numbers of operations that a Sculptor has performed since it was constructed.
 struct SculptorTotals
 {
     std::uint64_t splits = 0, collapses = 0, flips = 0, fusions = 0, separations = 0, rolledBack = 0;
-    std::array<std::uint64_t, 3> verifyTiers{}; ///< sub-steps proved by patch certificate, by stars, by pairs
+    std::array<std::uint64_t, 3> verifyTiers{}; ///< successful verifications, indexed by VerifyTier
 };
 } // namespace core

@@ -43,7 +43,7 @@ GrabSnapshot SectorGrabs::snapshot(const GrabPair& grabs, const Dab& dab, Symmet
     }
     MirrorMap mirror(mesh);
     mirror.setPlane(symmetry);
-    const bool isOver = mirror.folded(dab.position) != dab.position; // the half is the image's
+    const bool isOver = mirror.folded(dab.position) != dab.position; // the dab is on the mirror's negative side
     region.forEach([&](Slot v) {
         const Vec3f point = mesh.point(v), image = mirror.imageOf(point);
         snapshot.ownPoints.push_back({isOver ? image : point, region.distance(v)});
@@ -55,7 +55,7 @@ GrabSnapshot SectorGrabs::snapshot(const GrabPair& grabs, const Dab& dab, Symmet
     return snapshot;
 }
 
-/// A dab and its mirror image turn against each other.
+/// Turns the image's points by the inverse turn: in the mirror, the rotation from sector to sector is reversed.
 void SectorGrabs::separate(std::size_t sector, const GrabSnapshot& snapshot, const Turn& turn, Symmetry symmetry)
 {
     GrabPair& grabs = m_sectors[sector].grabs;
@@ -71,15 +71,15 @@ void SectorGrabs::separate(std::size_t sector, const GrabSnapshot& snapshot, con
     grabPoints(grabs.image.region, snapshot.imagePoints, back);
 }
 
-/// Where a half stood for both sides of the mirror, it does so in the other sector. A quarter turn takes the mirror
-/// elsewhere: there another half of the whole is taken.
+/// Rebuilds a half grab (GrabState::isHalf) in another sector. The mirror plane does not turn with the sector, so
+/// another half of the whole grab is stored there.
 void SectorGrabs::grabHalf(GrabPair& grabs, const GrabSnapshot& snapshot, const Turn& turn, Symmetry symmetry) const
 {
     const Mesh& mesh = m_surface.mesh();
     MirrorMap mirror(mesh);
     mirror.setPlane(symmetry);
     const Vec3 position = turn * snapshot.dab.position, axis = turn * snapshot.own.axis;
-    const bool isOver = mirror.folded(position) != position; // the half is the image's
+    const bool isOver = mirror.folded(position) != position; // the dab is on the mirror's negative side
     grabs.own.state = {true, true, isOver ? mirror.imageOf(axis) : axis, snapshot.own.detail,
                        mesh.removedVertices().size()};
     grabs.image.release();

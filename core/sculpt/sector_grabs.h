@@ -6,21 +6,21 @@
 
 namespace core
 {
-/// A grab by place: so that it can be found again in another sector.
+/// A copy of a grab that identifies vertices by position, so that the grab can be rebuilt in another sector.
 struct GrabSnapshot
 {
     struct Point
     {
         Vec3f place;
-        double distance; ///< from the brush's centre when it was grabbed, in mm
+        double distance; ///< distance from the brush's centre at the time of grabbing, mm
     };
     GrabState own{}, image{};
     std::vector<Point> ownPoints{};
-    std::vector<Point> imagePoints{}; ///< none where a half stands for both sides of the mirror
+    std::vector<Point> imagePoints{}; ///< empty if GrabState::isHalf: then ownPoints are the points of both sides
     Dab dab{};                        ///< the dab before which the snapshot was taken
 };
 
-/// The grabs of a stroke, by sector; one that is not radial has one sector.
+/// The grabs of a stroke, one pair per sector. A stroke without radial symmetry has one sector.
 class SectorGrabs
 {
 public:
@@ -30,19 +30,20 @@ public:
     void beginStroke();
     void setSectors(std::size_t count) { m_sectors.resize(count); }
 
-    /// A tool that selects with each dab needs no other.
+    /// Returns the grabs of the first sector. A tool that selects anew with each dab uses only these.
     GrabPair& first() { return m_sectors[0].grabs; }
     const GrabPair& first() const { return m_sectors[0].grabs; }
-    /// Returns the sector's grabs, without vertices that dabs in other sectors have removed.
+    /// Returns the sector's grabs, after dropping the vertices that dabs in other sectors have removed.
     GrabPair& in(std::size_t sector, Tool tool);
-    /// Drops the vertices that dabs have removed from the grabs of all sectors.
+    /// Drops vertices that dabs have removed from the mesh. Does so for the grabs of all sectors.
     void dropRemoved();
 
-    /// Returns a snapshot of these grabs, before the dab.
+    /// Returns a snapshot of these grabs. To be taken before the dab is applied.
     GrabSnapshot snapshot(const GrabPair& grabs, const Dab& dab, Symmetry symmetry) const;
-    /// Gives the sector grabs of its own for the rest of the stroke, if it has none: those of the snapshot, turned.
+    /// Gives the sector its own grabs for the rest of the stroke, unless it has them already: the snapshot's grabs,
+    /// turned.
     void separate(std::size_t sector, const GrabSnapshot& snapshot, const Turn& turn, Symmetry symmetry);
-    /// Whether the sector's grabs are its own, and no image of the first sector's.
+    /// Returns whether the sector has its own grabs, which are no longer exact images of the first sector's.
     bool isSeparate(std::size_t sector) const { return m_sectors[sector].isSeparate; }
 
 private:

@@ -7,14 +7,14 @@ namespace core
 {
 namespace
 {
-constexpr std::size_t facesPerExcused = 100; ///< the 1st percentile: one face in a hundred may be worse
+constexpr std::size_t facesPerExcused = 100; ///< number of faces per face that may be worse than the 1st percentile
 
 double edgeLength(const Mesh& mesh, Slot a, Slot b)
 {
     return (mesh.point(a) - mesh.point(b)).cast<double>().norm();
 }
 
-/// The smallest angle lies between the two longest edges.
+/// Returns the sine of the triangle's smallest angle, the one between its two longest edges; 0 if it is degenerate.
 double smallestAngleSine(const Mesh& mesh, const Triangle& t)
 {
     const Vec3 a = mesh.point(t[0]).cast<double>(), b = mesh.point(t[1]).cast<double>(),

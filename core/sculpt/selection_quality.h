@@ -4,15 +4,16 @@
 
 namespace core
 {
-/// How close a selection is to quasi-uniform (paper, section 3.2), and how well its faces are shaped. Edges count if
-/// both ends are selected, faces if all corners are.
+/// Measures how close a selection is to quasi-uniform (paper, section 3.2), and how well its faces are shaped. Counts
+/// edges with both ends selected and faces with all corners selected.
 struct SelectionQuality
 {
-    double longestEdge = 0;       ///< in d_detail; d_detail-tight: at most 1
-    double conformingShare = 0;   ///< share of the edges that are at least d long
-    double smallestAngleSine = 0; ///< 1st percentile over the faces, of the sine of a face's smallest angle
+    /// length of the longest edge, in units of d_detail; at most 1 if the selection is d_detail-tight
+    double longestEdge = 0;
+    double conformingShare = 0;   ///< share of the edges that are at least d long, 0 to 1
+    double smallestAngleSine = 0; ///< sine of the smallest angle of a face; 1st percentile over the faces
 };
 
-/// Returns nothing if no face is selected. Cost: O(selection log selection).
+/// Returns the quality of the selection; nothing if no face is selected. Cost: O(selection log selection).
 std::optional<SelectionQuality> selectionQuality(const Mesh& mesh, const Region& region, const EdgeBounds& bounds);
 } // namespace core

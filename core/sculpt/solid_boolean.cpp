@@ -19,7 +19,7 @@ namespace core
 {
 namespace
 {
-/// Points of the model at most among which the colour of a point of the solid is looked for.
+/// Largest number of model points compared when looking up the colour of a point of the solid.
 constexpr std::size_t maxColorSample = 2048;
 
 Vec3 middleOf(const repair::Arrangement& arrangement, Slot face)
@@ -35,7 +35,7 @@ double areaOf(const repair::Arrangement& arrangement, Slot face)
     return (arrangement.points[b] - p).cross(arrangement.points[c] - p).norm();
 }
 
-/// Decides by the parity of a vertical ray, exactly.
+/// Returns whether the point is inside the model. Counts the faces above it; exact.
 bool isInside(const VerifiedMesh& surface, const LatticePoint& point)
 {
     const Mesh& mesh = surface.mesh();
@@ -48,8 +48,8 @@ bool isInside(const VerifiedMesh& surface, const LatticePoint& point)
 }
 } // namespace
 
-/// The faces cut along the curves. A patch is what hangs together without crossing a curve: it lies on one side of the
-/// other surface.
+/// The faces after cutting them along the intersection curves. A patch is a set of pieces connected without crossing
+/// such a curve, so all of it is on one side of the other surface.
 struct SolidBoolean::Pieces
 {
     explicit Pieces(repair::Arrangement arranged)
@@ -76,8 +76,8 @@ struct SolidBoolean::Pieces
 
     repair::Arrangement arrangement;
     mutable DisjointSets patches;
-    std::vector<Slot> largest; ///< of each patch, at its root
-    bool isGeneral = true;     ///< no faces lie in one plane, and surfaces cross wherever they meet
+    std::vector<Slot> largest; ///< largest face of each patch, stored at the patch's root
+    bool isGeneral = true;     ///< no two faces are coplanar, and the surfaces cross wherever they meet
 };
 
 SolidBoolean::SolidBoolean(const VerifiedMesh& surface, const TriangleMesh& solid) : m_surface(surface)
@@ -125,7 +125,8 @@ bool SolidBoolean::areCrossing() const
         m_pairs, [&](const FacePair& pair) { return isSolidFace(pair.first) != isSolidFace(pair.second); });
 }
 
-/// Returns the colour of the nearest of the first `count` points, or of a sample of them.
+/// Returns the colour of the point nearest to p among the first `count` points of m_soup, or among a sample of these if
+/// there are many.
 Rgb SolidBoolean::colorNear(const LatticePoint& p, std::size_t count) const
 {
     const std::size_t step = 1 + count / maxColorSample;
@@ -151,7 +152,7 @@ std::optional<Surgery> SolidBoolean::surgery(BooleanOperation operation) const
     std::vector<bool> isKept(pieces.largest.size());
     for (Slot f = 0; f < isKept.size(); ++f) {
         const Slot root = pieces.patches.root(f);
-        if (root != f) { // a root is the lowest of its patch
+        if (root != f) { // a root is the lowest face of its patch, so its result is known already
             isKept[f] = isKept[root];
             continue;
         }
@@ -163,7 +164,7 @@ std::optional<Surgery> SolidBoolean::surgery(BooleanOperation operation) const
         }
         const std::array<Slot, 1> own = {original - static_cast<Slot>(m_candidates.size())};
         const bool isInModel = isInside(m_surface, middle.array().round().cast<int>());
-        const bool isInOtherShell = winding.at(middle, own) > 1; // its own counts as a half
+        const bool isInOtherShell = winding.at(middle, own) > 1; // the face's own shell counts 1/2
         isKept[f] = !isInOtherShell && isInModel == (operation == BooleanOperation::Subtract);
     }
     return surgeryOf(pieces, isKept, operation);
@@ -175,7 +176,8 @@ Surgery SolidBoolean::surgeryOf(const Pieces& pieces, const std::vector<bool>& i
     const Lattice& lattice = m_surface.mesh().lattice();
     Surgery surgery;
     surgery.near = m_vertices.front();
-    std::map<std::tuple<int, int, int>, Slot> corners; // new points that round to one place are one vertex
+    // new points that round to the same lattice point become one vertex
+    std::map<std::tuple<int, int, int>, Slot> corners;
     const auto cornerAt = [&](Slot point) {
         if (point < m_vertices.size())
             return m_vertices[point];

@@ -11,21 +11,22 @@ namespace core
 {
 enum class BooleanOperation { Unite, Subtract };
 
-/// The boolean operation of the solid that a mesh bounds with another whose surface crosses its, exact: both surfaces
-/// are cut along the curves in which they meet (core/repair/arrangement.h), and what bounds the result is kept. Looks
-/// at the faces near the other solid only. Cost: those faces, and the square of what meets one of them.
+/// Computes the union or difference of the solid that a mesh bounds and another solid whose surface crosses the mesh.
+/// Exact: both surfaces are cut along the curves in which they meet (core/repair/arrangement.h), and the pieces that
+/// bound the result are kept. Looks only at the mesh's faces near the other solid. Cost: these faces, plus the square
+/// of the number of faces that meet any one face.
 class SolidBoolean
 {
 public:
-    /// `solid`: closed shells, which may meet each other, of points on the mesh's lattice. Its points take the colour
-    /// of the model near them.
+    /// `solid`: closed shells, which may cross each other, with points on the mesh's lattice. Each of its points gets
+    /// the colour of the nearest point of the model.
     SolidBoolean(const VerifiedMesh& surface, const TriangleMesh& solid);
 
-    /// Whether the two surfaces meet.
+    /// Returns whether the two surfaces meet.
     bool areCrossing() const;
-    /// Returns the exchange of faces, with the places of new vertices rounded to the lattice, so that it is still to be
-    /// verified. Nothing where faces lie in one plane, or the surfaces touch without crossing: then the solid has to
-    /// be shifted by some lattice units. Precondition: areCrossing().
+    /// Returns the surgery that turns the mesh into the result. New vertices are rounded to the lattice, so the result
+    /// must still be verified. Returns nothing if faces are coplanar, or if the surfaces touch without crossing; then
+    /// the solid has to be shifted by some lattice units. Precondition: areCrossing().
     std::optional<Surgery> surgery(BooleanOperation operation) const;
     /// Returns the faces of the mesh near the solid.
     const std::vector<Slot>& candidates() const { return m_candidates; }
@@ -39,8 +40,8 @@ private:
 
     const VerifiedMesh& m_surface;
     std::vector<Slot> m_candidates;
-    std::vector<Slot> m_vertices; ///< of the candidates
-    repair::TriangleSoup m_soup;  ///< the candidates, and after them the solid's faces
+    std::vector<Slot> m_vertices; ///< mesh vertices of the candidates
+    repair::TriangleSoup m_soup;  ///< the candidates, followed by the solid's faces
     std::vector<FacePair> m_pairs;
 };
 } // namespace core

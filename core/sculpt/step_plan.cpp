@@ -8,9 +8,10 @@ namespace core
 {
 namespace
 {
-/// A guard, not a tuning knob: sub-steps of a plan. A dab that would need more ends early.
+/// Largest number of sub-steps in a plan. A guard against endless work, not a tuning knob: a dab that needs more ends
+/// early.
 constexpr double maxSteps = 4096;
-/// Vertices that a core takes at a time.
+/// Vertices per parallel chunk.
 constexpr std::size_t verticesPerChunk = 512;
 
 /// Returns the longest difference between the displacements planned for two neighbours, in mm.
@@ -26,7 +27,8 @@ double longestBetweenNeighbours(const Region& region, const Mesh& mesh)
             const Vec3& plan = region.plan(v);
             mesh.forEachOutgoing(v, [&](Slot h) {
                 const Slot other = mesh.to(h);
-                if (other > v && region.contains(other)) // at the region's rim the plan is nearly none
+                // vertices outside the region are ignored: at the rim the plan is nearly zero
+                if (other > v && region.contains(other))
                     longest2[chunk] = std::max(longest2[chunk], (plan - region.plan(other)).squaredNorm());
             });
         }
@@ -34,9 +36,10 @@ double longestBetweenNeighbours(const Region& region, const Mesh& mesh)
     return std::sqrt(*std::ranges::max_element(longest2));
 }
 
-/// Returns the transactions that a plan needs where nothing can meet. In each of them neighbours move less than d_move
-/// against each other. A grabbed region folds up only where it is dragged far along the surface: there an edge's length
-/// is allowed. A stamp is done at once: what moves in one direction does not fold up, however steep its walls become.
+/// Returns the number of transactions that a plan needs if surfaces cannot meet. In each of them, neighbours move less
+/// than d_move relative to each other. For a grabbed region the limit is d_detail, because it only folds up if it is
+/// dragged far along the surface. A stamp needs one transaction: vertices that all move in one direction do not fold
+/// up, however steep the walls become.
 double transactionsFor(const DabContext& context)
 {
     const Tool tool = context.settings.tool;

@@ -4,48 +4,48 @@
 
 namespace core
 {
-/// The plan of a dab, cut into sub-steps (paper, section 3.3): none of them moves a vertex farther than d_move. Where
-/// surfaces cannot meet, one transaction does several sub-steps. Counts in ticks, eighths of a sub-step: one that fails
-/// can be halved.
+/// The plan of a dab, cut into sub-steps (paper, section 3.3). No sub-step moves a vertex farther than d_move. Where
+/// surfaces cannot meet, one transaction does several sub-steps. Progress is counted in ticks, eighths of a sub-step,
+/// so that a sub-step that fails can be halved.
 class StepPlan
 {
 public:
-    /// Cuts the displacements that are planned for the region. Until then the plan has no sub-steps.
+    /// Cuts the displacements planned for the region into sub-steps. A plan that is not cut has no sub-steps.
     void cut(const DabContext& context);
     bool isCut() const { return m_steps > 0; }
-    /// Forgets the sub-steps: the plan was rolled back with the first of them.
+    /// Returns to the state before cut(), because the transaction that made the plan was rolled back.
     void discard() { m_steps = 0; }
 
     bool isDone() const { return isCut() && m_ticksLeft == 0; }
-    /// Whether the next transaction does all that is left.
+    /// Returns whether the next transaction completes the plan.
     bool isLast() const { return m_ticks >= m_ticksLeft; }
-    /// Whether there are more sub-steps than a dab may do.
+    /// Returns whether the plan has more sub-steps than a dab may do.
     bool isTooLong() const;
     /// Returns the share of the plan that the next transaction does.
     double part() const { return m_ticks / (ticksPerStep * m_steps); }
-    /// Returns the sub-steps that the next transaction counts for.
+    /// Returns the number of sub-steps that the next transaction does; at least 1.
     unsigned substeps() const { return std::max(m_ticks / ticksPerStep, 1u); }
-    /// The transaction is committed: the next one may do twice as much.
+    /// Advances past a committed transaction. The next one may do twice as many sub-steps.
     void advance();
 
     // --- after a transaction that failed -----------------------------------------------------------------------------
-    /// Halves a transaction of several sub-steps. False if it was one, or a part of one.
+    /// Halves the next transaction. Returns false if it does no more than one sub-step.
     bool halveTransaction();
     void halveStep() { m_ticks = std::max(m_ticks / 2, 1u); }
-    /// From now on a transaction does one sub-step at most.
+    /// Limits all further transactions to one sub-step.
     void takeSingleSteps();
-    /// Counts a retry of this sub-step. False if it, or the dab, has had too many.
+    /// Counts a retry of this sub-step. Returns false if this sub-step or this dab has used up its retries.
     bool mayRetry() { return ++m_retries <= maxRetriesPerStep && ++m_totalRetries <= maxRetriesPerDab; }
-    unsigned retries() const { return m_retries; } ///< retries of this sub-step
+    unsigned retries() const { return m_retries; }
 
 private:
     static constexpr unsigned ticksPerStep = 8;
     static constexpr unsigned maxRetriesPerStep = 6,
-                              maxRetriesPerDab = 12; ///< then the fallback step limits the motion
+                              maxRetriesPerDab = 12; ///< beyond these, the fallback step does the sub-step
 
     double m_steps = 0;
-    unsigned m_maxTicks = ticksPerStep; ///< ticks of a transaction at most
-    unsigned m_ticks = ticksPerStep;    ///< ticks of the next transaction
+    unsigned m_maxTicks = ticksPerStep; ///< largest number of ticks in a transaction
+    unsigned m_ticks = ticksPerStep;    ///< ticks in the next transaction
     unsigned m_ticksLeft = 0;
     unsigned m_retries = 0;
     unsigned m_totalRetries = 0;

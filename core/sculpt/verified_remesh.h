@@ -6,15 +6,15 @@
 
 namespace core
 {
-/// Remeshes in a transaction of its own, and counts what it has done. Returns whether it verified; if it did not,
-/// nothing has changed.
+/// Runs `remesh` as one transaction and adds its counts to the context. Returns false, with nothing changed, if the
+/// result does not verify.
 bool remeshVerified(DabContext& context, const std::function<RemeshCounts()>& remesh);
 
-/// Returns an editor that verifies each operation, until the dab has done all the work that it may: then it refuses
-/// them.
+/// Returns an editor that verifies each operation by itself. Once the dab has spent its work budget (WorkBudget), the
+/// editor refuses all further operations.
 MeshEditor verifiedEditor(DabContext& context);
 
-/// Splits the region's edges that are longer than d_detail, where each split verifies by itself: for where an
-/// optimisation does not.
+/// Splits the region's edges that are longer than d_detail, and verifies each split by itself. To be used if optimising
+/// the region as a whole does not verify.
 void splitVerified(DabContext& context);
 } // namespace core
