@@ -68,7 +68,7 @@ struct DabContext
     Region& region; ///< the grab's region; with a mirror, only its part on the positive side
     /// null: no mirror; otherwise a map that is on, and the dab is done on both sides at once
     MirrorMap* mirror = nullptr;
-    std::vector<Slot> candidates{}; ///< candidate triangles (paper, section 3.1.1)
+    std::vector<Slot> candidates{}; ///< candidate triangles of the selection (paper, section 3.1.1)
     Sphere ball;                    ///< contains everything that the dab moves
     EdgeBounds bounds;
     bool canFuse = false; ///< surfaces under the brush face each other and may meet, or something stopped the motion

@@ -1,22 +1,25 @@
-// The steps of a dab at one place (paper, section 3; core/README.md, "A dab"):
-//   select     the vertices under the brush                                     3.1   dab_selection, select/
-//   or add     a solid, where no surface is                                     3.5.1 add_solid
-//   or paint                                                                    3.5.3 attribute_brush
-//   or join    the tip of Snake Hook, where it reaches another surface                hook_tip
-//   refine     the mesh becomes fine enough to plan on                          3.2   dab_steps, remesh/
-//   plan       how far each vertex is to move, in sub-steps of at most d_move   3.3   dab_steps, deform/, step_plan
-// then, for each sub-step, or for several at once where nothing can meet:
-//   displace   each vertex moves its part of the plan, snapped to the lattice   3.3   dab_steps
-//   optimise   the mesh becomes quasi-uniform where it is now                   3.2   dab_steps, remesh/
-//   commit     what changed is verified exactly, then octree and draw ranges follow   verify/
-//   join       what the next sub-step would bring into contact                  3.4   dab_steps, fuse/
-//   separate   thin necks, and specks                                           3.4   dab_steps, fuse/
-// and at last, if it has joined anything:
-//   clean      the joints become smooth and quasi-uniform, narrow tunnels and strands between them go   3.4   dab_steps
-// A sub-step that does not verify is rolled back and retried as prepareRetry() lists; at last fallback_step limits its
-// motion vertex by vertex.
-// The paper smooths locally and optimises at each join (3.4). Here that is done once, after the last sub-step;
-// fold_smoothing smooths, besides, what has folded up, before a retry.
+// Applies a dab at one place (paper, section 3; core/README.md, "A dab"). Four kinds of dab:
+//   add        adds a solid, if the stroke asks for it                         3.5.1  add_solid
+//   paint      changes colours or the mask                                     3.5.3  attribute_brush
+//   join tip   joins the tip of Snake Hook to a surface within reach                  hook_tip
+//   sculpt     all others, in the steps below
+// Steps of a dab that sculpts:
+//   select     selects the vertices under the brush                            3.1    dab_selection, select/
+//   refine     makes the mesh fine enough to plan on                           3.2    dab_steps, remesh/
+//   plan       plans each vertex's displacement, in sub-steps of <= d_move     3.3    dab_steps, deform/, step_plan
+// Steps of each sub-step, or of several sub-steps at once where no surfaces can meet:
+//   displace   moves each vertex by a part of its plan, onto the lattice       3.3    dab_steps
+//   optimise   makes the mesh quasi-uniform again                              3.2    dab_steps, remesh/
+//   commit     verifies the change exactly; updates octree and draw ranges            verify/
+//   join       joins what the next sub-step would bring into contact           3.4    dab_steps, fuse/
+//   separate   cuts thin necks and removes specks                              3.4    dab_steps, fuse/
+// After the last sub-step, if anything has been joined:
+//   clean      smooths and optimises the joints; closes narrow tunnels         3.4    dab_steps
+//              and cuts narrow strands between them
+// A sub-step that does not verify is rolled back and retried as listed at prepareRetry(). As a last resort,
+// fallback_step limits the motion of each vertex.
+// The paper smooths locally and optimises at each join (3.4). Here both are done once, after the last sub-step. In
+// addition, fold_smoothing smooths folded surface before a retry.
 
 #include "core/sculpt/dab_pipeline.h"
 
@@ -174,7 +177,7 @@ DabPipeline::Step DabPipeline::directStep(DabContext& context, StepPlan& plan)
     const bool isFirst = !plan.isCut();
     RemeshCounts counts;
     if (isFirst)
-        counts = m_steps.refineAndPlan(context, plan, context.editor()); // 3.2, 3.3
+        counts = m_steps.refineAndPlan(context, plan, context.editor()); // paper, 3.2 and 3.3
     if (context.region.empty())
         return Step::Empty;
     if (m_mayStampSolid && !plan.isLast() && isDeep(context)) {
@@ -182,7 +185,7 @@ DabPipeline::Step DabPipeline::directStep(DabContext& context, StepPlan& plan)
         return Step::Failed;
     }
     context.badVertices.clear();
-    const bool isInside = m_steps.displaceAndOptimise(context, plan.part(), counts); // 3.3, 3.2
+    const bool isInside = m_steps.displaceAndOptimise(context, plan.part(), counts); // paper, 3.3 and 3.2
     if (!isInside || !transaction.commit()) {
         if (isInside)
             context.badVertices = cornersOf(context.mesh(), context.surface.badFaces());
@@ -193,7 +196,7 @@ DabPipeline::Step DabPipeline::directStep(DabContext& context, StepPlan& plan)
     }
     context.count(counts);
     context.report.reached += plan.part() * context.report.asked;
-    m_steps.join(context, plan); // 3.4
+    m_steps.join(context, plan); // paper, 3.4
     m_steps.separate(context);
     return Step::Direct;
 }

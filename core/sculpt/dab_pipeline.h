@@ -16,7 +16,7 @@ public:
     /// Clears the state of the previous stroke.
     void beginStroke() { m_steps.beginStroke(); }
 
-    /// Applies the dab of the context. Precondition: a stroke is open.
+    /// Selects the region and applies the context's dab to it. Precondition: a stroke is open.
     void apply(DabContext& context);
     /// Applies the dab to the context's region. Preconditions: a stroke is open, the region is selected.
     void applyToRegion(DabContext& context);

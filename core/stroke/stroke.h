@@ -27,7 +27,7 @@ constexpr AirbrushRates defaultAirbrushRates()
     return rates;
 }
 
-/// The settings that stay the same during a stroke. Units: lengths in the document's unit.
+/// The settings that stay the same during a stroke. Units: lengths in mm, the document's unit.
 struct StrokeSettings
 {
     Tool tool = Tool::Pull;
@@ -114,7 +114,7 @@ struct StrokeSample
     double time = 0; ///< time stamp, seconds; affects the geometry only through StrokeSettings::airbrush
     Vec3 position = Vec3::Zero();
     Vec3 direction = -Vec3::UnitZ();
-    double pressure = 1; ///< 0 to 1
+    double pressure = 1; ///< pen pressure, 0 to 1
     /// The model's orientation in the world at the time of the sample. Position and direction are turned into model
     /// space by its inverse.
     Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();

@@ -8,8 +8,8 @@ namespace core
 struct BrushChange
 {
     Tool tool = Tool::Pull;
-    double radius = 0;   ///< in the document's unit
-    double strength = 0; ///< 0 to 10
+    double radius = 0;   ///< brush radius, mm
+    double strength = 0; ///< brush strength, 0 to 10
 
     friend bool operator==(const BrushChange&, const BrushChange&) = default;
 };

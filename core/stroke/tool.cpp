@@ -11,7 +11,7 @@ namespace core
 {
 namespace
 {
-constexpr double detailPerRadiusSquared = 0.05; ///< paper, section 3.2.2
+constexpr double detailPerRadiusSquared = 0.05; ///< d_detail^2 / r^2 (paper, section 3.2.2)
 
 double power(double x, int n)
 {

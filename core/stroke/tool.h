@@ -91,7 +91,7 @@ constexpr bool hasInverse(Tool tool)
            tool == Tool::Mask;
 }
 
-/// How a dab selects vertices (paper, section 3.1).
+/// The rule by which a dab selects vertices (paper, section 3.1).
 enum class BrushShape {
     Sphere, ///< vertices within the radius of the centre, by Euclidean distance
     Ray     ///< vertices within the radius of a ray's hit point, by geodesic distance along the surface
@@ -142,7 +142,7 @@ requires(!valueNames<Value>.empty()) constexpr std::string_view name(Value value
 {
     return valueNames<Value>[static_cast<std::size_t>(value)];
 }
-/// Returns the value of that name, if there is one.
+/// Returns the enumeration's value with this name, if there is one.
 template <class Value> constexpr std::optional<Value> named(std::string_view name)
 {
     const auto found = std::ranges::find(valueNames<Value>, name);
@@ -156,7 +156,7 @@ enum class Unit { None, Millimetres, Radii };
 /// One parameter of a stroke: a row of parameterTable, which panels, settings, VR, the command line and tests read.
 struct ParameterInfo
 {
-    std::string_view key; ///< in stroke files and settings
+    std::string_view key; ///< name of the parameter in stroke files and settings
     double defaultValue, min, max;
     Unit unit;
 };
@@ -164,7 +164,7 @@ struct ParameterInfo
 enum class Parameter { Radius, Strength, Falloff, Detail, Spacing };
 inline constexpr ParameterInfo parameterTable[] = {
     {"radius", 10.0, 1e-6, 1e6, Unit::Millimetres}, {"strength", 1.0, 0.0, 10.0, Unit::None},
-    {"falloff", 4.0, 0.0, 16.0, Unit::None}, ///< integer: 0 (no weighting) or 3 to 16
+    {"falloff", 4.0, 0.0, 16.0, Unit::None}, ///< falloff is an integer: 0 (no weighting) or 3 to 16
     {"detail", 1.0, 0.05, 20.0, Unit::None},        {"spacing", 0.0, 0.0, 4.0, Unit::Radii},
 };
 constexpr const ParameterInfo& info(Parameter p)
@@ -177,7 +177,8 @@ constexpr bool isFalloff(int n)
     return n == 0 || (n >= minFalloff && n <= 16);
 }
 
-/// b(x) = (n-1) x^n - n x^(n-1) + 1 (paper, section 3.3): 1 at x = 0, 0 at x = 1, flat at both ends. n = 0: always 1.
+/// Returns the weight b(x) = (n-1) x^n - n x^(n-1) + 1 (paper, section 3.3): 1 at x = 0, 0 at x = 1, with slope 0 at
+/// both ends. n = 0: always 1.
 double falloff(double x, int n);
 
 /// Bounds on the lengths of edges under a brush, and on the motion of their vertices, in mm (paper, sections 3.2, 3.3).

@@ -26,7 +26,7 @@ public:
     /// Returns the image of a vertex under the turn of the last place(). Returns noSlot if the vertex is not part of
     /// the patch.
     Slot imageOf(Slot v) const;
-    /// Returns the vertices that have images.
+    /// Returns the vertices of the patch, for which imageOf() is defined.
     const std::vector<Slot>& vertices() const { return m_patch.vertices().slots(); }
     bool isNothing() const { return m_patch.isNothing(); }
 

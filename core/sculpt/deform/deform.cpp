@@ -51,7 +51,7 @@ struct FieldInput : DeformInput
     Vec3 point(Slot v) const { return mesh.point(v).cast<double>(); }
 };
 
-/// P_center and N_avg (paper, section 3.3): the region's mean point and mean normal.
+/// The region's mean plane: its mean point and mean normal, P_center and N_avg of the paper (section 3.3).
 struct Plane
 {
     Vec3 center, normal;

@@ -22,7 +22,7 @@ public:
     // --- precondition of all following functions: isOn()
     template <class Vector> Vector imageOf(Vector p) const
     {
-        p[m_axis] = 0 - p[m_axis]; // never -0
+        p[m_axis] = 0 - p[m_axis]; // 0 - x is never -0, unlike -x
         return p;
     }
     /// Returns the point or its image, whichever is on the positive side.

@@ -27,7 +27,7 @@ struct FusionPair
     /// the 1-rings of p and q share no vertex: joining them makes a new tunnel; otherwise it widens one
     bool startsTunnel;
     double distance2; ///< squared distance between p and q, mm2
-    Slot p, q;        ///< p < q
+    Slot p, q;        ///< slots of the two vertices, p < q
     bool inside;      ///< p and q are on the two sides of a wall
 };
 

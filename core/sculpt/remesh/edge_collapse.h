@@ -22,7 +22,7 @@ private:
     struct Merged
     {
         Vec3f point;
-        Vec3 plan;        ///< mm
+        Vec3 plan;        ///< planned displacement, mm
         double error = 0; ///< planeError() in units of d^2; set only if the shape is kept
     };
     using Choices = std::array<Merged, 3>;

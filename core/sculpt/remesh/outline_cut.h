@@ -30,7 +30,7 @@ private:
     /// An edge with exactly one end inside the shape, and the point where it crosses the outline.
     struct Crossing
     {
-        Slot inside, outside; ///< vertices
+        Slot inside, outside; ///< vertices inside and outside the shape
         Vec3 point;
         double share; ///< position of the crossing along the edge: distance from the nearer end, 0 to 0.5 of its length
         Slot nearer() const { return isNearInside ? inside : outside; }

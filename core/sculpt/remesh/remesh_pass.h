@@ -9,7 +9,7 @@ namespace core
 struct RemeshEdge
 {
     double length2;
-    Slot v0, v1; ///< v0 < v1
+    Slot v0, v1; ///< slots of the ends, v0 < v1
     Slot edge;
 };
 /// Compares two edges by length, then by their ends. The order is total, so results depend only on the mesh.
