@@ -8,8 +8,8 @@ namespace core
 /// or the solid may join the model. `region`: the vertices that the dab selects.
 bool wantsSolid(const VerifiedMesh& surface, const StrokeSettings& settings, const Dab& dab, const Region& region);
 
-/// Returns the reason why spheres of this radius must not be added at all of these centres; Refusal::None if they may
-/// be. Equal centres count once.
+/// Returns the reason why spheres of this radius cannot all be added at these centres; Refusal::None if they can. Equal
+/// centres count once.
 Refusal refusalOf(const VerifiedMesh& surface, const std::vector<Vec3>& centers, double radius);
 
 /// Adds a sphere of the dab's radius, or the brush's model, upright and scaled to that radius (free topology: paper,

@@ -4,7 +4,7 @@
 
 namespace core
 {
-/// Joins the tip of a tentacle that Snake Hook draws out to another surface within reach, by an exact union with a
+/// Joins the tip of a tentacle, drawn out by Snake Hook, to another surface within reach, by an exact union with a
 /// capsule that bridges the gap. Joining it vertex by vertex (fuse/) would stop at the first corner that touches and
 /// push the other surface in. Precondition: the context's region is selected. Returns false, with nothing changed, if
 /// nothing is in reach, the union fails, or the tip is close to its mirror image. Cost: the faces within six radii of

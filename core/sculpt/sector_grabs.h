@@ -30,7 +30,7 @@ public:
     void beginStroke();
     void setSectors(std::size_t count) { m_sectors.resize(count); }
 
-    /// Returns the grabs of the first sector. A tool that selects anew with each dab uses only these.
+    /// Returns the grabs of the first sector. A tool that selects again with each dab uses only these.
     GrabPair& first() { return m_sectors[0].grabs; }
     const GrabPair& first() const { return m_sectors[0].grabs; }
     /// Returns the sector's grabs, after dropping the vertices that dabs in other sectors have removed.

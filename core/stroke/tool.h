@@ -37,7 +37,7 @@ constexpr bool isDragTool(Tool tool)
 {
     return tool == Tool::Grab || tool == Tool::SnakeHook || tool == Tool::Twist;
 }
-/// Returns whether the tool keeps the selection of its first dab for the whole stroke. Other tools select anew with
+/// Returns whether the tool keeps the selection of its first dab for the whole stroke. Other tools select again with
 /// each dab.
 constexpr bool keepsSelection(Tool tool)
 {

@@ -20,7 +20,7 @@ std::optional<Surgery> joinOnPlane(const Mesh& mesh, const MirrorMap& mirror, Sl
 
 /// Returns the surgery and its mirror image combined into one. A new vertex on the plane is its own image. Returns
 /// nothing if a face has no image, if a copy of a vertex on the plane leaves the plane, if a new vertex is beyond the
-/// plane, or if the result would not be a closed 2-manifold. Precondition: the mirror has learnt the faces to be
-/// removed (MirrorMap::learn()).
+/// plane, or if the result would not be a closed 2-manifold. Precondition: MirrorMap::learn() was called for the faces
+/// to be removed.
 std::optional<Surgery> withImage(const Mesh& mesh, MirrorMap& mirror, const Surgery& half);
 } // namespace core

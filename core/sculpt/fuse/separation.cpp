@@ -17,7 +17,8 @@ constexpr double neckGaps[] = {0.5, 0.1};
 /// has fewer than fewFaces faces.
 constexpr double speckSize = 2, crumbSize = 4;
 constexpr std::size_t speckFaces = 64, fewFaces = 16;
-/// Largest number of faces of a shred; and the factor by which the part that it came off must have more faces.
+/// Largest number of faces of a shred, a small part that comes off at a neck during a drag; and the factor by which the
+/// remaining part must have more faces.
 constexpr std::size_t maxShredFaces = 2048, bodyPerShred = 10;
 /// Largest extent, in d of the brush, and largest number of faces of a void that is filled after a join has closed it
 /// off.
@@ -156,8 +157,8 @@ void Separation::removeSpecks(VerifiedMesh& surface, Region& region, const std::
     }
 }
 
-/// Removes the component of `vertex` if it is a shred and the component of `body`, from which it came off, is much
-/// larger.
+/// Removes the component of `vertex` if it is a shred (a small part that came off at a neck during a drag) and the
+/// component of `body`, from which it came off, is much larger.
 void Separation::removeShred(VerifiedMesh& surface, Region& region, Slot vertex, Slot body, const EdgeBounds& bounds)
 {
     const Mesh& mesh = surface.mesh();
