@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, and runs the whole test suite without a screen.
 #   ./test.sh [--long | --soak] [--asan | --tsan | --debug] [CTEST ARGUMENTS]
-#   --long   the fuzzers, the random tests and the pictures in full, which without it are a sample
+#   --long   the fuzzers, the random tests and the pictures in full, which without it are a sample; builds debug, too
 #   --soak   the same, and the tests that take hours
 #   --asan, --tsan, --debug   in that preset instead of release
 # Anything else goes to ctest, e.g. ./test.sh -L core, ./test.sh -R core/mesh.
@@ -30,6 +30,11 @@ fettle_build "$preset" test_app
 "$fettle_root/build/$preset/tests/app/test_app" -silent >&2 ||
     fettle_fail "the sources break a rule of the layout; the lines above say which"
 fettle_build "$preset" all
+if [ "${FETTLE_EFFORT-}" = long ] && [ "$preset" = release ]; then
+    # Release builds compile the files of a folder together, which hides missing includes; debug builds do not.
+    fettle_is_configured debug BUILD_TESTING:BOOL=ON || fettle_configure debug -DBUILD_TESTING=ON
+    fettle_build debug all
+fi
 fettle_unlock
 
 status=0
