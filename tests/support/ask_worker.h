@@ -14,7 +14,8 @@
 
 namespace app
 {
-/// Returns what the mesh thread answers once it has done what came before. Events are processed meanwhile.
+/// Returns the answer of `question`, which runs on the mesh thread after all earlier jobs. Processes events while it
+/// waits.
 template <class Question> auto ask(SculptWorker& worker, const Question& question)
 {
     using Answer = decltype(question(std::declval<core::Sculptor&>()));
@@ -33,13 +34,13 @@ inline std::uint64_t meshHash(SculptWorker& worker)
     return ask(worker, [](core::Sculptor& sculptor) { return sculptor.mesh().meshHash(); });
 }
 
-/// Returns the hash of the surface, its slots and its free lists.
+/// Returns the hash of the surface, including slot numbers and free lists.
 inline std::uint64_t stateHash(SculptWorker& worker)
 {
     return ask(worker, [](core::Sculptor& sculptor) { return sculptor.mesh().stateHash(); });
 }
 
-/// Returns when the mesh thread and the document's queue have run dry.
+/// Waits until neither the mesh thread nor the document has queued work.
 inline void settle(SculptWorker& worker)
 {
     for (int i = 0; i < 3; ++i) {

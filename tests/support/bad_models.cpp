@@ -34,7 +34,7 @@ TriangleMesh flippedFaces()
     return mesh;
 }
 
-/// Two cubes that share an edge, or a corner, by index.
+/// Returns two cubes whose common vertices (an edge or a corner, depending on `offset`) are shared by index.
 TriangleMesh cubesSharing(const Vec3f& offset)
 {
     TriangleMesh mesh = shapes::together(shapes::cube(40), shapes::moved(shapes::cube(40), offset));
@@ -57,7 +57,7 @@ TriangleMesh duplicateFaces()
     return mesh;
 }
 
-/// A tube along a (p, q) torus knot, wider than its turns are apart.
+/// Returns a tube along a (p, q) torus knot. Neighbouring turns overlap because the tube is wider than their distance.
 TriangleMesh knot(int p, int q, double tube)
 {
     constexpr Slot along = 240, around = 16;
@@ -87,7 +87,7 @@ TriangleMesh knot(int p, int q, double tube)
     return mesh;
 }
 
-/// Each triangle of a ball on its own, its corners up to so far off along each axis.
+/// Returns the triangles of a ball, unconnected, each corner displaced by up to `farthest` along each axis.
 TriangleMesh soup(float farthest)
 {
     const TriangleMesh whole = icosphere(3, 50);
@@ -103,7 +103,7 @@ TriangleMesh soup(float farthest)
     return mesh;
 }
 
-/// Two halves of a ball, one of them a few micrometres off.
+/// Returns two unconnected halves of a ball, one of them displaced by a few micrometres.
 TriangleMesh crackedSeam()
 {
     TriangleMesh upper = ball(), lower = upper;
@@ -113,7 +113,7 @@ TriangleMesh crackedSeam()
     return shapes::together(upper, shapes::moved(lower, Vec3f(0.004f, -0.003f, 0.002f)));
 }
 
-/// The same, and one half has a corner in the middle of each edge at the crack.
+/// Returns crackedSeam(), in which one half has an extra vertex in the middle of each edge at the crack.
 TriangleMesh tJunctions()
 {
     TriangleMesh mesh = crackedSeam();
@@ -145,7 +145,7 @@ TriangleMesh slivers()
     TriangleMesh mesh = ball();
     const std::size_t faces = mesh.triangles.size();
     for (std::size_t f = 0; f < faces;
-         f += 11) { // a corner in the middle of one side, with a face without area beside it
+         f += 11) { // an extra vertex in the middle of one side, and a degenerate face along that side
         const auto [a, b, c] = mesh.triangles[f];
         const auto m = static_cast<Slot>(mesh.points.size());
         mesh.points.push_back(0.5f * (mesh.points[a] + mesh.points[b]));

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-/// What strangers make: each model is wrong in one way that its name tells, some 100 units large.
+/// A defective model as users might import it: one kind of defect, given by its name, in a mesh of about 100 units.
 struct BadModel
 {
     std::string name;

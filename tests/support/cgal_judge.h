@@ -4,15 +4,16 @@
 
 #include <optional>
 
-/// What CGAL says of a mesh: the independent judge of all that Fettle promises.
+/// CGAL's verdict on a mesh: a check that is independent of Fettle's own code.
 struct CgalVerdict
 {
     bool closed = false;
-    std::size_t intersections = 0; ///< pairs of faces
+    std::size_t intersections = 0; ///< number of intersecting pairs of faces
     bool boundsSolid = false;      ///< closed, no intersections, bounds a volume and faces outwards
 
     bool allWell() const { return closed && intersections == 0 && boundsSolid; }
 };
 
-/// Nothing if the faces do not form a manifold, consistently oriented mesh. Unused vertices are left out.
+/// Returns CGAL's verdict, or nothing if the faces are not a consistently oriented manifold. Unused vertices are
+/// ignored.
 std::optional<CgalVerdict> judgedByCgal(const core::TriangleMesh& mesh);

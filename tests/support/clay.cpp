@@ -61,7 +61,7 @@ TriangleMesh revolved(const std::vector<Vec3>& profile, Slot around)
         mesh.triangles.push_back({top, vertex(rings - 1, i), vertex(rings - 1, i + 1)});
         for (Slot r = 0; r + 1 < rings; ++r) {
             const Slot a = vertex(r, i), b = vertex(r, i + 1), c = vertex(r + 1, i), d = vertex(r + 1, i + 1);
-            if (r % 2 == 0) { // the ring above stands half a step on
+            if (r % 2 == 0) { // the ring above is rotated by half a step
                 mesh.triangles.push_back({a, b, c});
                 mesh.triangles.push_back({b, d, c});
             } else {
@@ -77,11 +77,11 @@ TriangleMesh bowl()
 {
     std::vector<Vec3> profile;
     constexpr int steps = 8;
-    for (int i = 0; i <= steps; ++i) { // outside, up
+    for (int i = 0; i <= steps; ++i) { // outer wall, upwards
         const double a = 0.5 * std::numbers::pi * i / steps;
         profile.emplace_back(std::sin(a), -std::cos(a), 0);
     }
-    for (int i = steps; i >= 0; --i) { // inside, down
+    for (int i = steps; i >= 0; --i) { // inner wall, downwards
         const double a = 0.5 * std::numbers::pi * i / steps;
         profile.emplace_back(0.85 * std::sin(a), -0.85 * std::cos(a) + 0.02, 0);
     }
@@ -141,7 +141,7 @@ TriangleMesh cutRing(double gap)
 {
     constexpr double radius = 0.25;
     constexpr int steps = 64;
-    const double start = radius + gap / 2; // the arc that an end and half of the gap take
+    const double start = radius + gap / 2; // radians of the arc that a round end and half of the gap occupy
     std::vector<Vec3> path;
     for (int i = 0; i <= steps; ++i) {
         const double a = start + (2 * std::numbers::pi - 2 * start) * i / steps;

@@ -6,37 +6,37 @@
 #include <memory>
 #include <vector>
 
-/// Shapes that sculpting tests work on: closed, facing outwards, free of self-intersections, about one unit large.
+/// Shapes for sculpting tests: closed, facing outwards, free of self-intersections, about one unit large.
 namespace clay
 {
 using core::Slot;
 using core::TriangleMesh;
 
-/// A square plate in the plane y = 0, `cells` x `cells` on each side.
+/// Returns a square plate in the plane y = 0, with `cells` x `cells` squares on its top and its bottom.
 TriangleMesh slab(double side, double thickness, Slot cells);
-/// Turned about the y axis from points (radius, height) that run from the lower pole up, the outside on their right;
-/// both poles, with radius 0, included.
+/// Returns the solid of a profile revolved about the y axis. The profile is (radius, height) points from the lower pole
+/// to the upper one, with the outside on their right. Both poles are included and have radius 0.
 TriangleMesh revolved(const std::vector<core::Vec3>& profile, Slot around);
 TriangleMesh bowl();
-/// A round tube around a path in the plane z = 0, with round ends. Parts of the path farther apart than twice the
-/// radius.
+/// Returns a round tube with round ends around a path in the plane z = 0. Precondition: parts of the path that are not
+/// neighbours are farther apart than twice the radius.
 TriangleMesh tube(const std::vector<core::Vec3>& path, double radius, Slot around);
-/// A ring of radius 1 and thickness 0.5 that was cut: its round ends face each other at angle 0, `gap` apart.
+/// Returns a ring of radius 1 and thickness 0.5 with a cut at angle 0: its round ends are `gap` apart.
 TriangleMesh cutRing(double gap);
-/// A tube wound two and a half times in a plane, the windings a tenth of their thickness apart.
+/// Returns a tube wound two and a half times in a plane, with a tenth of its radius between the windings.
 TriangleMesh spiral();
-/// Two long balls side by side, `gap` apart at their nearest.
+/// Returns two elongated balls side by side, separated by `gap` at their closest points.
 TriangleMesh twoFingers(double gap);
 
-constexpr double ballRadius = 50; ///< millimetres
+constexpr double ballRadius = 50; ///< in mm
 
 std::unique_ptr<core::Sculptor> ball(int subdivisions = 5);
-/// A ball of radius 1.
+/// Returns a sculptor of a ball of radius 1.
 std::unique_ptr<core::Sculptor> unitBall();
-/// A stroke of one dab.
+/// Sculpts a stroke of one dab and returns its report.
 core::DabReport dabOnce(core::Sculptor& sculptor, const core::StrokeSettings& settings, const core::Vec3& position,
                         const core::Vec3& direction = -core::Vec3::UnitZ());
-/// Returns what each dab did. Samples point to the middle of the ball.
+/// Sculpts a stroke along `path` and returns the report of each dab. Samples point towards the centre of the ball.
 std::vector<core::DabReport> stroke(core::Sculptor& sculptor, const core::StrokeSettings& settings,
                                     const std::vector<core::Vec3>& path);
 } // namespace clay

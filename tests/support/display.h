@@ -14,7 +14,7 @@ inline bool hasDisplay()
     return hasX11() || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY");
 }
 
-/// Chooses Qt's platform for the application that is constructed next.
+/// Selects Qt's offscreen platform for the next application unless `canBeShown`.
 inline void useOffscreenUnless(bool canBeShown)
 {
     if (!canBeShown)

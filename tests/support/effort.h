@@ -3,8 +3,8 @@
 #include <cstdlib>
 #include <string_view>
 
-/// How much of what could be tested without end a run tests: FETTLE_EFFORT=small, long or soak. test.sh --long and
-/// --soak set it.
+/// Amount of random and exhaustive testing in this run, from FETTLE_EFFORT=small, long or soak. test.sh --long
+/// and --soak set the variable.
 enum class Effort { Small, Long, Soak };
 
 inline std::string_view effortName()
@@ -22,15 +22,14 @@ inline Effort effort()
 #if defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 constexpr bool isSlowBuild = false;
 #else
-constexpr bool isSlowBuild = true; ///< 5 to 30 times slower
+constexpr bool isSlowBuild = true; ///< sanitizer and debug builds are 5 to 30 times slower
 #endif
 
-/// Milliseconds after which a test gives up what it waits for. Only a test that fails takes so long, on a busy machine
-/// too.
+/// Milliseconds after which a test stops waiting and fails. Generous, so that a busy machine fails no test.
 constexpr int longestWait = isSlowBuild ? 1'200'000 : 120'000;
 
-/// Returns the number of rounds, files, dabs or the like for this run. A soak without a number of its own is a long
-/// run.
+/// Returns the count (rounds, files, dabs …) for the effort of this run. Without a soak count, a soak run uses the long
+/// one.
 template <class Number> Number byEffort(Number small, Number large)
 {
     return effort() == Effort::Small ? small : large;

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-/// What a run by hand asks of a test, as in FETTLE_SEED=7.
+/// Returns the number that an environment variable such as FETTLE_SEED=7 sets, or `otherwise`.
 inline std::uint64_t numberFromEnvironment(const char* name, std::uint64_t otherwise)
 {
     bool isNumber = false;

@@ -27,15 +27,15 @@ using mesh_asserts::sculptable;
 
 namespace
 {
-/// A run whose mesh has grown past this ends: more would only take longer. So does one that has pushed nearly all of it
-/// away.
+/// Limits on the number of faces, beyond which a run ends: a larger mesh only takes more time, and one of fewer faces
+/// has been sculpted away.
 constexpr Slot maxFaces = 10'000, minFaces = 64;
 constexpr int dabsPerPairCheck = 8, dabsPerJudge = 100;
-/// One step in so many is a command to the whole model; one in so many takes back the step before.
+/// Average number of steps per command to the whole model, and per undo.
 constexpr std::uint64_t stepsPerCommand = 40, stepsPerUndo = 8;
 using How = core::MaskOperation::Kind;
 constexpr std::uint64_t maskChanges = std::uint64_t(How::Part) + 1;
-/// A remeshing aims at this share of the mean edge to its multiple.
+/// Range of the target edge length of a remeshing, as a multiple of the mean edge length.
 constexpr double finest = 0.8, coarsest = 2;
 
 double largestCoordinate(const TriangleMesh& mesh)
@@ -51,7 +51,7 @@ Mesh sculptableCopy(const FuzzStart& start)
     return *sculptable(start.mesh);
 }
 
-/// For whoever looks for the cause.
+/// Saves the start mesh of a failed run to the temporary folder, and returns its path.
 std::filesystem::path save(const FuzzStart& start, std::uint64_t seed)
 {
     const std::filesystem::path path =
@@ -151,7 +151,7 @@ void FuzzRun::fail(const std::string& what)
     m_problem = text.str();
 }
 
-// --- steps
+// --- steps of a run
 
 Stroke FuzzRun::nextStroke()
 {
@@ -159,15 +159,16 @@ Stroke FuzzRun::nextStroke()
     if (m_start.plane != Symmetry::None)
         stroke.settings.symmetry = m_start.plane;
     if (stroke.settings.symmetry != core::Symmetry::None)
-        stroke.settings.join = false; // balls that meet at the plane are not joined exactly
+        stroke.settings.join = false; // meeting balls in the mirror plane are not joined symmetrically bit for bit
     return stroke;
 }
 
-/// One that keeps a symmetry if there is one.
+/// Returns a random command. In a symmetric run it preserves the symmetry.
 core::ModelCommand FuzzRun::nextCommand()
 {
     const Mesh& mesh = m_sculptor.mesh();
-    if (m_fuzzer.below(2) == 0) // cleared more often than not, else little is left to sculpt
+    // half of the mask commands clear the mask, so that enough of the model stays sculptable
+    if (m_fuzzer.below(2) == 0)
         return core::MaskOperation{
             static_cast<How>(m_fuzzer.below(2) == 0 ? m_fuzzer.below(maskChanges) : std::uint64_t(How::Clear)), {}};
     if (m_start.plane != Symmetry::None)
@@ -187,7 +188,7 @@ core::ModelCommand FuzzRun::nextCommand()
     case 4:
         return core::Recentre{};
     case 5: {
-        const double mean2 = core::areaOf(mesh) / mesh.live().faces * 2; // about an edge's square
+        const double mean2 = core::areaOf(mesh) / mesh.live().faces * 2; // roughly the square of the mean edge length
         return core::RemeshUniformly{sized(finest, coarsest) * 1.5 * std::sqrt(mean2)};
     }
     default:
@@ -195,7 +196,7 @@ core::ModelCommand FuzzRun::nextCommand()
     }
 }
 
-/// A stroke ends before its time when the run has to.
+/// Sculpts the stroke sample by sample. Stops early if the run must end.
 void FuzzRun::sculpt(Stroke stroke)
 {
     ++m_tally.strokes;
@@ -210,14 +211,15 @@ void FuzzRun::sculpt(Stroke stroke)
     m_sculptor.beginStroke(stroke.settings);
     std::size_t used = 0;
     while (used < stroke.samples.size() && mayGoOn()) {
-        m_sculptor.addSample(stroke.samples[used++], Sculptor::Anchored::Shown); // replay() lets them wait
+        // replay(), in contrast, lets the dabs wait
+        m_sculptor.addSample(stroke.samples[used++], Sculptor::Anchored::Shown);
         checkAfterSample();
     }
     stroke.samples.resize(used);
     MeshDelta delta = m_sculptor.endStroke();
     m_sculptor.setAfterDab({});
     done(std::move(delta), std::move(stroke));
-    checkAfterSample(); // of the dabs that have waited for it
+    checkAfterSample(); // checks the dabs that were still waiting
 }
 
 void FuzzRun::command(const core::ModelCommand& command)
@@ -241,7 +243,7 @@ void FuzzRun::done(MeshDelta delta, Step step)
         fail("the mesh hash is not that of the faces");
 }
 
-/// Undoes the last step and forgets it, so that other steps follow.
+/// Undoes the last step and removes it from the history of the run, so that different steps follow.
 void FuzzRun::undoForGood()
 {
     m_sculptor.swap(m_undo.back());
@@ -264,7 +266,7 @@ void FuzzRun::trace(const StrokeSettings& s, const DabReport& report) const
               << m_sculptor.mesh().live().faces << " faces" << std::endl;
 }
 
-// --- checks
+// --- checks of the mesh
 
 void FuzzRun::checkAfterSample()
 {
@@ -322,7 +324,7 @@ void FuzzRun::walkHistory()
     checkIndex("after redoing everything");
 }
 
-/// Repeats the steps, without those that were undone in between.
+/// Repeats the run's steps from the start mesh, omitting the steps that were undone for good.
 void FuzzRun::replay()
 {
     Sculptor again(sculptable(m_start.mesh));

@@ -8,37 +8,40 @@
 #include <variant>
 #include <vector>
 
-/// What a run of the fuzzer begins with.
+/// The start of a fuzzer run: a mesh and its required symmetry.
 struct FuzzStart
 {
     std::string shape;
     core::TriangleMesh mesh;
-    /// The mesh is symmetric about this plane, bit for bit, and shall stay so: every stroke is mirrored there.
+    /// plane about which the mesh is symmetric bit for bit; every stroke is mirrored there, so the symmetry must
+    /// persist
     core::Symmetry plane = core::Symmetry::None;
 };
 
-/// Every shape that the fuzzer knows, about one to four units large.
+/// Returns the fuzzer's start shapes, about one to four units large.
 std::vector<FuzzStart> fuzzShapes();
-/// Made symmetric.
+/// Returns a copy of `start` that is symmetric about `plane`.
 FuzzStart symmetrized(const FuzzStart& start, core::Symmetry plane);
 
-/// One mesh, sculpted at random until its dabs are used up, it has grown large, or nearly all of it is gone. After each
-/// dab the octree is compared with the mesh and the symmetry is checked, after each few all pairs of faces are tested,
-/// and CGAL judges; at the end everything is undone, redone, and, if asked, done again from the start without what was
-/// undone in between.
+/// Sculpts one mesh at random until its dabs are used up, it has grown large, or nearly all of it is gone.
+/// After each dab it compares the octree with the mesh and checks the symmetry. Every few dabs all pairs of faces are
+/// tested for intersection, and CGAL judges the mesh.
+/// At the end it undoes and redoes everything. On request it also replays the steps from the start, without the undone
+/// ones.
 class FuzzRun
 {
 public:
-    /// FETTLE_TRACE=1 in the environment: says what each dab did.
+    /// FETTLE_TRACE=1 in the environment prints the report of each dab.
     FuzzRun(const FuzzStart& start, std::uint64_t seed, FuzzTally& tally);
 
     enum class AtEnd { Undo, UndoAndReplay };
     void go(std::uint64_t dabs, AtEnd atEnd);
 
     bool ok() const { return m_problem.empty(); }
-    /// What went wrong first, and how to do it again.
+    /// Returns the first problem found, with the steps to reproduce it. Empty if there is none.
     const std::string& problem() const { return m_problem; }
-    /// To begin another run with. Nothing if a document would not take the surface as it is.
+    /// Returns the final mesh as the start of another run, or nothing if a document would not accept its surface
+    /// unchanged.
     std::optional<FuzzStart> grown() const;
 
 private:
@@ -67,7 +70,7 @@ private:
     core::Sculptor m_sculptor;
     std::string m_where, m_problem;
     std::vector<Step> m_steps;
-    std::vector<std::uint64_t> m_states; ///< after each of them
+    std::vector<std::uint64_t> m_states; ///< hash of the mesh after each step
     std::vector<core::MeshDelta> m_undo;
     std::uint64_t m_startState;
     bool m_trace;

@@ -9,7 +9,7 @@ using core::StrokeSettings;
 
 namespace
 {
-/// The share of the displacement asked from which on a dab counts as whole, as in core::DabReport::isWhole().
+/// Share of the requested displacement above which a dab counts as whole, as in core::DabReport::isWhole().
 constexpr double wholeShare = 0.95;
 
 double percent(std::uint64_t part, std::uint64_t of)

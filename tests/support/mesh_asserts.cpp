@@ -104,7 +104,8 @@ private:
         expect(m_mesh.to(2 * e) != m_mesh.to(2 * e + 1), "an edge is a loop", e);
     }
 
-    /// One umbrella: the way around by rotate() meets each half-edge that leaves the vertex, each to another neighbour.
+    /// Checks that the faces around `v` form one umbrella: rotate() visits each outgoing half-edge once, each to a
+    /// different neighbour.
     void checkVertex(Slot v)
     {
         if (m_leaving.empty())

@@ -5,27 +5,28 @@
 #include <memory>
 #include <string>
 
-/// Judgements of a core::Mesh for tests, made with nothing of the engine but the pair test. All O(mesh) or worse.
+/// Checks of a core::Mesh for tests. They use only the pair test of the engine. Cost: O(mesh) or more.
 namespace mesh_asserts
 {
-/// The mesh on its own lattice, or on the given one, in the order of the file. Precondition: as for core::Mesh.
+/// Returns the mesh on its own lattice, or on the given one, in file order. Precondition: as for core::Mesh.
 std::unique_ptr<core::Mesh> sculptable(core::TriangleMesh mesh);
 std::unique_ptr<core::Mesh> sculptable(core::TriangleMesh mesh, core::Lattice lattice);
 
-/// What is wrong with the links: loops, twins, corners, umbrellas, free slots, lattice. Empty if nothing is.
+/// Returns the first defect of the links (loops, twins, corners, umbrellas, free slots, lattice), or an empty text.
 std::string brokenLinks(const core::Mesh& mesh);
 
-/// Vertices - edges + faces: 2 a shell, less 2 a handle.
+/// Returns vertices - edges + faces: 2 for each shell, minus 2 for each handle.
 std::int64_t eulerNumber(const core::Mesh& mesh);
 
-/// Faces that are degenerate or meet another outside shared vertices and edges, ascending: exact tests of all pairs.
+/// Returns, in ascending order, the faces that are degenerate or meet another face outside shared vertices and edges.
+/// Tests all pairs exactly.
 std::vector<core::Slot> badFaces(const core::Mesh& mesh);
 
-/// The live surface as a file would hold it.
+/// Returns the live surface as a triangle mesh without unused slots.
 core::TriangleMesh surfaceOf(const core::Mesh& mesh);
 } // namespace mesh_asserts
 
-/// Closed, manifold, consistently linked.
+/// Checks that the mesh is closed, manifold and consistently linked.
 #define VERIFY_LINKED(mesh)                                                                                            \
     do {                                                                                                               \
         const std::string brokenLinks = mesh_asserts::brokenLinks(mesh);                                               \

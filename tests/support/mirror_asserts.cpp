@@ -30,7 +30,8 @@ std::string at(const char* what, const Mesh& mesh, Slot v)
     text << what << ' ' << v << " at " << mesh.latticePoint(v).transpose() << " (lattice units)";
     return text.str();
 }
-/// `imageOf(Bits)`: of a place; `isTurnedOver`: the corners of a face's image run the other way.
+/// Returns the first vertex or face without an equal image, as a text, or an empty text. `imageOf` maps a lattice point
+/// to its image. `isTurnedOver`: the image of a face has its corners in reverse order.
 template <class ImageOf> std::string unlikeImage(const Mesh& mesh, ImageOf imageOf, bool isTurnedOver)
 {
     std::map<Bits, Slot> vertices;

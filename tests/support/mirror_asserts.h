@@ -7,11 +7,11 @@
 
 namespace mirror_asserts
 {
-/// What keeps the mesh from being its own mirror image, bit for bit: a vertex without an image, one whose image has
-/// another colour, a face without an image. Empty if nothing does. O(n log n), and without a word of the engine's own
-/// mirror.
+/// Returns the first defect of the mirror symmetry, which must hold bit for bit: a vertex without an image, an image of
+/// another colour, a face without an image. Empty if there is none.
+/// Does not use the engine's own mirror code. Cost: O(n log n).
 std::string asymmetry(const core::Mesh& mesh, core::Symmetry plane);
-/// The same for a half turn about y (2 parts), or a quarter turn (4).
+/// Variant of asymmetry() for rotations about the y axis: a half turn (2 parts) or a quarter turn (4 parts).
 std::string turnedAsymmetry(const core::Mesh& mesh, int parts);
 } // namespace mirror_asserts
 

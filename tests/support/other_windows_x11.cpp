@@ -23,7 +23,7 @@ std::vector<Window> childrenOf(Display* display, Window window)
     return {children, children + count};
 }
 
-/// 0: it does not say.
+/// Returns the id of the process that owns the window, or 0 if the window does not report it.
 qint64 processOf(Display* display, Window window)
 {
     const Atom name = XInternAtom(display, "_NET_WM_PID", False);
@@ -69,7 +69,8 @@ int askToClose(Display* display, Window parent, qint64 process)
 
 bool askToClose(qint64 process)
 {
-    const auto before = XSetErrorHandler([](Display*, XErrorEvent*) { return 0; }); // windows come and go
+    // ignores errors of windows that close meanwhile
+    const auto before = XSetErrorHandler([](Display*, XErrorEvent*) { return 0; });
     Display* display = XOpenDisplay(nullptr);
     const bool hasAsked = display && askToClose(display, DefaultRootWindow(display), process) > 0;
     if (display)

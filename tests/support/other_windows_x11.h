@@ -2,5 +2,6 @@
 
 #include <QtGlobal>
 
-/// Asks the windows of another process to close, as a click on their cross does. False: it shows none. Of one thread.
+/// Asks the windows of another process to close, as their close button does. Returns false if it shows no window.
+/// Thread: one at a time.
 bool askToClose(qint64 process);

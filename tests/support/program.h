@@ -9,8 +9,8 @@
 
 namespace app
 {
-/// The program as main() puts it together. Its view of the model is small, because the processor draws it here, which
-/// took most of the time of the tests of the window.
+/// The program as main() assembles it. Its view of the model is small by default, because drawing it in software took
+/// most of the time of window tests.
 struct Program
 {
     static constexpr QSize smallView{320, 240}, anyView{QWIDGETSIZE_MAX, QWIDGETSIZE_MAX};

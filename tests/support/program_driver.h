@@ -17,7 +17,7 @@
 #include <QTest>
 #include <QTimer>
 
-/// What a person does with the program, by real events.
+/// User actions on the program, performed with real events.
 namespace app
 {
 inline QPoint middle(const QWidget* widget)
@@ -39,7 +39,7 @@ inline void drag(QWidget* widget, const QPoint& by, Qt::KeyboardModifiers modifi
     QTest::mouseRelease(widget, Qt::LeftButton, modifiers, from + by);
 }
 
-/// The application of a test of the real window. Without a display ctest says that it was skipped.
+/// The application of a test that needs a real window. Without a display ctest reports the test as skipped.
 class OnScreen
 {
 public:
@@ -61,7 +61,7 @@ private:
     QApplication m_application;
 };
 
-/// The window with a model from a file, seen and active.
+/// Opens a model from a file, and waits until the window is visible and active.
 inline void openFile(Program& program, const QString& path, const QSize& size = {1200, 800})
 {
     program.window.resize(size);
@@ -75,7 +75,7 @@ inline void openFile(Program& program, const QString& path, const QSize& size = 
     QVERIFY(QTest::qWaitForWindowActive(&program.window));
 }
 
-/// The window with a ball of clay that has a stroke more than any file.
+/// Opens a ball of clay and sculpts one stroke, so that the document has unsaved changes.
 inline void sculptBall(Program& program)
 {
     program.window.resize(900, 700);
@@ -89,8 +89,8 @@ inline void sculptBall(Program& program)
     QTRY_VERIFY_WITH_TIMEOUT(program.document.queue().isSettled(), longestWait);
 }
 
-/// Presses a button of the question about unsaved changes, which the next event asks, until it is answered: on a busy
-/// machine a press on a box that has just been shown may be lost.
+/// Presses a button in the question about unsaved changes that will appear next. Repeats the press until the dialog
+/// closes, because a busy machine may lose a press on a new dialog.
 inline void answerQuestion(Program& program, QMessageBox::StandardButton button)
 {
     auto* timer = new QTimer(&program.window);
@@ -104,8 +104,8 @@ inline void answerQuestion(Program& program, QMessageBox::StandardButton button)
     timer->start(20);
 }
 
-/// Gives the dialog a file's name, and Return. It is not typed: what the dialog proposes to go on with may come before
-/// the last letter.
+/// Enters a file name in the file dialog and presses Return. The text is set at once rather than typed, because the
+/// dialog's completion may interfere before the last letter.
 inline void chooseFile(Program& program, const char* dialogName, const QString& path)
 {
     QFileDialog* dialog = nullptr;
@@ -115,7 +115,8 @@ inline void chooseFile(Program& program, const char* dialogName, const QString& 
     auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
     dialog->setDirectory(QFileInfo(path).absolutePath());
     name->setText(QFileInfo(path).fileName());
-    QTRY_VERIFY_WITH_TIMEOUT(dialog->isActiveWindow(), longestWait); // until then Return is the window's behind it
+    // an inactive dialog would leave Return to the window behind it
+    QTRY_VERIFY_WITH_TIMEOUT(dialog->isActiveWindow(), longestWait);
     QTest::keyClick(name, Qt::Key_Return);
 }
 

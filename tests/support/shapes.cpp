@@ -71,14 +71,14 @@ TriangleMesh openCone(Slot corners)
 
 TriangleMesh bowTie()
 {
-    const TriangleMesh one = moved(tetrahedron(), {-1, -1, -1}); // its vertex 0 at the origin
+    const TriangleMesh one = moved(tetrahedron(), {-1, -1, -1}); // has vertex 0 at the origin
     TriangleMesh mesh = one;
     const Slot shift = static_cast<Slot>(one.points.size()) - 1;
     for (std::size_t i = 1; i < one.points.size(); ++i)
         mesh.points.push_back(-one.points[i]);
     const auto other = [shift](Slot corner) { return corner == 0 ? 0 : corner + shift; };
     for (const auto& [a, b, c] : one.triangles)
-        mesh.triangles.push_back({other(a), other(c), other(b)}); // point reflection turns faces over
+        mesh.triangles.push_back({other(a), other(c), other(b)}); // point reflection reverses the orientation of faces
     return mesh;
 }
 
@@ -97,17 +97,17 @@ TriangleMesh cubeWithFlippedFace()
 TriangleMesh pushedThroughTetrahedron()
 {
     TriangleMesh mesh = tetrahedron();
-    mesh.points[0] = {-1, -1, -1}; // beyond the plane of the others
+    mesh.points[0] = {-1, -1, -1}; // on the far side of the plane through the other three points
     return mesh;
 }
 
 TriangleMesh touchingCubes()
 {
-    // The second stands on its corner above the first one's top face.
+    // The second cube is rotated to have its corner on the top face of the first cube.
     TriangleMesh second = cube(2);
     for (Vec3f& p : second.points) {
         const float x = p.x(), y = p.y(), z = p.z();
-        p = {x - y, x + y + z + 4, z - y}; // the corner (-1,-1,-1) goes to (0, 1, 0)
+        p = {x - y, x + y + z + 4, z - y}; // maps the corner (-1,-1,-1) to (0, 1, 0)
     }
     return together(cube(2), second);
 }

@@ -4,8 +4,8 @@
 
 class StrokeFuzzer;
 
-/// Small named meshes for tests. Closed ones face outwards unless their name says otherwise. core::icosphere is the
-/// ball.
+/// Small named meshes for tests. Closed ones face outwards unless their name says otherwise. For a ball, use
+/// core::icosphere.
 namespace shapes
 {
 using core::Slot;
@@ -17,39 +17,40 @@ TriangleMesh cube(float side);
 
 struct TorusSize
 {
-    double ring = 3; ///< radius of the centre line
+    double ring = 3; ///< radius of the centre line of the ring
     double tube = 1;
     Slot around = 24; ///< vertices along the ring
     Slot across = 12; ///< vertices around the tube
 };
 TriangleMesh torus(const TorusSize& size = {});
 
-/// A ball in a ball: the inner one faces inwards (a shell with a cavity, right) or outwards (wrong).
+/// Returns a ball inside a ball. The inner one faces inwards (a correct cavity) or outwards (a defect).
 TriangleMesh nestedSpheres(bool innerFacesInwards);
-/// A cone without its base.
+/// Returns a cone without its base.
 TriangleMesh openCone(Slot corners);
-/// Two tetrahedra that share one vertex.
+/// Returns two tetrahedra that share one vertex.
 TriangleMesh bowTie();
-/// Three triangles at one edge.
+/// Returns three triangles that share one edge.
 TriangleMesh threeFacesAtEdge();
-/// A cube one of whose faces runs the wrong way.
+/// Returns a cube in which one face has reversed orientation.
 TriangleMesh cubeWithFlippedFace();
-/// A tetrahedron whose apex went through its base: embedded, but inside out.
+/// Returns a tetrahedron whose apex was pushed through its base: free of self-intersections, but inside out.
 TriangleMesh pushedThroughTetrahedron();
-/// Two cubes, a corner of one touching a face of the other from outside, without a common vertex.
+/// Returns two cubes without a common vertex. A corner of one touches a face of the other from outside.
 TriangleMesh touchingCubes();
 TriangleMesh sphereThroughSphere();
 
 TriangleMesh moved(TriangleMesh mesh, const Vec3f& by);
 TriangleMesh scaled(TriangleMesh mesh, float by);
-/// Every face turned over.
+/// Returns the mesh with every face's orientation reversed.
 TriangleMesh reversed(TriangleMesh mesh);
-/// Both, with no vertex in common.
+/// Returns one mesh that contains both meshes, without common vertices.
 TriangleMesh together(TriangleMesh a, const TriangleMesh& b);
-/// Takes the faces apart: nine tenths as large, with corners of their own, and moved along their normals by `distance`.
+/// Returns unconnected triangles: each face scaled by 0.9 about its centre and moved along its normal by `distance`.
 TriangleMesh takenApart(const TriangleMesh& mesh, float distance = 0);
-/// Each coordinate moved by up to `amount`, by the seed.
+/// Returns the mesh with each coordinate displaced by up to `amount`. The seed determines the displacements.
 TriangleMesh noisy(TriangleMesh mesh, float amount, unsigned seed);
-/// Returns the same surface with vertices and triangles in another order, triangles with another corner first.
+/// Returns the same surface with vertices and triangles in random order, and with a random first corner in each
+/// triangle.
 TriangleMesh shuffled(const TriangleMesh& mesh, StrokeFuzzer& random);
 } // namespace shapes

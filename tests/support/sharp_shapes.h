@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-/// A box of these half sides, each side a grid of `cuts` by `cuts` squares.
+/// Returns a box with the half side lengths `half`, each side a grid of `cuts` by `cuts` squares.
 inline core::TriangleMesh gridBox(const core::Vec3& half, int cuts)
 {
     core::TriangleMesh mesh;
@@ -40,8 +40,8 @@ inline core::TriangleMesh gridBox(const core::Vec3& half, int cuts)
     return mesh;
 }
 
-/// The solid that a line from the axis to the axis, upwards, makes when it turns about y: points (radius, y), the first
-/// and the last of radius 0.
+/// Returns the solid that a line makes when it revolves about the y axis. The line is (radius, y) points, upwards; the
+/// first and the last have radius 0.
 inline core::TriangleMesh turned(const std::vector<std::pair<double, double>>& line, int sectors)
 {
     core::TriangleMesh mesh;

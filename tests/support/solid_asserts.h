@@ -7,7 +7,7 @@
 
 namespace mesh_asserts
 {
-/// What is wrong with the mesh: its links, by our own check; its surface, by CGAL. Empty if nothing is.
+/// Returns the first defect of the mesh, or an empty text. Fettle's own check tests the links, CGAL the surface.
 inline std::string unsoundness(const core::Mesh& mesh)
 {
     const std::string links = brokenLinks(mesh);
@@ -23,21 +23,21 @@ inline std::string unsoundness(const core::Mesh& mesh)
     return verdict->boundsSolid ? "" : "does not bound a solid";
 }
 
-/// Precondition: it is closed.
+/// Returns the enclosed volume. Precondition: the mesh is closed.
 inline double volumeOf(const core::Mesh& mesh)
 {
     return core::checkMesh(surfaceOf(mesh)).volume.value();
 }
 
-/// Whether nothing is wrong with the mesh, and the octree holds its faces.
+/// Returns whether the mesh has no defect and the octree contains exactly its faces.
 inline bool isSound(const core::Sculptor& sculptor)
 {
     return unsoundness(sculptor.mesh()).empty() && sculptor.indexIsConsistent();
 }
 } // namespace mesh_asserts
 
-/// Linked rightly, closed, manifold, oriented, free of self-intersections, the boundary of a solid. Links
-/// fettle_cgal_judge.
+/// Checks that the mesh is consistently linked, closed, manifold, oriented, free of self-intersections and the boundary
+/// of a solid. The test must link fettle_cgal_judge.
 #define VERIFY_VALID(mesh)                                                                                             \
     do {                                                                                                               \
         const std::string unsoundness = mesh_asserts::unsoundness(mesh);                                               \

@@ -13,7 +13,7 @@ using core::Vec3;
 
 namespace
 {
-/// A flat torus, a cube, a crystal, a bowl and a ring that is cut: with holes, overhangs and corners.
+/// Returns brush models with holes, overhangs and corners: a flat torus, a cube, a crystal, a bowl and a cut ring.
 const std::vector<std::shared_ptr<const core::BrushModel>>& brushModels()
 {
     static const std::vector<std::shared_ptr<const core::BrushModel>> models = {
@@ -71,7 +71,8 @@ core::Stroke StrokeFuzzer::stroke(const core::Mesh& mesh)
     s.radial = below(14) == 0 ? 2 + static_cast<int>(below(6)) : 1;
     s.color = {static_cast<std::uint8_t>(below(256)), static_cast<std::uint8_t>(below(256)), 90};
     s.place = placements[below(3)];
-    const double large = uniform(); // small ones more often; no std::pow: libraries round it differently
+    // cubed below so that small radii are more frequent; std::pow would round differently in other libraries
+    const double large = uniform();
     s.radius = least + (0.5 * size - least) * large * large * large;
     s.strength = below(3) == 0 ? uniform(0, 10) : uniform(0, 2);
     s.falloff = falloffs[below(7)];
@@ -87,8 +88,8 @@ core::Stroke StrokeFuzzer::stroke(const core::Mesh& mesh)
     }
     if (below(3) != 0)
         s.model = brushModels()[below(brushModels().size())];
-    if (s.tool == core::Tool::Stamp ||
-        (s.alpha && core::usesAlpha(s.tool))) // their meshes are finer: as much work as the others'
+    // These tools refine the mesh more, so a coarser detail keeps the cost of their dabs similar to that of others.
+    if (s.tool == core::Tool::Stamp || (s.alpha && core::usesAlpha(s.tool)))
         s.detail = uniform(2, 8);
 
     const std::uint64_t samples = 1 + below(s.spacing == 0 ? 10 : 4);
@@ -100,8 +101,8 @@ core::Stroke StrokeFuzzer::stroke(const core::Mesh& mesh)
         sample.time = (s.airbrush > 0 ? 0.3 : 0.01) * static_cast<double>(i);
         sample.position = at;
         if (s.place == core::Placement::Ray || s.brush == core::BrushShape::Ray) {
-            const bool staysPut =
-                s.spacing != 0 || core::isDragTool(s.tool); // else dabs would fill the way from one view to the next
+            // A changing view would fill the path between two views with interpolated dabs.
+            const bool staysPut = s.spacing != 0 || core::isDragTool(s.tool);
             sample.direction = staysPut ? view : direction();
             sample.position = at - 2 * size * sample.direction;
         }

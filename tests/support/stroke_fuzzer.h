@@ -5,8 +5,8 @@
 #include <random>
 #include <string>
 
-/// Strokes drawn at random, the same on every machine: no distribution of the standard library, whose results may
-/// differ.
+/// Random strokes that are equal on every machine. Does not use the distributions of the standard library, whose
+/// results may differ.
 class StrokeFuzzer
 {
 public:
@@ -17,9 +17,9 @@ public:
     std::uint64_t below(std::uint64_t n) { return m_engine() % n; }
     core::Vec3 direction();
 
-    /// A stroke near the mesh as it is now: any tool, brush, topology, placement, fusion, spacing, airbrush, falloff
-    /// and detail (0.3 to 3), one in three mirrored, one in five under an alpha, a radius from three edges to half the
-    /// model's size, a strength up to 10.
+    /// Returns a stroke near the current mesh with a random tool, brush, topology, placement, fusion, spacing,
+    /// airbrush, falloff and detail (0.3 to 3). One in three is mirrored, one in five has an alpha. The radius is
+    /// between three edges and half the model's size, the strength up to 10.
     core::Stroke stroke(const core::Mesh& mesh);
 
 private:

@@ -1,5 +1,5 @@
 // main() of every test program:  test_core_mesh [CLASS] [QTEST ARGUMENTS]
-// Without a class it runs all of them, each in a process of its own. `--list` prints them.
+// Every class is run, each in a process of its own, if CLASS is missing. `--list` prints the names of the classes.
 #include "tests/support/test_main.h"
 
 #include <QProcess>
@@ -25,7 +25,7 @@ std::vector<TestClass>& testClasses()
 
 const char* s_running = "";
 
-/// Returns the exit status of the first class that fails, or 0.
+/// Runs every class. Returns the exit status of the first failing class, or 0.
 int runAll(char* argv[])
 {
     int status = 0;

@@ -5,15 +5,16 @@
 
 #include <type_traits>
 
-/// Adds a test class to the program of its folder. Each is run in a process of its own. The second argument is what
-/// lives while it runs: QCoreApplication, QGuiApplication, QApplication, ui::TestApplication, vr::GlTestApplication,
-/// vr::GlxTestApplication or app::OnScreen. Without it there is no application. CMake reads these lines: fettle_tests()
-/// makes a test of each, with a display unless it needs none.
+/// Adds a test class to the test program of its folder. Each class runs in a process of its own.
+/// The second argument is the type of the application object: QCoreApplication, QGuiApplication, QApplication,
+/// ui::TestApplication, vr::GlTestApplication, vr::GlxTestApplication or app::OnScreen. Without it the test has none.
+/// CMake parses these lines: fettle_tests() adds a ctest entry for each, with a display if the application needs one.
 #define FETTLE_TEST(TestClass, ...)                                                                                    \
     static const test::Registration registrationOf##TestClass(#TestClass,                                              \
                                                               &test::run<TestClass __VA_OPT__(, ) __VA_ARGS__>);
 
-/// The same for a test that prepares something before its application exists: `function` takes the place of main().
+/// Variant of FETTLE_TEST for a test that prepares something before its application exists: `function` is run instead
+/// of test::run().
 #define FETTLE_TEST_MAIN(TestClass, function)                                                                          \
     static const test::Registration registrationOf##TestClass(#TestClass, &function);
 
@@ -21,14 +22,15 @@ namespace test
 {
 using Main = int (*)(int argc, char* argv[]);
 
-constexpr int skipped = 77; ///< exit status by which ctest knows that a test was skipped
+constexpr int skipped = 77; ///< exit status that ctest reports as skipped
 
 struct Registration
 {
     Registration(const char* className, Main main);
 };
 
-/// Returns the class that this process runs: the first argument for a process that a test starts of its own program.
+/// Returns the name of the running test class. In a process that a test starts from its own program, this is the first
+/// argument.
 QString runningClass();
 
 struct NoApplication
@@ -36,8 +38,8 @@ struct NoApplication
     NoApplication(int /*argc*/, char** /*argv*/) {}
 };
 
-/// Returns the exit status. An Application may have a function missing(), which returns why it cannot be had here, or
-/// null.
+/// Runs the class and returns the exit status. An Application may define missing(), which returns the reason why it is
+/// unavailable here, or null.
 template <class Test, class Application = NoApplication> int run(int argc, char* argv[])
 {
     if constexpr (requires { Application::missing(); }) {

@@ -7,7 +7,8 @@
 
 #include <utility>
 
-/// Reads a file of translations/ itself, which the program has compiled. Empty if the file cannot be read.
+/// A translator read from a source file of translations/, without the compiled form that the program uses. Empty if the
+/// file cannot be read.
 class TranslationFile : public QTranslator
 {
 public:

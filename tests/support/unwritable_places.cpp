@@ -13,7 +13,8 @@ namespace places
 {
 namespace
 {
-/// Gives this process its own mount namespace; without root in a new user namespace, which keeps its user and group.
+/// Gives this process its own mount namespace. Without root rights this needs a new user namespace, in which user and
+/// group are mapped to themselves.
 bool ownMounts()
 {
     const std::string user = std::to_string(::geteuid()), group = std::to_string(::getegid());
@@ -35,7 +36,7 @@ void obeyPermissions()
     if (::syscall(SYS_capget, &header, data) != 0)
         return;
     for (const unsigned right : {CAP_DAC_OVERRIDE, CAP_DAC_READ_SEARCH}) {
-        ::prctl(PR_CAPBSET_DROP, right); // what is started does not have it back
+        ::prctl(PR_CAPBSET_DROP, right); // started programs do not regain the capability
         data[0].effective &= ~(1U << right);
         data[0].permitted &= ~(1U << right);
         data[0].inheritable &= ~(1U << right);

@@ -2,27 +2,27 @@
 
 #include <filesystem>
 
-/// Places that cannot be written, for a test's process and the programs that it starts. Linux.
+/// Unwritable folders for the process of a test and the programs that it starts. Linux only.
 namespace places
 {
-/// From here on permissions of files bind this process, though it be root's. Before there are threads.
+/// Makes file permissions apply to this process even if it runs as root. Precondition: the process has one thread.
 void obeyPermissions();
 
-/// A folder on a disk of its own that holds so much, empty, seen by this process only; gone with the object.
+/// An empty folder on a file system of `kibibytes` that only this process sees. The destructor removes it.
 class SmallDisk
 {
 public:
-    /// Before there are threads: the first one makes the process's mounts its own, which takes root's rights or user
-    /// namespaces.
+    /// Precondition: the process has one thread. The first SmallDisk gives the process its own mounts, which needs root
+    /// rights or user namespaces.
     explicit SmallDisk(std::filesystem::path folder, unsigned kibibytes = 64);
     ~SmallDisk();
     SmallDisk(const SmallDisk&) = delete;
     SmallDisk& operator=(const SmallDisk&) = delete;
 
     const std::filesystem::path& folder() const { return m_folder; }
-    /// Not where the system forbids to mount: tests skip then.
+    /// Returns false if the system forbids mounts: tests then skip.
     bool isThere() const { return m_isThere; }
-    /// With a file named "filler", until nothing more goes in; it may be removed.
+    /// Fills the disk with a file named "filler", which a test may remove.
     void fill() const;
 
 private:

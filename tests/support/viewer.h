@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-/// What a viewer has that knows nothing but patches: the draw arrays, written independently of the program's.
+/// A viewer that receives only patches. Its draw arrays are updated by code independent of the program's.
 struct Viewer
 {
     std::vector<core::DrawVertex> vertices;
@@ -13,7 +13,8 @@ struct Viewer
 
     void apply(const core::MeshPatch& patch)
     {
-        vertices.resize(patch.vertexSlots, {core::Vec3f::Constant(-77), {1, 2, 3, 4}, {}, {}}); // garbage until told
+        // garbage until a patch sets them
+        vertices.resize(patch.vertexSlots, {core::Vec3f::Constant(-77), {1, 2, 3, 4}, {}, {}});
         faces.resize(patch.faceSlots, {7, 7, 7});
         put(patch.vertexSpans, patch.vertices, vertices);
         put(patch.faceSpans, patch.faces, faces);
@@ -24,7 +25,7 @@ struct Viewer
         return std::ranges::equal(vertices, other.vertices, same) && faces == other.faces;
     }
 
-    /// Of live faces, what is drawn: the values of vertices that no face uses do not matter.
+    /// Returns whether the live faces look the same. The values of unused vertices do not count.
     bool drawsLike(const Viewer& other) const
     {
         const auto cornersDrawAlike = [&](const core::Triangle& face) {
