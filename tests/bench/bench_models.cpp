@@ -20,7 +20,7 @@ TriangleMesh builtSphere(Slot n)
     const TriangleMesh base = core::icosphere(0, 1);
     TriangleMesh mesh;
     std::map<std::array<Slot, 6>, Slot>
-        known; // of vertices on an edge or a corner: (corner, weight) thrice, 0 where none
+        known; // vertices on edges and corners of the icosahedron; key: three pairs (corner, weight), 0 if unused
     const auto vertex = [&](const core::Triangle& t, std::array<Slot, 3> weights) {
         Vec3 p = Vec3::Zero();
         std::array<std::pair<Slot, Slot>, 3> parts{};

@@ -4,14 +4,14 @@
 
 #include <memory>
 
-/// Models to measure on.
+/// Models for benchmarks.
 namespace bench
 {
-/// An icosahedron whose edges are cut into `cuts`: 10 cuts^2 + 2 vertices on the sphere of radius 1. Built once a
-/// program.
+/// Returns an icosahedron whose edges are divided into `cuts`: 10 cuts^2 + 2 vertices on the sphere of radius 1. Each
+/// size is built once per program.
 const core::TriangleMesh& geodesicSphere(core::Slot cuts);
-/// The same surface, its vertices and faces in an order without sense, the same each time.
+/// Returns the same surface with vertices and faces in a random order, which is equal each time.
 core::TriangleMesh shuffled(const core::TriangleMesh& mesh);
-/// As the program opens it: along the Morton curve, on its lattice.
+/// Returns the mesh as the program opens it: sorted along the Morton curve, on its lattice.
 std::unique_ptr<core::Mesh> opened(const core::TriangleMesh& mesh);
 } // namespace bench

@@ -23,7 +23,7 @@ public:
     void add(double value) { m_values.push_back(value); }
     double first() const { return m_values.front(); }
     double sum() const { return std::accumulate(m_values.begin(), m_values.end(), 0.0); }
-    /// Of all but the first.
+    /// Returns the mean of all values except the first.
     double meanOfLater() const { return (sum() - first()) / static_cast<double>(m_values.size() - 1); }
     double median() { return percentile(0.5); }
     double percentile(double part)

@@ -17,7 +17,7 @@ std::string toText(double value, int digits)
     return text.str();
 }
 
-/// The first column to the left, numbers to the right.
+/// Prints the lines as a table: the first column is aligned left, numbers are aligned right.
 void printAligned(std::ostream& out, const Lines& lines)
 {
     std::vector<std::size_t> widths(lines.front().size());

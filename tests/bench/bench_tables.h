@@ -9,22 +9,23 @@
 
 namespace bench
 {
-/// A counter of a benchmark as it is printed, or its ratio to that of another row.
+/// A column of a table: a counter of a benchmark, or its ratio to that counter in another row.
 struct Column
 {
     std::string counter, heading;
     int digits = 2;
-    std::optional<std::size_t> over = {}; ///< the row that it is divided by
+    /// index of the row whose counter is the divisor; none: the counter itself is printed
+    std::optional<std::size_t> over = {};
 };
 struct Table
 {
-    std::string benchmark; ///< its function's name
+    std::string benchmark; ///< name of the benchmark's function
     std::string title;
     std::vector<Column> columns;
 };
 
-/// Prints a table for each benchmark that has one, its rows named by their labels. Of repeated runs, the least value of
-/// each counter: on a shared machine only the least is the program's own.
+/// Prints a table for each benchmark that has one. Rows are named by their labels.
+/// Repeated runs are reduced to the smallest value of each counter, because other load on the machine only adds to it.
 class TableReporter : public benchmark::BenchmarkReporter
 {
 public:
@@ -38,13 +39,13 @@ private:
     struct Row
     {
         std::string label;
-        std::map<std::string, double> least; ///< by counter
+        std::map<std::string, double> least; ///< key: name of the counter
     };
-    using Rows = std::map<std::int64_t, Row>; ///< by the order of registration
+    using Rows = std::map<std::int64_t, Row>; ///< key: order of registration
 
     void print(const Table& table, const Rows& rows);
 
     std::vector<Table> m_tables;
-    std::map<std::string, Rows> m_rows; ///< by benchmark
+    std::map<std::string, Rows> m_rows; ///< key: name of the benchmark
 };
 } // namespace bench

@@ -1,5 +1,5 @@
-// What three views of a model of a million vertices cost: as the 2D preview draws them while strokes go on, and when
-// they rest.
+// Measures line drawings of a model of a million vertices: full drawings of three kinds, and the incremental drawings
+// of the 2D preview during a stroke.
 #include "tests/bench/bench_models.h"
 
 #include "core/drawing/incremental_line_drawing.h"
@@ -30,7 +30,7 @@ void drawing(benchmark::State& state)
 }
 BENCHMARK(drawing)->DenseRange(0, 2)->Iterations(1)->UseManualTime();
 
-/// Drawings after each fifth dab of a stroke.
+/// Measures the incremental drawing after every fifth dab of a stroke.
 void drawingStroke(benchmark::State& state)
 {
     const bool shaded = state.range(0) != 0;

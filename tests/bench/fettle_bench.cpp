@@ -1,7 +1,8 @@
-// What a dab costs, in tables: the paper's Table 1, scale, large dabs, strength, memory. By hand, on a release build:
+// Prints tables of the cost of a dab: the paper's Table 1, scale, large dabs, strength, memory. Run by hand, on a
+// release build:
 //   fettle_bench [--benchmark_filter=table1|peersStroke|largeDab|strength|tools|drags|drawing|print|files|memory]
 //   FETTLE_AGED_DABS=100000 fettle_bench --benchmark_filter=agedStroke
-// Five interleaved runs of each row, of which the best counts; --benchmark_repetitions=1 is enough for a look.
+// Each row is run five times, interleaved, and the best run counts. --benchmark_repetitions=1 gives a quick estimate.
 
 #include "tests/bench/bench_tables.h"
 
@@ -114,7 +115,7 @@ int main(int count, char** arguments)
 {
     char repetitions[] = "--benchmark_repetitions=5", interleaving[] = "--benchmark_enable_random_interleaving=true";
     std::vector<char*> all = {arguments[0], repetitions,
-                              interleaving}; // first: what the caller says comes later and wins
+                              interleaving}; // placed first, because later options of the caller override them
     all.insert(all.end(), arguments + 1, arguments + count);
     int allCount = static_cast<int>(all.size());
     benchmark::Initialize(&allCount, all.data());

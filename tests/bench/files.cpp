@@ -1,5 +1,5 @@
-// What it takes to open and to export a model of a million vertices, beside a plain read and write of the same bytes
-// and beside Assimp's import of the same file.
+// Measures opening and exporting a model of a million vertices, beside a plain read and write of the same number of
+// bytes and beside Assimp's import of the same file.
 #include "tests/bench/bench_models.h"
 
 #include "core/io/mesh_io.h"
@@ -26,7 +26,7 @@ constexpr core::Slot cuts = 317; // 1,004,892 vertices
 constexpr const char* labels[] = {"STL", "PLY", "GLB", "OBJ", "3MF"};
 constexpr const char* endings[] = {"stl", "ply", "glb", "obj", "3mf"};
 
-/// In milliseconds.
+/// Returns the duration of `work` in milliseconds.
 template <typename Work> double timeOf(Work work)
 {
     const auto start = std::chrono::steady_clock::now();
@@ -34,7 +34,7 @@ template <typename Work> double timeOf(Work work)
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// The best of some runs of each, in turns.
+/// Returns the shortest duration of each function in ms. The functions run alternately, several times.
 template <typename First, typename Second> std::pair<double, double> timesOf(First first, Second second)
 {
     constexpr int rounds = 7;
@@ -50,7 +50,7 @@ void require(bool done)
         throw std::runtime_error("the file system refuses");
 }
 
-/// The whole file into memory that the system gives anew, by one core.
+/// Reads the whole file into newly mapped memory, on one core.
 void readPlainly(const fs::path& path)
 {
     const std::size_t size = fs::file_size(path);
@@ -65,7 +65,7 @@ void readPlainly(const fs::path& path)
     require(got == size);
 }
 
-/// As many bytes, safe from a power cut.
+/// Writes `size` bytes and flushes them to the disk.
 void writePlainly(const fs::path& path, std::size_t size)
 {
     const auto buffer = std::make_unique<char[]>(size);
@@ -77,7 +77,7 @@ void writePlainly(const fs::path& path, std::size_t size)
     ::close(file);
 }
 
-/// A ball of 100 mm.
+/// Returns the ball scaled to a diameter of 100 mm.
 core::TriangleMesh scaled(core::TriangleMesh ball)
 {
     for (core::Vec3f& p : ball.points)
@@ -85,7 +85,8 @@ core::TriangleMesh scaled(core::TriangleMesh ball)
     return ball;
 }
 
-/// Read in no order, the worst there is; written as a document lies in memory.
+/// The file that is read has its faces in random order, the worst case. The mesh that is written is in a document's
+/// order.
 void files(benchmark::State& state)
 {
     const auto format = static_cast<std::size_t>(state.range(0));

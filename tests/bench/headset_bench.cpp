@@ -1,5 +1,6 @@
-// What the headset's renderer costs its thread, and pictures of what it shows. On a display, by hand:
-//   headset_bench                    milliseconds of the thread's CPU a frame, outside draw calls
+// Measures the CPU cost of the headset's renderer to its thread, and draws pictures of what it shows. Run by hand, on a
+// display:
+//   headset_bench                    milliseconds of the thread's CPU per frame, outside draw calls
 //   headset_bench --pictures FOLDER
 #include "tests/bench/bench_models.h"
 
@@ -21,9 +22,10 @@
 namespace
 {
 constexpr QSize eyePixels(1080, 1200);
-/// What the thread does itself does not depend on them; what software OpenGL does, does.
+/// Small size for measurements: the thread's own cost does not depend on it, but the cost of software OpenGL does.
 constexpr QSize measuredPixels(216, 240);
-constexpr Tangents leftEye{1.39, 1.23, 1.47, 1.46}, rightEye{1.23, 1.39, 1.47, 1.46}; ///< a Vive's
+/// tangents of an HTC Vive's fields of view
+constexpr Tangents leftEye{1.39, 1.23, 1.47, 1.46}, rightEye{1.23, 1.39, 1.47, 1.46};
 constexpr double halfEyeDistance = 0.0315;
 
 struct Renderer
@@ -55,7 +57,7 @@ struct Renderer
     QImage picture(const vr::SceneState& state, double sideways, const Tangents& tangents)
     {
         for (int i = 0; i < 40; ++i)
-            scene.prepare(state); // until all labels are painted
+            scene.prepare(state); // repeats until all labels are painted
         draw(state, sideways, tangents);
         return image.read();
     }
@@ -114,7 +116,7 @@ void writePictures(Renderer& renderer, const QDir& folder)
     near.wands[1].labels = {};
     renderer.picture(near, 0, {0.55, 0.55, 0.61, 0.61}).save(folder.filePath(QStringLiteral("wand-beside.png")));
 }
-/// Milliseconds.
+/// Durations of the frames, ms.
 struct Samples
 {
     std::vector<double> values;
@@ -126,7 +128,7 @@ struct Samples
     }
 };
 
-/// The thread's CPU time in a part of the frame, without what passed in draw calls.
+/// Measures the thread's CPU time in a part of the frame, excluding the time in draw calls.
 class Phase
 {
 public:
@@ -146,11 +148,11 @@ private:
     double m_start = now();
 };
 
-/// A model that comes during the visit, until it is seen.
+/// Measures the frames from the arrival of a new model until it is shown.
 void measureLoading(Renderer& renderer, const core::MeshPatch& whole, const vr::SceneState& state)
 {
     Samples frames;
-    core::MeshPatch patch = whole; // the stream takes it over: the copy is not the headset's
+    core::MeshPatch patch = whole; // a copy, because the stream takes the patch over; the copying is not measured
     for (bool isNew = true; isNew || renderer.scene.isLoading(); isNew = false) {
         const Phase phase(renderer, frames);
         if (isNew)
@@ -158,14 +160,14 @@ void measureLoading(Renderer& renderer, const core::MeshPatch& whole, const vr::
         renderer.scene.prepare(state);
     }
     {
-        const Phase phase(renderer, frames); // gives back what was shown before
+        const Phase phase(renderer, frames); // releases the previous model
         renderer.scene.prepare(state);
     }
     std::printf("%9zu vertices, loading: %zu frames, median %.3f, longest %.3f\n", whole.vertices.size(),
                 frames.values.size(), frames.at(0.5), frames.at(1));
 }
 
-/// A stroke around a ball, a dab in each frame.
+/// Measures a stroke around a ball with one dab in each frame.
 void measure(Renderer& renderer, core::Slot cuts)
 {
     constexpr int frames = 100, warmUp = 20;

@@ -1,5 +1,5 @@
-// What it costs that nothing is lost: the same strokes without a journal and with one, on two models, with a base being
-// made meanwhile.
+// Measures the cost of crash safety: the same strokes without and with a journal, on two models, while the journal
+// writes a new base.
 #include "tests/bench/bench_models.h"
 #include "tests/bench/bench_stroke.h"
 
@@ -17,10 +17,10 @@ using bench::Clocks;
 namespace fs = std::filesystem;
 
 constexpr int strokes = 40, dabsPerStroke = 24;
-/// Small, so that bases are made meanwhile.
+/// Small limits, so that bases are written during the strokes.
 constexpr core::JournalLimits limits{.segmentBytes = 128 << 10, .logBytes = 1 << 20};
 
-/// On this disk, gone with the object.
+/// A folder on this disk, removed by the destructor.
 class Home
 {
 public:
@@ -40,10 +40,10 @@ double percentile(std::vector<double> values, double part)
 
 struct Costs
 {
-    std::vector<double> dabUs, endUs, copyUs; ///< the mesh thread's wall clock
+    std::vector<double> dabUs, endUs, copyUs; ///< wall-clock times of the mesh thread, microseconds
 };
 
-/// Short strokes all round the model.
+/// Sculpts short strokes all around the model and returns their times.
 Costs sculpt(core::Sculptor& sculptor, double radius, core::Journal* journal)
 {
     Costs costs;

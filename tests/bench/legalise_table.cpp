@@ -1,4 +1,4 @@
-// What legalise does to each of the bad models, or to the files given: a table, CGAL's verdict in the last column but
+// Prints a table of what legalise does to each bad model, or to the given files. CGAL's verdict is the last column but
 // one.
 #include "core/io/mesh_io.h"
 #include "core/repair/repair.h"

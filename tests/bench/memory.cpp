@@ -1,4 +1,4 @@
-// What a model of a million vertices holds, by how much the process grows, in bytes a vertex.
+// Measures the memory of a model of a million vertices: growth of the process in bytes per vertex.
 #include "tests/bench/bench_models.h"
 #include "tests/bench/bench_stroke.h"
 
@@ -14,7 +14,8 @@ namespace
 using core::MeshPatch;
 using core::Sculptor;
 
-/// Resident bytes of this process without what is free, 0 where that is not told.
+/// Returns the resident bytes of this process after unused heap was returned to the system, or 0 if the system does not
+/// report them.
 double residentBytes()
 {
 #ifdef __GLIBC__
@@ -31,8 +32,8 @@ std::size_t bytesOf(const MeshPatch& patch)
     return patch.vertices.size() * sizeof(core::DrawVertex) + patch.faces.size() * sizeof(core::Triangle);
 }
 
-/// Mesh, octree and stamps, before and after a stroke; a whole patch for a viewer (the window keeps no copy of it, the
-/// graphics card one with half as much again in reserve); one stroke's undo.
+/// Measures the mesh, octree and stamps, before and after a stroke; a full patch for a viewer; and the undo of a
+/// stroke. The window keeps no copy of the patch; the graphics card keeps one with 50 % reserve.
 void memory(benchmark::State& state)
 {
     const core::TriangleMesh& source = bench::geodesicSphere(317);

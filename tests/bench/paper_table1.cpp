@@ -1,6 +1,7 @@
-// The paper's Table 1: 20 operations of one tool with one brush on the sphere of 2562 vertices, constant radius; the
-// mean of each phase. The paper does not tell its radius: ours is its relation's own, at which the sphere is
-// quasi-uniform.
+// Reproduces the paper's Table 1: the mean of each phase over 20 operations of one tool with one brush, on a sphere of
+// 2562 vertices.
+// The paper does not state its radius. Here it follows from the paper's relation between radius and edge length, for
+// which the sphere is quasi-uniform.
 #include "tests/bench/bench_models.h"
 #include "tests/bench/bench_stroke.h"
 
@@ -14,7 +15,7 @@ using core::Tool;
 constexpr int operations = 20;
 constexpr double radius = 0.25;
 
-/// Milliseconds, on an Intel i7-11700F.
+/// A row of the paper's table, in milliseconds on an Intel i7-11700F.
 struct PaperRow
 {
     core::BrushShape brush;

@@ -1,4 +1,4 @@
-// What it takes to find out whether a model of a million vertices prints.
+// Measures the print check of a model of a million vertices.
 #include "tests/bench/bench_models.h"
 
 #include "core/analysis/print_check.h"
@@ -19,8 +19,8 @@ core::TriangleMesh scaled(core::TriangleMesh mesh, float by)
     return mesh;
 }
 
-/// Makes a model 100 mm wide: a ball, a shell 1 mm thick, or a ring 8 mm thick, in which each ball that measures the
-/// wall almost touches many faces.
+/// Makes a model 100 mm wide: a ball, a shell 1 mm thick, or a ring 8 mm thick. In the ring, each ball that measures
+/// the wall almost touches many faces.
 core::TriangleMesh model(Part part)
 {
     if (part == Ring)

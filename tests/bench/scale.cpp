@@ -1,4 +1,4 @@
-// What a dab costs as models, brushes and displacements grow.
+// Measures how the cost of a dab grows with the sizes of models, brushes and displacements.
 #include "tests/bench/bench_models.h"
 #include "tests/bench/bench_stroke.h"
 #include "tests/support/stroke_fuzzer.h"
@@ -27,7 +27,8 @@ core::TriangleMesh source(Slot cuts, Order order)
     return order == Shuffled ? bench::shuffled(bench::geodesicSphere(cuts)) : bench::geodesicSphere(cuts);
 }
 
-/// About 160 touched vertices. Arguments: edges of the icosahedron cut into, radius in 1e-6, order of the file.
+/// Strokes that touch about 160 vertices per dab. Arguments: cuts of each edge of the icosahedron, radius in units of
+/// 1e-6, order of the file.
 void peersStroke(benchmark::State& state)
 {
     const auto cuts = static_cast<Slot>(state.range(0));
@@ -53,7 +54,7 @@ BENCHMARK(peersStroke)
     ->UseManualTime()
     ->Unit(benchmark::kMicrosecond);
 
-/// Sculpts all over the model with the brush that will be measured: pull, push, flatten and smooth in equal parts.
+/// Sculpts all over the model with a brush of the measured radius: pull, push, flatten and smooth in equal parts.
 void age(Sculptor& sculptor, double radius, std::uint64_t dabs)
 {
     constexpr core::Tool tools[] = {core::Tool::Pull, core::Tool::Push, core::Tool::Flatten, core::Tool::Smooth};
@@ -76,7 +77,8 @@ void age(Sculptor& sculptor, double radius, std::uint64_t dabs)
     }
 }
 
-/// The same stroke on models that were sculpted before. Only with FETTLE_AGED_DABS=100000 (or another number): minutes.
+/// Measures the stroke of peersStroke on models that have already been sculpted. Runs only if FETTLE_AGED_DABS gives
+/// the number of earlier dabs, for example 100000. Cost: minutes.
 void agedStroke(benchmark::State& state)
 {
     const char* wanted = std::getenv("FETTLE_AGED_DABS");
@@ -104,7 +106,8 @@ BENCHMARK(agedStroke)
     ->UseManualTime()
     ->Unit(benchmark::kMicrosecond);
 
-/// Brushes that take much: edges as long as the model's. Arguments: cuts, radius in 1e-6, detail in 1e-4, dabs.
+/// Dabs of large regions, with edges as long as the model's. Arguments: cuts of each edge of the icosahedron, radius in
+/// units of 1e-6, detail in units of 1e-4, dabs.
 void largeDab(benchmark::State& state)
 {
     const auto cuts = static_cast<Slot>(state.range(0));
@@ -120,14 +123,15 @@ void largeDab(benchmark::State& state)
 BENCHMARK(largeDab)
     ->ArgNames({"cuts", "radius_e-6", "detail_e-4", "dabs"})
     ->Args({64, 250'000, 2'500, 100})
-    ->Args({128, 173'000, 1'792, 100}) // 5,000 touched
+    ->Args({128, 173'000, 1'792, 100}) // 5,000 touched vertices
     ->Args({128, 250'000, 1'240, 100})
     ->Args({256, 250'000, 624, 40})
     ->Iterations(1)
     ->UseManualTime()
     ->Unit(benchmark::kMicrosecond);
 
-/// Arguments: cuts, radius in 1e-6, strength in percent.
+/// Dabs of different displacements. Arguments: cuts of each edge of the icosahedron, radius in units of 1e-6, strength
+/// in percent.
 void strength(benchmark::State& state)
 {
     const auto cuts = static_cast<Slot>(state.range(0));
@@ -147,8 +151,7 @@ BENCHMARK(strength)
     ->Iterations(1)
     ->UseManualTime()
     ->Unit(benchmark::kMicrosecond);
-/// Each tool, from fresh surface to fresh surface; those that follow the hand drag what they hold along the surface, as
-/// far as it goes without a fold.
+/// Measures each tool on a fresh surface. Drag tools pull the surface sideways as far as possible without a fold.
 void tools(benchmark::State& state)
 {
     const auto tool = static_cast<core::Tool>(state.range(0));
@@ -168,7 +171,7 @@ BENCHMARK(tools)
     ->UseManualTime()
     ->Unit(benchmark::kMicrosecond);
 
-/// What is dragged along the surface farther than it goes without a fold. Arguments: tool, dabs of a tenth of a radius.
+/// Drags the surface farther sideways than it can go without a fold. Arguments: tool, number of dabs of 0.1 radii each.
 void drags(benchmark::State& state)
 {
     const auto tool = static_cast<core::Tool>(state.range(0));

@@ -1,7 +1,7 @@
-// What a visit to the headset costs its thread while somebody sculpts, by the phases of a frame: the whole program, the
-// scripted runtime. By hand, on a release build, with a display:
+// Measures the CPU cost of a headset visit to its thread while the user sculpts, by phases of a frame. Uses the whole
+// program with the scripted runtime. Run by hand, on a release build, with a display:
 //   visit_bench [VERTICES...]
-// CPU milliseconds; draw calls, within which software OpenGL shades the picture, are left out and told apart.
+// Units: CPU milliseconds. Draw calls are reported separately, because software OpenGL shades the picture within them.
 #include "app/headset/headset_controller.h"
 #include "core/io/mesh_io.h"
 #include "tests/bench/bench_models.h"
@@ -25,7 +25,7 @@
 namespace
 {
 constexpr int waitMs = 300'000;
-constexpr int restFrames = 60, frames = 360; ///< of those the first without a stroke
+constexpr int restFrames = 60, frames = 360; ///< total number of frames; the first restFrames have no stroke
 
 double at(std::vector<double> values, double share)
 {
@@ -33,7 +33,7 @@ double at(std::vector<double> values, double share)
     return values.empty() ? 0 : values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
 }
 
-/// Over the side of a ball of 0.5 m that turns to the person: frame after frame with the trigger pulled.
+/// Returns a script that pulls the trigger over the side of a ball of 0.5 m that faces the user, frame after frame.
 QByteArray script()
 {
     QByteArray steps;

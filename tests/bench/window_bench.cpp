@@ -1,7 +1,8 @@
-// What the window costs with models of 10,000 to 1,000,000 vertices: opening, frames while stroking, the 2D preview
-// behind the stroke, and how long the gui thread was ever away. By hand, on a release build, with a display:
+// Measures the window with models of 10,000 to 1,000,000 vertices: opening, frames during strokes, the 2D preview, and
+// the longest time that the GUI thread did not process events. Run by hand, on a release build, with a display:
 //   window_bench [VERTICES...]
-// CPU milliseconds of the gui thread; software GL rasterises in "clay" and in "blit", a graphics card does not.
+// Units: CPU milliseconds of the GUI thread. In "clay" and "blit" software GL rasterises, which a graphics card would
+// do instead.
 #include "app/worker/drawing_worker.h"
 #include "app/worker/job_queue.h"
 
@@ -56,8 +57,8 @@ struct Samples
     }
 };
 
-/// How long the event loop was away, without what the GL driver did meanwhile: each second millisecond a signal asks
-/// the gui thread where it is.
+/// Measures how long the event loop was blocked, excluding the GL driver. A signal every 2 ms samples the call stack of
+/// the GUI thread.
 class Absence
 {
 public:
@@ -65,7 +66,7 @@ public:
     {
         s_guiThread = pthread_self();
         void* warm[1];
-        backtrace(warm, 1); // its first call loads a library
+        backtrace(warm, 1); // the first call loads a library, which a signal handler must not do
         s_code.clear();
         dl_iterate_phdr(note, nullptr);
         struct sigaction action = {};
@@ -93,7 +94,7 @@ private:
         bool isDriver;
     };
 
-    /// Keeps where a library's code lies; software GL's compiler is of the driver.
+    /// Records the address range of a library's code. The compiler of software GL counts as part of the driver.
     static int note(dl_phdr_info* library, std::size_t, void*)
     {
         const bool isDriver =
@@ -105,7 +106,7 @@ private:
         return 0;
     }
 
-    /// What software GL compiles lies in no library.
+    /// Returns whether the frame is in the driver. Code that software GL compiles at run time is in no library.
     static bool isOfDriver(void* frame)
     {
         const auto at = reinterpret_cast<std::uintptr_t>(frame);
@@ -113,7 +114,7 @@ private:
         return code == s_code.end() || code->isDriver;
     }
 
-    /// What passed since the last look was the driver's if the thread is in the driver now.
+    /// Adds the time since the last sample to the driver if the thread is in the driver now.
     static void look(int)
     {
         std::array<void*, 64> frames;
@@ -175,7 +176,7 @@ void open(Program& program, const QString& path)
                 static_cast<double>(clock.elapsed()), told, absence.worst(), opened ? "" : "   NOT OPENED");
 }
 
-/// A spiral on the model's front.
+/// Sculpts a spiral on the front of the model and prints the measured times.
 void stroke(Program& program, const char* what)
 {
     ui::Viewport* viewport = program.window.viewport();
@@ -239,7 +240,7 @@ void measure(Program& program, core::Slot cuts, const QString& folder)
     wireframe->trigger();
     auto* preview = program.window.findChild<QDockWidget*>(QStringLiteral("previewPanel"));
     preview->show();
-    QTest::qWait(2000); // the first, fine drawing
+    QTest::qWait(2000); // waits for the first, fine drawing
     stroke(program, "with 2D preview");
     preview->hide();
 }
