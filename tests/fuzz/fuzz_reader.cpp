@@ -1,8 +1,8 @@
-// The reader of the format that FETTLE_FORMAT names (stl, obj, ...), fed with a stranger's bytes: it returns a mesh as
-// core/io/mesh_io.h promises, or throws a FileError; nothing else. "brush": the reader of presets
-// (core/io/stroke/brush_file.h), which throws a StrokeFileError. "x3d", "fbx": what Assimp is given of such files
-// (core/io/mesh/x3d_expansion.h, app/import/fbx_models.h). Streams of Draco are not decoded: a decoder of this program
-// makes of their bytes whatever a broken one might.
+// Feeds arbitrary bytes to the reader of the format that FETTLE_FORMAT names (stl, obj, …). The reader must return a
+// mesh as core/io/mesh_io.h promises, or throw a FileError.
+// "brush": the preset reader (core/io/stroke/brush_file.h), which throws StrokeFileError.
+// "x3d", "fbx": the preparation of such files for Assimp (core/io/mesh/x3d_expansion.h, app/import/fbx_models.h).
+// Draco streams are not decoded: a substitute decoder derives a mesh from their bytes, as a faulty decoder might.
 #include "app/import/fbx_file.h"
 #include "app/import/fbx_models.h"
 #include "core/io/draco_stream.h"
@@ -19,7 +19,7 @@
 
 namespace
 {
-/// Of this process's own: glTF may name what lies in its file's folder.
+/// A temporary folder of this process. A glTF file can refer to other files in its folder, so none may be there.
 class Folder
 {
 public:
@@ -64,7 +64,7 @@ void check(const core::TriangleMesh& mesh)
             require(v < mesh.points.size(), "indices in range");
 }
 
-/// Checks that a preset is in range, and that what is written of it is read again, the same.
+/// Checks that a preset is in range, and that writing and reading it gives an equal preset.
 void checkBrush(std::string_view text)
 {
     try {
@@ -78,7 +78,7 @@ void checkBrush(std::string_view text)
     }
 }
 
-/// Checks that what is written of an X3D file is read again, and then stays as it is.
+/// Checks that an expanded X3D file can be expanded again, which must not change it.
 void checkX3d(const std::filesystem::path& path, std::string_view text)
 {
     try {
@@ -89,7 +89,7 @@ void checkX3d(const std::filesystem::path& path, std::string_view text)
     }
 }
 
-/// Checks that no model below that one holds itself, and that all indices are of models.
+/// Checks that no model below `index` contains itself, and that all indices are in range.
 void checkBelow(const std::vector<app::FbxModel>& models, std::size_t index, std::vector<bool>& isOnWay,
                 std::vector<bool>& isDone)
 {
@@ -104,7 +104,7 @@ void checkBelow(const std::vector<app::FbxModel>& models, std::size_t index, std
     isDone[index] = true;
 }
 
-/// Checks that what is made of an FBX file for Assimp has the same models.
+/// Checks that the FBX file prepared for Assimp has as many models as the original.
 void checkFbx(const std::filesystem::path& path, std::string_view bytes)
 {
     app::fbxVersion(bytes);
@@ -125,7 +125,7 @@ void checkFbx(const std::filesystem::path& path, std::string_view bytes)
     }
 }
 
-/// Returns a mesh whose counts, types and corners are the stream's bytes.
+/// Returns a mesh whose counts, types and corners are taken from the bytes of the stream.
 std::optional<core::DracoMesh> decodedByBytes(std::string_view stream, std::span<const std::uint32_t> ids)
 {
     std::size_t at = 0;
