@@ -1,4 +1,4 @@
-// The whole-model check: named shapes by their properties, random ones against CGAL.
+// Tests the check of whole models: named shapes by their known properties, random models against CGAL.
 
 #include "core/analysis/mesh_check.h"
 #include "core/analysis/nesting.h"
@@ -29,7 +29,7 @@ using core::Vec3f;
 
 constexpr unsigned seed = 20240812;
 
-/// The same surface, with vertices and faces in another order and faces turned.
+/// Returns the same surface with vertices and faces in random order and with a random first corner in each face.
 TriangleMesh shuffled(const TriangleMesh& mesh, unsigned by)
 {
     std::mt19937 engine(by);
@@ -48,7 +48,7 @@ TriangleMesh shuffled(const TriangleMesh& mesh, unsigned by)
     return result;
 }
 
-/// Balls here and there, some of them turned over, some of them through each other.
+/// Returns balls at random places. Some are inside out, and some intersect others.
 TriangleMesh randomBalls(unsigned by)
 {
     std::mt19937 engine(by);
@@ -63,7 +63,8 @@ TriangleMesh randomBalls(unsigned by)
     return all;
 }
 
-/// Makes 1 to 5 nested balls around the origin. Every second one faces inwards; in half of the models one is reversed.
+/// Makes 1 to 5 nested balls around the origin. Every second one faces inwards; in half of the models one has the wrong
+/// orientation.
 TriangleMesh nestedBalls(unsigned by)
 {
     std::mt19937 engine(by);
@@ -76,7 +77,7 @@ TriangleMesh nestedBalls(unsigned by)
     return shuffled(all, by);
 }
 
-/// Coordinates become small integers: many vertices, edges and faces then touch exactly.
+/// Rounds the coordinates to small integers, so that many vertices, edges and faces touch exactly.
 TriangleMesh rounded(TriangleMesh mesh, float scale)
 {
     for (Vec3f& p : mesh.points)
@@ -95,7 +96,7 @@ std::string compareWithCgal(const TriangleMesh& mesh)
     if (verdict->closed != report.closed)
         return "closed";
     if (report.degenerateFaces.count != 0)
-        return {}; // the judge pairs these, we count them
+        return {}; // CGAL pairs degenerate faces with their neighbours; Fettle only counts them
     if (verdict->intersections != report.intersections.count)
         return std::to_string(report.intersections.count) + " intersections, not " +
                std::to_string(verdict->intersections);
@@ -172,10 +173,9 @@ void TestMeshCheck::brokenShapes_areNamed_data()
 {
     using Counts = std::vector<std::uint64_t>;
     QTest::addColumn<TriangleMesh>("mesh");
-    QTest::addColumn<QString>(
-        "flags"); // c(losed), m(anifold), o(riented), and s(olid) or -, or ? where it has no meaning
-    QTest::addColumn<Counts>(
-        "findings"); // edges open, non-manifold, misoriented; vertices non-manifold; intersections if known
+    QTest::addColumn<QString>("flags"); // c(losed), m(anifold), o(riented), s(olid); "-": no, "?": not defined
+    // numbers of open, non-manifold, misoriented edges, non-manifold vertices, intersections (if known)
+    QTest::addColumn<Counts>("findings");
     const auto row = [](const char* name, const TriangleMesh& mesh, const char* flags, const Counts& findings) {
         QTest::newRow(name) << mesh << QString(flags) << findings;
     };
@@ -246,7 +246,7 @@ void TestMeshCheck::noFaces_isNotReady()
 void TestMeshCheck::degenerateFaces_areFound()
 {
     TriangleMesh mesh = shapes::cube(2);
-    mesh.points.push_back({0, -1, -1}); // on an edge
+    mesh.points.push_back({0, -1, -1}); // lies on an edge of the cube
     mesh.triangles.push_back({0, 1, 8});
     mesh.triangles.push_back({3, 3, 4});
     const MeshReport report = core::checkMesh(mesh);
@@ -262,7 +262,7 @@ void TestMeshCheck::nesting_isJudgedByDepth()
 {
     TriangleMesh shells;
     for (int depth = 0; depth < 6; ++depth) {
-        const TriangleMesh cube = shapes::cube(static_cast<float>(20 - 2 * depth)); // corners exactly above corners
+        const TriangleMesh cube = shapes::cube(static_cast<float>(20 - 2 * depth)); // corners exactly above each other
         shells = shapes::together(shells, depth % 2 ? shapes::reversed(cube) : cube);
         QVERIFY(core::checkMesh(shells).printReady());
         QVERIFY(!core::checkMesh(shapes::reversed(shells)).printReady());
@@ -272,7 +272,8 @@ void TestMeshCheck::nesting_isJudgedByDepth()
              std::optional(false));
 }
 
-/// Slivers whose volume doubles cannot tell from 0: an edge of the float grid thick, and far from the origin.
+/// Tests tetrahedra whose volume rounds to 0 in double: their height is one unit of float precision, far from the
+/// origin.
 void TestMeshCheck::volumeSign_isExact()
 {
     std::mt19937 engine(seed);
@@ -282,7 +283,7 @@ void TestMeshCheck::volumeSign_isExact()
         TriangleMesh mesh = shapes::tetrahedron();
         for (Vec3f& p : mesh.points)
             p = {coordinate(engine), coordinate(engine), coordinate(engine)};
-        // almost in the plane of the others
+        // The fourth point is almost in the plane of the other three.
         const core::Vec3 a = mesh.points[0].cast<double>(), b = mesh.points[1].cast<double>(),
                          c = mesh.points[2].cast<double>();
         mesh.points[3] = (a + 0.3 * (b - a) + 0.4 * (c - a)).cast<float>();
@@ -324,7 +325,7 @@ void TestMeshCheck::equalFaces_areCountedAsOthers()
     TriangleMesh mesh = shapes::noisy(core::icosphere(2, 1), 0.1f, seed);
     std::mt19937 random(seed);
     const std::size_t faces = mesh.triangles.size();
-    for (std::size_t i = 0; i < 3 * faces; ++i) { // up to some 30 of each
+    for (std::size_t i = 0; i < 3 * faces; ++i) { // up to about 30 copies of the same face
         core::Triangle t = mesh.triangles[random() % (i % 2 == 0 ? faces : 20)];
         std::shuffle(t.begin(), t.end(), random);
         mesh.triangles.push_back(t);
@@ -394,7 +395,7 @@ void TestMeshCheck::lattice_tellsWhatImportWouldBreak()
     QVERIFY(merged.printReady());
     QCOMPARE(merged.latticeOk, std::optional(false));
     const MeshReport alone = core::checkMesh(shapes::moved(shapes::scaled(shapes::tetrahedron(), 0.01f), {0, 0, 700}));
-    QCOMPARE(alone.latticeOk, std::optional(true)); // moved to the origin
+    QCOMPARE(alone.latticeOk, std::optional(true)); // acceptable, because import moves the model to the origin
     QVERIFY(!core::checkMesh(shapes::sphereThroughSphere()).latticeOk);
     QCOMPARE(core::checkMesh(shapes::openCone(5)).latticeOk, std::optional(true));
 }
@@ -402,7 +403,8 @@ void TestMeshCheck::lattice_tellsWhatImportWouldBreak()
 void TestMeshCheck::placement_movesFarModels()
 {
     core::Box box(core::Vec3(7, 7, 7), core::Vec3(9, 9, 9));
-    QVERIFY(core::placeOnLattice(box).moved != core::Vec3::Zero()); // 13.9 from the origin, 4 x 2 allowed
+    // 13.9 from the origin; the limit is 4 times the size 2
+    QVERIFY(core::placeOnLattice(box).moved != core::Vec3::Zero());
     box.translate(core::Vec3(-4, -4, -4));
     QVERIFY(core::placeOnLattice(box).moved == core::Vec3::Zero());
     const core::LatticePlacement placement = core::placeOnLattice(box, true);

@@ -1,4 +1,4 @@
-// Will it print: walls, overhangs and bases of solids whose measures are known.
+// Tests the print check (walls, overhangs, bases) on solids of known dimensions.
 
 #include "core/analysis/print_check.h"
 #include "core/operations/starter_models.h"
@@ -81,7 +81,7 @@ TriangleMesh turnedAboutZ(TriangleMesh mesh, double degrees)
     return mesh;
 }
 
-/// A profile with a point each millimetre.
+/// Returns the profile with points inserted about 1 mm apart.
 std::vector<Vec3> dense(const std::vector<Vec3>& corners)
 {
     std::vector<Vec3> profile = {corners.front()};
@@ -94,7 +94,7 @@ std::vector<Vec3> dense(const std::vector<Vec3>& corners)
     return profile;
 }
 
-/// 60 mm high, its wall 1.5 mm thick, its floor 3 mm.
+/// Returns a vase 60 mm high, with a wall 1.5 mm thick and a floor 3 mm thick.
 TriangleMesh vase()
 {
     return clay::revolved(dense({{0, 0, 0}, {20, 0, 0}, {20, 60, 0}, {18.5, 60, 0}, {18.5, 3, 0}, {0, 3, 0}}), 96);
@@ -105,7 +105,7 @@ TriangleMesh shell(double outer, double inner)
     return shapes::together(core::icosphere(4, outer), shapes::reversed(core::icosphere(4, inner)));
 }
 
-/// A wedge along z: an edge of that angle at x = 0, 10 mm long on either side of it.
+/// Returns a wedge whose edge at x = 0 encloses `degrees`. Its sides are 10 mm long, and it extends along z.
 TriangleMesh wedge(double degrees)
 {
     const double half = degrees * std::numbers::pi / 360;
@@ -125,7 +125,7 @@ void TestPrintCheck::walls_areAsThickAsTheyWereMade_data()
 {
     QTest::addColumn<TriangleMesh>("mesh");
     QTest::addColumn<double>("thickness");
-    QTest::addColumn<double>("share"); ///< of the surface, at least, that is so thick
+    QTest::addColumn<double>("share"); ///< smallest share of the surface that has this thickness
     QTest::addRow("slab") << clay::slab(40, 2, 10) << 2.0 << 0.9;
     QTest::addRow("slab of few triangles") << clay::slab(40, 2, 1) << 2.0 << 0.9;
     QTest::addRow("tilted slab") << turnedAboutZ(clay::slab(40, 2, 10), 33) << 2.0 << 0.9;
@@ -142,7 +142,7 @@ void TestPrintCheck::walls_areAsThickAsTheyWereMade()
     QFETCH(const TriangleMesh, mesh);
     QFETCH(const double, thickness);
     QFETCH(const double, share);
-    constexpr double tolerance = 0.06; // facets lie within the round
+    constexpr double tolerance = 0.06; // relative; facets cut into the ideal round shape
     const PrintMeasures measures = measured(mesh);
     QVERIFY(measures.walls);
     for (const std::vector<float>& found : {measures.walls->byRays, measures.walls->byBalls}) {
@@ -192,7 +192,7 @@ void TestPrintCheck::balls_areEmpty_data()
     }();
 }
 
-/// Of a convex solid all is in sight of all: no corner or centre of a face that is opposite lies in a ball.
+/// Checks that no opposite corner or face centre is inside a ball. In a convex solid every pair of points is in sight.
 void TestPrintCheck::balls_areEmpty()
 {
     QFETCH(const TriangleMesh, mesh);
@@ -234,7 +234,7 @@ void TestPrintCheck::thin_isNeverMoreThanAll_data()
     QTest::addColumn<TriangleMesh>("mesh");
     QTest::addRow("wedge") << wedge(30);
     QTest::addRow("head") << core::starterModel(core::Starter::Head);
-    QTest::addRow("star") << [] { // sharp all over
+    QTest::addRow("star") << [] { // a star, sharp everywhere
         TriangleMesh mesh = core::icosphere(2, 10);
         for (std::size_t i = 0; i < mesh.points.size(); i += 3)
             mesh.points[i] *= 2;
@@ -242,7 +242,7 @@ void TestPrintCheck::thin_isNeverMoreThanAll_data()
     }();
 }
 
-/// Asks models that are thin all over, their sharp edges as well.
+/// Checks the thin area of models that are thin everywhere, including their sharp edges.
 void TestPrintCheck::thin_isNeverMoreThanAll()
 {
     QFETCH(TriangleMesh, mesh);
@@ -259,7 +259,7 @@ void TestPrintCheck::thin_placesAreFoundApart()
     mesh = shapes::together(mesh, shapes::moved(clay::slab(10, 0.5, 3), {40, 0, 0}));
     mesh = shapes::together(mesh, shapes::moved(clay::slab(20, 0.7, 3), {80, 0, 0}));
     const PrintReport report = core::checkForPrint(measured(mesh), {.minWall = 0.8, .bed = {}});
-    QCOMPARE(report.thin.count, 4u); // two sides of two plates
+    QCOMPARE(report.thin.count, 4u); // two sides of each of two plates
     QCOMPARE(report.thin.places.size(), 4u);
     for (std::size_t i = 0; i < 4; ++i) {
         const core::PrintPlace& place = report.thin.places[i];
@@ -275,7 +275,7 @@ void TestPrintCheck::thin_placesAreFoundApart()
 
 void TestPrintCheck::overhangs_areThoseThatLeanOut()
 {
-    // A table: a plate of 20 x 20 on a cube of 4: the ceiling around the cube hangs over.
+    // The model is a table: a plate of 20 x 20 on a cube of 4. The underside of the plate overhangs.
     const TriangleMesh cube = shapes::moved(shapes::cube(4), {-2, 0, -2});
     const TriangleMesh table = shapes::together(cube, shapes::moved(clay::slab(20, 2, 4), {0, 11, 0}));
     const PrintReport report = core::checkForPrint(measured(table), {.bed = {}});
@@ -285,7 +285,7 @@ void TestPrintCheck::overhangs_areThoseThatLeanOut()
     QVERIFY(std::abs(report.overhangs.places[0].point.y() - 10) < 1e-5);
 }
 
-/// The cap whose normals point steeper down than 45 degrees has (1 - cos 45) / 2 of a ball's surface.
+/// The cap whose normals point more than 45 degrees downwards is (1 - cos 45) / 2 of a ball's surface.
 void TestPrintCheck::overhangs_ofABall()
 {
     const PrintMeasures ball = measured(core::icosphere(5, 10));
@@ -300,7 +300,7 @@ void TestPrintCheck::overhangs_ofABall()
 
 void TestPrintCheck::overhangs_ofExactlyTheLimitAreNone()
 {
-    // A roof upside down: walls that lean out by 45 degrees, standing on an edge.
+    // The model is an inverted roof: it rests on an edge, and its walls lean outwards by exactly 45 degrees.
     const TriangleMesh mesh{{{0, 0, 0}, {-8, 8, 0}, {8, 8, 0}, {0, 0, 8}, {-8, 8, 8}, {8, 8, 8}},
                             {},
                             {{0, 2, 1}, {3, 4, 5}, {0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}}};
@@ -327,7 +327,7 @@ void TestPrintCheck::bed_holdsWhatFits()
         p = p.cwiseProduct(Vec3f(100, 50, 20));
     const PrintMeasures measures = measured(box);
     const auto fit = [&](const core::PrintBed& bed) { return core::checkForPrint(measures, {.bed = bed}).fit; };
-    QVERIFY(fit({100, 20, 50}) == core::BedFit::AsItStands); // Y is up
+    QVERIFY(fit({100, 20, 50}) == core::BedFit::AsItStands); // the y axis is up
     QVERIFY(fit({20, 100, 50}) == core::BedFit::Turned);
     QVERIFY(fit({99, 99, 50}) == core::BedFit::Not);
     QVERIFY(fit({200, 200, 49}) == core::BedFit::Not);
@@ -363,7 +363,8 @@ void TestPrintCheck::picture_showsWhatWasMeasured()
     for (std::size_t v = 0; v < leaning.size(); ++v) {
         const double angle =
             -std::asin(std::clamp(static_cast<double>(ball.points[v].y()) / 10, -1.0, 1.0)) * 180 / std::numbers::pi;
-        QVERIFY(std::abs(static_cast<double>(leaning[v]) - angle) < 4 || leaning[v] == -90); // the most of its faces
+        // the picture shows the steepest face at each vertex
+        QVERIFY(std::abs(static_cast<double>(leaning[v]) - angle) < 4 || leaning[v] == -90);
     }
 }
 
@@ -374,10 +375,11 @@ void TestPrintCheck::units_areDoubtedBySize()
     QVERIFY(core::unitDoubtOf(7.99) == UnitDoubt::Inches);
     QVERIFY(core::unitDoubtOf(0.001) == UnitDoubt::Inches);
     QVERIFY(core::unitDoubtOf(0.0009) == UnitDoubt::Metres);
-    QVERIFY(core::unitDoubtOf(-1e6) == UnitDoubt::None); // inside out, not small
+    QVERIFY(core::unitDoubtOf(-1e6) == UnitDoubt::None); // a negative volume means inside out, not small
     QVERIFY(core::guessedUnit(7, 4) == UnitDoubt::Inches);
     QVERIFY(core::guessedUnit(0.9, 0.99) == UnitDoubt::Metres);
-    QVERIFY(core::guessedUnit(300, 19.9) == UnitDoubt::Inches); // no slicer doubts it, a person may
+    // slicers accept this size without doubt, but a user may still doubt the unit
+    QVERIFY(core::guessedUnit(300, 19.9) == UnitDoubt::Inches);
     QVERIFY(core::guessedUnit(0.5, 0.99) == UnitDoubt::Metres);
     QVERIFY(core::guessedUnit(8, 20) == UnitDoubt::None);
 }

@@ -46,7 +46,7 @@ void TestSpaceDifference::otherSpace_isItsShare_data()
         QTest::addRow("side %g", side) << side;
 }
 
-/// A cube and a smaller or larger one about the same middle.
+/// Compares a cube with a smaller or larger cube of the same centre.
 void TestSpaceDifference::otherSpace_isItsShare()
 {
     QFETCH(const double, side);
@@ -64,7 +64,7 @@ void TestSpaceDifference::otherSpace_isItsShare()
     QCOMPARE(differing(shapes::moved(unit, {3, 3, 3}), unit), 1.0);
 }
 
-/// A cube without one of its sides is as good as the cube; a sheet encloses nothing of it.
+/// Checks that a cube with one side missing counts as closed, and that a flat sheet encloses nothing.
 void TestSpaceDifference::openFaces_areClosedInThought()
 {
     const TriangleMesh cube = shapes::cube(1);

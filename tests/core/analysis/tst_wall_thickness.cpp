@@ -1,4 +1,4 @@
-// Walls of solids with large triangles, against a reference that samples the surface densely and asks every face.
+// Tests wall thickness on solids with large triangles. The reference samples the surface densely and tests every face.
 
 #include "tests/support/clay.h"
 #include "tests/support/effort.h"
@@ -33,7 +33,7 @@ using core::Vec3f;
 namespace
 {
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int perMillimetre = 1000; ///< of flat points
+constexpr int perMillimetre = 1000; ///< Coordinates of flat points are rounded to 1/1000 mm.
 
 using Loop = std::vector<FlatPoint>;
 
@@ -57,14 +57,14 @@ Loop circle(double x, double y, double radius, int corners)
     return loop;
 }
 
-/// A hole in a plate, from its upper side down to that height; 0: through.
+/// A hole in a plate from its upper side down to the height `floor` in mm. 0: it goes through the plate.
 struct Hole
 {
     Loop loop;
     double floor = 0;
 };
 
-/// A plate with holes, along z. Its triangles are as large as they can be.
+/// A plate with holes, extruded along z, with as few and as large triangles as possible.
 class Plate
 {
 public:
@@ -112,7 +112,7 @@ private:
         }
         const auto triangles = core::triangulatePolygon(points, slots);
         if (!triangles)
-            return; // the mesh is not closed then, which the test sees
+            return; // the mesh is then not closed, and the test fails
         for (auto [a, b, c] : *triangles) {
             if (!looksUp)
                 std::swap(b, c);
@@ -134,7 +134,7 @@ private:
     std::map<std::tuple<int, int, double>, Slot> m_slots;
 };
 
-/// The height, z, changes evenly along x, from itself to `factor` times as much at `length`.
+/// Scales z linearly along x: by 1 at x = 0, by `factor` at x = `length`.
 TriangleMesh tapered(TriangleMesh mesh, double length, double factor)
 {
     for (Vec3f& p : mesh.points)
@@ -149,7 +149,7 @@ TriangleMesh turned(TriangleMesh mesh, const Eigen::Quaterniond& by)
     return mesh;
 }
 
-/// Cuts each face in four.
+/// Divides each face into four.
 TriangleMesh inQuarters(const TriangleMesh& mesh)
 {
     TriangleMesh fine{mesh.points, {}, {}};
@@ -168,7 +168,7 @@ TriangleMesh inQuarters(const TriangleMesh& mesh)
     return fine;
 }
 
-/// A block of 40 x 30 x 20 with a groove of an angle across it that leaves so much.
+/// Returns a block of 40 x 30 x 20 mm with a V-shaped groove across it. The bottom of the groove leaves `left` mm.
 TriangleMesh grooved(double left, double halfWidth)
 {
     return Plate({flat(0, 0), flat(40, 0), flat(40, 20), flat(20 + halfWidth, 20), flat(20, left),
@@ -177,13 +177,14 @@ TriangleMesh grooved(double left, double halfWidth)
         .take();
 }
 
-/// A wedge of 100 x 40, so thick at its ends; its triangles go from end to end.
+/// Returns a wedge, by default 100 x 40 mm, whose thickness changes from `from` to `to`. Its triangles span its whole
+/// length.
 TriangleMesh wedge(double from, double to, double length = 100, double width = 40)
 {
     return Plate({flat(0, 0), flat(length, 0), flat(length, to), flat(0, from)}, {}, width).take();
 }
 
-/// A solid of flat faces, made of its corners' coordinates in thousandths.
+/// A solid of flat faces. Coordinates of corners are rounded to 1/1000 mm.
 class Polyhedron
 {
 public:
@@ -193,7 +194,7 @@ public:
         return static_cast<Slot>(m_mesh.points.size() - 1);
     }
 
-    /// A flat face, counterclockwise from outside.
+    /// Adds a flat face. The corners are counterclockwise as seen from outside.
     void addFace(const std::vector<Slot>& corners)
     {
         Vec3 normal = Vec3::Zero();
@@ -212,7 +213,7 @@ public:
         }
         const auto triangles = core::triangulatePolygon(points, {loop});
         if (!triangles)
-            return; // the mesh is not closed then, which the test sees
+            return; // the mesh is then not closed, and the test fails
         const auto corner = [&](Slot i) { return corners[isTurned ? corners.size() - 1 - i : i]; };
         for (auto [a, b, c] : *triangles) {
             if (isTurned)
@@ -229,8 +230,8 @@ private:
     TriangleMesh m_mesh;
 };
 
-/// A plate of 40 x 40 with a groove on each side that leave so much between their grounds; they run at right angles, or
-/// one above the other.
+/// Returns a plate of 40 x 40 mm with a groove on each side. At their bottoms `left` mm remain between the grooves,
+/// which cross at right angles or are parallel.
 TriangleMesh scored(double height, double left, double halfWidth, bool isCrossing)
 {
     const double depth = (height - left) / 2, a = 20 - halfWidth, b = 20 + halfWidth;
@@ -239,11 +240,12 @@ TriangleMesh scored(double height, double left, double halfWidth, bool isCrossin
                       flat(b, height), flat(20, height - depth), flat(a, height), flat(0, height)},
                      {}, 40)
             .take();
-    Polyhedron plate; // the upper groove runs along x, the lower one along y
+    Polyhedron plate; // the upper groove is along x, the lower one along y
     const auto add = [&](double x, double y, double z) { return plate.add(x, y, z); };
     const std::array<Slot, 4> below = {add(0, 0, 0), add(40, 0, 0), add(40, 40, 0), add(0, 40, 0)};
     const std::array<Slot, 4> above = {add(0, 0, height), add(40, 0, height), add(40, 40, height), add(0, 40, height)};
-    std::array<std::array<Slot, 3>, 2> lower, upper; // at the ends: left, ground, right
+    // left edge, bottom, right edge of a groove at each of its two ends
+    std::array<std::array<Slot, 3>, 2> lower, upper;
     for (std::size_t i = 0; i < 2; ++i) {
         const double end = i == 0 ? 0 : 40;
         lower[i] = {add(a, end, 0), add(20, end, depth), add(b, end, 0)};
@@ -266,7 +268,7 @@ TriangleMesh scored(double height, double left, double halfWidth, bool isCrossin
     return plate.take();
 }
 
-/// A pointed body of so many sides, its tip at the origin, that opens along z.
+/// Returns a pyramid of `sides` sides with its tip at the origin and its base towards +z.
 TriangleMesh spike(int sides, double radius, double height)
 {
     Polyhedron body;
@@ -283,7 +285,8 @@ TriangleMesh spike(int sides, double radius, double height)
     return body.take();
 }
 
-/// A round block, 20 across and 10 high, with a groove around its middle that leaves so much; all of so many pieces.
+/// Returns a cylinder, 20 mm wide and 10 mm high, approximated by `pieces` sides. A groove around its middle leaves
+/// `left` mm of wall.
 TriangleMesh ringGrooved(int pieces, double left, double halfWidth)
 {
     constexpr double radius = 10, middle = 5, height = 10;
@@ -323,7 +326,8 @@ TriangleMesh movedTo(TriangleMesh mesh, const Vec3& place)
     return shapes::moved(std::move(mesh), place.cast<float>());
 }
 
-/// A block of 30 with a pointed hollow whose tip is so near to its floor, or two that point at each other.
+/// Returns a block of 30 mm with a pointed cavity whose tip is `left` mm above the floor. `isPair`: two cavities whose
+/// tips point at each other.
 TriangleMesh hollowed(const TriangleMesh& spike, double left, bool isPair, double aside = 0)
 {
     const TriangleMesh block = movedTo(Plate(rectangle(0, 0, 30, 30), {}, 30).take(), {0, 0, 0});
@@ -357,9 +361,9 @@ Loop profile(Random& random, double width, double depth)
 {
     const double wall = random.between(0.4, 6), other = random.between(0.4, 6), step = random.between(0.3, 0.7) * width;
     switch (random.below(4)) {
-    case 0: // L
+    case 0: // L-shaped
         return {flat(0, 0), flat(width, 0), flat(width, wall), flat(other, wall), flat(other, depth), flat(0, depth)};
-    case 1: // U
+    case 1: // U-shaped
         return {flat(0, 0),
                 flat(width, 0),
                 flat(width, depth),
@@ -368,7 +372,7 @@ Loop profile(Random& random, double width, double depth)
                 flat(other, wall),
                 flat(other, depth),
                 flat(0, depth)};
-    case 2: // steps
+    case 2: // stepped
         return {flat(0, 0),
                 flat(width, 0),
                 flat(width, wall),
@@ -377,7 +381,7 @@ Loop profile(Random& random, double width, double depth)
                 flat(step / 2, wall + other),
                 flat(step / 2, depth),
                 flat(0, depth)};
-    default: // wedge
+    default: // wedge-shaped
         return {flat(0, 0), flat(width, 0), flat(width, wall + other), flat(0, wall / 2)};
     }
 }
@@ -400,7 +404,7 @@ std::vector<Hole> holesIn(Random& random, double width, double depth, double hei
     return holes;
 }
 
-/// A profile, or a block with pockets and bores, perhaps a wedge, at any angle.
+/// Returns a random part at any angle, perhaps tapered: an extruded profile, or a block with pockets and bores.
 TriangleMesh randomPart(unsigned number)
 {
     Random random(number);
@@ -414,8 +418,8 @@ TriangleMesh randomPart(unsigned number)
     return turned(part, random.rotation());
 }
 
-/// Takes, as wall_thickness.h says it, of all points q in sight, on faces that look more than 120 degrees away, or on
-/// edges and at corners that do, the least ball that touches p and reaches q.
+/// Reference for wall_thickness.h. The thickness at p is the diameter of the smallest ball that touches p and reaches a
+/// point q in sight. q is on a face more than 120 degrees away, or on an edge or corner with such a normal.
 class Reference
 {
 public:
@@ -456,7 +460,8 @@ public:
         const Vec3 inward = -m_normals[face];
         double least = infinity;
         for (std::size_t g = 0; g < m_faces.size(); ++g)
-            if (m_normals[face].dot(m_normals[g]) < -0.5001) // walls of a hexagonal hole are not opposite
+            // excludes walls of a hexagonal hole, which meet at 120 degrees
+            if (m_normals[face].dot(m_normals[g]) < -0.5001)
                 least = std::min(least, ofFace(face, p, inward, g, least));
         for (const Ridge& ridge : m_ridges) {
             const Vec3 edge = (ridge.to - ridge.from).normalized(), way = inward - inward.dot(edge) * edge;
@@ -473,8 +478,8 @@ public:
         return least;
     }
 
-    /// The least found, and the share of the surface that is thinner than the limit; and of which it cannot be told
-    /// whether it is, because ridges are about as thin as their faces.
+    /// Results of the dense sampling: smallest thickness in mm, area and share of the surface thinner than the limit,
+    /// and share of the surface that may count either way because ridges are about as thin as their faces.
     struct Figures
     {
         double least = infinity, thin = 0, thinShare = 0, doubt = 0;
@@ -482,7 +487,8 @@ public:
     Figures figures(double limit, std::size_t samples) const
     {
         std::mt19937 engine(1);
-        const auto anywhere = [&](const std::array<Vec3, 3>& t) { // on a grid strips would count wholly or not at all
+        // random points, because narrow strips would align with a regular grid
+        const auto anywhere = [&](const std::array<Vec3, 3>& t) {
             std::uniform_real_distribution<double> share(0, 1);
             const double a = std::sqrt(share(engine)), b = share(engine);
             return Vec3((1 - a) * t[0] + a * (1 - b) * t[1] + a * b * t[2]);
@@ -518,7 +524,7 @@ public:
         figures.thinShare = figures.thin / area;
         figures.doubt /= area;
         std::ranges::sort(all, {}, &Sample::thickness);
-        all.resize(std::min<std::size_t>(all.size(), 6)); // about these it is looked for more closely
+        all.resize(std::min<std::size_t>(all.size(), 6)); // refines the search around the six thinnest samples
         for (Sample& sample : all)
             for (int round = 0; round < 4; ++round) {
                 Sample best = sample;
@@ -534,7 +540,7 @@ public:
     }
 
 private:
-    /// An edge; its faces' other corners from its start, their normals, its ends and faces.
+    /// An edge: its ends, the directions to the third corners of its faces, and the faces' normals and slots.
     struct Ridge
     {
         Vec3 from, to, one, other, normal, otherNormal;
@@ -542,7 +548,7 @@ private:
         std::array<std::size_t, 2> faces;
         bool isInward;
     };
-    /// A corner all of whose edges lie on one side.
+    /// A corner whose edges are all on one side of a plane through it.
     struct Corner
     {
         Vec3 p;
@@ -551,7 +557,7 @@ private:
         std::vector<Vec3> star;
         bool isInward;
     };
-    /// A point of an edge that juts inwards, with the length that it stands for, or a corner.
+    /// A sample for ridges: a point of an inward edge with the length of edge it represents, or an inward corner.
     struct RidgePoint
     {
         Vec3 p;
@@ -603,7 +609,8 @@ private:
         return std::ranges::all_of(corner.star, [&](const Vec3& edge) { return sign * inward.dot(edge) >= 0; });
     }
 
-    /// Points of faces below corners and edges, where samples may miss how thin it is.
+    /// Returns points of faces opposite corners and edges, where random samples may miss the smallest thickness. Each
+    /// has the index of its face.
     std::vector<std::pair<std::size_t, Vec3>> feet() const
     {
         std::vector<Vec3> from;
@@ -622,7 +629,7 @@ private:
         return feet;
     }
 
-    /// The cosine between a chord and the nearest normal, turned inwards, at a point of a ridge.
+    /// Returns the cosine between a chord and the closest inward normal at a point of a ridge.
     static double cosineOf(const RidgePoint& at, const Vec3& chord)
     {
         if (at.corner)
@@ -646,7 +653,7 @@ private:
         return isInSight(m_faces.size(), p, q) ? ball : infinity;
     }
 
-    /// Takes pairs of points of edges and corners that jut inwards, and then looks more closely around the best.
+    /// Measures the distances between points of inward edges and corners, then refines the search around the best pair.
     void measureRidges(double limit, const std::vector<double>& ofFaces, Figures& figures) const
     {
         constexpr int steps = 32;
@@ -658,7 +665,8 @@ private:
         for (const Corner& corner : m_corners)
             if (corner.isInward)
                 points.push_back({corner.p, nullptr, &corner, 0});
-        for (std::size_t i = 0; i < m_ridges.size(); ++i) // samples may miss where two edges cross
+        // adds the closest points of each pair of edges, which samples may miss
+        for (std::size_t i = 0; i < m_ridges.size(); ++i)
             for (std::size_t j = 0; j < i; ++j) {
                 const Ridge &one = m_ridges[i], &other = m_ridges[j];
                 if (!one.isInward || !other.isInward)
@@ -720,7 +728,7 @@ private:
     static double areaOf(const std::array<Vec3, 3>& t) { return (t[1] - t[0]).cross(t[2] - t[0]).norm() / 2; }
     static Vec3 middle(const std::array<Vec3, 3>& t) { return (t[0] + t[1] + t[2]) / 3; }
 
-    /// Twice as large, as far as it stays on its face.
+    /// Returns the triangle scaled by 2 about its centre and clipped to its face.
     std::array<Vec3, 3> widened(std::array<Vec3, 3> triangle, std::size_t face) const
     {
         const Vec3 centre = middle(triangle);
@@ -755,7 +763,8 @@ private:
         return true;
     }
 
-    /// Returns the point of a face that the least ball reaches from within 30 degrees, of its sides and of a grid.
+    /// Returns the point of the face that the smallest ball reaches within 30 degrees of the normal. Searches the
+    /// face's sides and a grid.
     static Vec3 steepPoint(const Vec3& p, const Vec3& inward, const std::array<Vec3, 3>& face)
     {
         constexpr int steps = 300, rows = 20;
@@ -777,7 +786,8 @@ private:
         return best;
     }
 
-    /// Bisects: the ball of a diameter reaches into the face, or it does not. What it reaches aside does not count.
+    /// Returns the diameter of the ball at p that reaches face g, found by bisection. Points more than 30 degrees from
+    /// the normal do not count.
     double ofFace(std::size_t face, const Vec3& p, const Vec3& inward, std::size_t g, double below) const
     {
         const auto reaches = [&](double diameter) {
@@ -799,7 +809,7 @@ private:
         return isInSight(face, p, q + 1e-3 * (middle(m_faces[g]) - q)) || isInSight(face, p, q) ? high : infinity;
     }
 
-    /// Samples the edge.
+    /// Returns the diameter of the smallest ball at p that reaches a sample of the edge.
     double ofRidge(std::size_t face, const Vec3& p, const Vec3& inward, const Ridge& ridge, double below) const
     {
         constexpr int steps = 400;
@@ -867,10 +877,11 @@ void TestWallThickness::wedge_isMeasuredAtItsThinEnd()
     const PrintReport report = core::checkForPrint(measures, {.minWall = 0.8, .bed = {}});
     QVERIFY(report.minByBalls && std::abs(*report.minByBalls / 0.2 - 1) < 0.05);
     QVERIFY(report.minByRays && std::abs(*report.minByRays / 0.2 - 1) < 0.1);
-    // The wedge is 0.8 mm thick 6.1 mm from its thin end, on both of its sides.
+    // The wedge is thinner than 0.8 mm up to 6.1 mm from its thin end, on each of its two sides.
     const double expected = 2 * 40 * 100 * 0.6 / 9.8 / report.area;
     QVERIFY2(std::abs(thinShare(report) / expected - 1) < 0.1, qPrintable(QString::number(thinShare(report))));
-    QVERIFY(report.thin.count == 2u || report.thin.count == 1u); // its two sides, or joined at the blunt end
+    // two sides, or one place if they are joined at the blunt end
+    QVERIFY(report.thin.count == 2u || report.thin.count == 1u);
     for (const core::PrintPlace& place : report.thin.places) {
         QVERIFY(std::abs(place.worst / 0.2 - 1) < 0.05);
         QVERIFY(place.point.x() < 1);
@@ -891,7 +902,8 @@ void TestWallThickness::groove_isMeasuredAtItsGround()
     const TriangleMesh block = grooved(0.5, halfWidth);
     const PrintReport report = core::checkForPrint(core::measureForPrint(block), {.minWall = 0.8, .bed = {}});
     QVERIFY(report.minByBalls && std::abs(*report.minByBalls / 0.5 - 1) < 0.05);
-    // The sides are too steep to be opposite: balls touch the edge, from within 30 degrees.
+    // The groove's sides are too steep to be opposite faces. Balls within 30 degrees of the normal touch its bottom
+    // edge.
     if (halfWidth > 10)
         return;
     const double aside = 0.5 * std::tan(std::numbers::pi / 6);
@@ -901,7 +913,8 @@ void TestWallThickness::groove_isMeasuredAtItsGround()
     QVERIFY(std::abs(report.thin.places[0].point.x() - 20) < 0.5);
 }
 
-/// Edges of 60 degrees, of a bar of an equilateral section, stay on the same side of the rule however they are turned.
+/// A bar with an equilateral cross-section has edges of exactly 60 degrees, the limit of sharp edges. Rotations must
+/// not make it thin.
 void TestWallThickness::edgesOf60Degrees_areNoThinPlaces()
 {
     TriangleMesh bar = Plate({flat(0, 0), flat(30, 0), flat(15, 1)}, {}, 20).take();
@@ -938,7 +951,8 @@ void TestWallThickness::parts_agreeWithDenseSampling()
                                     .arg(reference.thinShare);
         if (qEnvironmentVariableIsSet("FETTLE_TRACE"))
             qInfo().noquote() << figures;
-        const bool isKnife = least < 0.1 && reference.least < 0.1; // both have come near enough to a sharp edge
+        // both measured close to a sharp edge, where the result depends on the distance to the edge
+        const bool isKnife = least < 0.1 && reference.least < 0.1;
         QVERIFY2(isKnife || std::abs(least / reference.least - 1) < 0.05, qPrintable(figures));
         QVERIFY2(std::abs(thinShare(report) - reference.thinShare) < 0.015 + 0.05 * reference.thinShare,
                  qPrintable(figures));
@@ -958,7 +972,7 @@ void TestWallThickness::ridges_agreeWithDenseSampling_data()
         QTest::addRow("%s", name) << kind;
 }
 
-/// Walls between ridges, of random sizes at random turns.
+/// Compares random solids with thin walls between ridges, in random orientations, with the reference.
 void TestWallThickness::ridges_agreeWithDenseSampling()
 {
     QFETCH(const int, kind);
@@ -987,7 +1001,8 @@ void TestWallThickness::ridges_agreeWithDenseSampling()
             mesh = spike(sides, radius, length);
             break;
         case 6:
-            mesh = ringGrooved(std::max(4, sides), left, std::min(halfWidth, 4.0)); // 3 have edges of 60 degrees
+            // three pieces would have edges of 60 degrees, the limit of sharp edges
+            mesh = ringGrooved(std::max(4, sides), left, std::min(halfWidth, 4.0));
             break;
         default:
             mesh = hollowed(turned(spike(sides, radius, length),
@@ -1032,13 +1047,14 @@ void TestWallThickness::ridges_areMeasuredAtTheirGround_data()
         QTest::addRow("tip, %g wide", radius) << hollowed(spike(4, radius, 10), 0.5, false) << 0.5;
         QTest::addRow("two tips, %g wide", radius) << hollowed(spike(4, radius, 10), 0.4, true) << 0.4;
     }
-    for (const int sides : {6, 17, 20, 33, 64, 128}) { // the more sides, the less their edges are bent
+    for (const int sides : {6, 17, 20, 33, 64, 128}) { // more sides mean flatter edges of the tip
         QTest::addRow("tip of %d sides", sides) << hollowed(spike(sides, 3, 10), 0.5, false) << 0.5;
         QTest::addRow("two tips of %d sides", sides) << hollowed(spike(sides, 3, 10), 0.4, true) << 0.4;
     }
-    for (const int pieces : {5, 6, 8, 10, 13, 16, 20, 24, 32}) // sides around a bend of the ground look at each other
+    // neighbouring sides of the groove are opposite each other across its concave edges
+    for (const int pieces : {5, 6, 8, 10, 13, 16, 20, 24, 32})
         QTest::addRow("groove around, of %d pieces", pieces) << ringGrooved(pieces, 0.5, 2) << 0.5;
-    // Two slots side by side, on both sides of a block, whose edges are 0.3 mm apart both ways.
+    // The model has a slot on each side of a block. Their edges are 0.3 mm apart in x and in y.
     QTest::addRow("edges of two slots") << Plate({flat(0, 0), flat(19, 0), flat(19, 4), flat(19.4, 4), flat(19.4, 0),
                                                   flat(40, 0), flat(40, 8), flat(20.2, 8), flat(20.2, 4.3),
                                                   flat(19.7, 4.3), flat(19.7, 8), flat(0, 8)},
@@ -1064,7 +1080,7 @@ void TestWallThickness::ridges_areMeasuredAtTheirGround()
     }
 }
 
-/// Shows both grounds along their whole length, and counts them as strips.
+/// Checks that the picture shows the bottoms of both grooves along their whole length, and that they count as strips.
 void TestWallThickness::ridges_arePlacesOfTheirOwn()
 {
     const TriangleMesh plate = scored(3, 0.6, 0.3, false);
@@ -1079,7 +1095,7 @@ void TestWallThickness::ridges_arePlacesOfTheirOwn()
     for (std::size_t v = 0; v < plate.points.size(); ++v)
         QVERIFY((std::abs(plate.points[v].y() - 1.5F) < 0.4F) == (picture[v] < 0.7F));
     QVERIFY(core::checkForPrint(measures, {.minWall = 0.5, .bed = {}}).thin.count == 0);
-    // Two slots side by side are thin all over; their edges say nothing new.
+    // The wall between two neighbouring slots is thin everywhere, so their edges add no ridges.
     const TriangleMesh comb =
         Plate({flat(0, 0), flat(30, 0), flat(30, 10), flat(20, 10), flat(20, 2), flat(15.3, 2), flat(15.3, 10),
                flat(14.7, 10), flat(14.7, 2), flat(10, 2), flat(10, 10), flat(0, 10)},
@@ -1088,12 +1104,12 @@ void TestWallThickness::ridges_arePlacesOfTheirOwn()
     QVERIFY(core::wallThickness(comb, PrintLimits::largestBall).ridges.empty());
 }
 
-/// Faces of a rod or spike of three sides are not opposite to each other, but to its edges.
+/// Faces of a three-sided rod or spike are not opposite each other, but they are opposite its edges.
 void TestWallThickness::rods_ofThreeSidesAreThin()
 {
     Random random(2);
-    const TriangleMesh rod =
-        Plate({flat(0, 0), flat(0.5, 0), flat(0.25, 0.433)}, {}, 20).take(); // 60 degrees within a thousandth
+    // the angles differ from 60 degrees by less than a thousandth
+    const TriangleMesh rod = Plate({flat(0, 0), flat(0.5, 0), flat(0.25, 0.433)}, {}, 20).take();
     for (int turn = 0; turn < 4; ++turn) {
         const PrintReport report =
             core::checkForPrint(core::measureForPrint(turned(rod, random.rotation())), {.minWall = 0.8, .bed = {}});
@@ -1108,7 +1124,7 @@ void TestWallThickness::rods_ofThreeSidesAreThin()
     }
 }
 
-/// A block of more than 100,000 small faces, with a groove too steep for its faces to be opposite.
+/// Tests a block of more than 100,000 small faces whose groove is too steep to have opposite faces.
 void TestWallThickness::grooves_ofFineModelsAreSeen()
 {
     TriangleMesh block = grooved(0.4, 1);
@@ -1120,7 +1136,7 @@ void TestWallThickness::grooves_ofFineModelsAreSeen()
     QVERIFY(report.thin.count > 0);
 }
 
-/// Faces look past bars at many others, which are out of sight.
+/// Tests a plate with many holes, in which most faces are hidden from each other by the bars between holes.
 void TestWallThickness::barsBetweenHoles_areThin()
 {
     constexpr int count = 8;
@@ -1164,7 +1180,7 @@ void TestWallThickness::parts_makeUpTheirFaces()
     QVERIFY(std::ranges::is_sorted(walls.parts, {}, &core::WallPart::face));
 }
 
-/// Metres of sheet metal, and edges like knives: twelve triangles do not become millions.
+/// Checks that few triangles are not divided into millions of parts: metres of sheet metal, and knife edges.
 void TestWallThickness::parts_areBounded()
 {
     for (const TriangleMesh& mesh : {wedge(0.2, 10, 3000, 2000), wedge(0.01, 3000, 3000, 3000), grooved(0.001, 0.01),
@@ -1176,7 +1192,7 @@ void TestWallThickness::parts_areBounded()
     }
 }
 
-/// Two grooves across the same two triangles of the ground are two places.
+/// Checks that two grooves above the same two triangles of the base are reported as two places.
 void TestWallThickness::places_ofOneFaceAreApart()
 {
     const TriangleMesh block = Plate({flat(0, 0), flat(60, 0), flat(60, 20), flat(47, 20), flat(45, 0.6), flat(43, 20),
@@ -1199,7 +1215,7 @@ void TestWallThickness::picture_showsThinEnds()
     const std::vector<float> picture = core::pictureOf(core::measureForPrint(mesh), core::PrintPicture::Thickness);
     for (std::size_t v = 0; v < mesh.points.size(); ++v)
         QVERIFY(mesh.points[v].x() < 1 ? picture[v] < 0.3F : picture[v] > 2);
-    // A thin place that no corner is near is shown at the nearest ones.
+    // The picture shows a thin place without a vertex nearby at the nearest vertices.
     const TriangleMesh block = grooved(0.5, 5);
     const std::vector<float> ofBlock = core::pictureOf(core::measureForPrint(block), core::PrintPicture::Thickness);
     QVERIFY(std::ranges::count_if(ofBlock, [](float t) { return t < 0.8F; }) >= 2);
@@ -1208,7 +1224,7 @@ void TestWallThickness::picture_showsThinEnds()
 void TestWallThickness::wallOfTheLimit_isNotThin_data()
 {
     QTest::addColumn<float>("thickness");
-    QTest::addColumn<float>("distance"); ///< from the origin, mm
+    QTest::addColumn<float>("distance"); ///< distance of the model from the origin, mm
     QTest::addColumn<bool>("isThin");
     QTest::addRow("a float below") << 0.7999992F << 0.0F << false;
     QTest::addRow("far away") << 0.8F << 1000.0F << false;

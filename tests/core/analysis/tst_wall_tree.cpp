@@ -1,4 +1,4 @@
-// The tree of boxes that walls are sought in, against each box by itself in double.
+// Tests the box tree of the wall search against a test of each single box in double.
 
 #include "tests/support/test_main.h"
 
@@ -27,7 +27,7 @@ public:
     explicit RandomBoxes(unsigned start) : m_engine(start) {}
 
     double between(double min, double max) { return std::uniform_real_distribution<double>(min, max)(m_engine); }
-    /// A point of a coarse grid, so that rays run along the sides of boxes, too.
+    /// Returns a point of a coarse grid, so that some rays run exactly along the sides of boxes.
     Vec3 point(double size) { return size * Vec3(grid(), grid(), grid()); }
     std::vector<FaceBox> boxes(std::size_t count, double size, const Vec3& place)
     {
@@ -46,7 +46,7 @@ private:
     std::mt19937 m_engine;
 };
 
-/// Returns where a ray enters a box, infinity if it misses it.
+/// Returns the distance at which a ray enters a box, or infinity if it misses the box.
 double entryOf(const FaceBox& box, const Vec3& origin, const Vec3& direction)
 {
     double enter = 0, leave = nowhere;
@@ -93,7 +93,7 @@ void TestWallTree::boxes_areNeverMissed_data()
 {
     QTest::addColumn<int>("count");
     QTest::addColumn<double>("size");
-    QTest::addColumn<double>("away"); ///< from the origin
+    QTest::addColumn<double>("away"); ///< distance of the boxes from the origin
     for (const int count : {1, 7, 8, 9, 65, 700})
         for (const double size : {0.01, 50.0})
             for (const double away : {0.0, 3000.0})
@@ -124,7 +124,7 @@ void TestWallTree::boxes_areNeverMissed()
         QVERIFY(std::ranges::includes(seen, hit));
         const std::set<Slot> reached = visited(tree, WallTree::Point(tree, p), bound * size);
         QVERIFY(std::ranges::includes(reached, near));
-        for (const Slot position : reached) // nor are many others found
+        for (const Slot position : reached) // few boxes beyond the bound are visited
             QVERIFY(std::sqrt(squaredDistance(boxes.box(position), p)) < std::sqrt(bound * size) * 1.0001 + error);
     }
 }
