@@ -1,4 +1,4 @@
-// Drawings that follow patches against drawings of the whole model: line by line and pixel by pixel they are the same.
+// Tests that drawings updated by patches equal drawings of the whole model, line by line and pixel by pixel.
 
 #include "core/drawing/incremental_line_drawing.h"
 #include "core/sculpt/sculptor.h"
@@ -29,7 +29,7 @@ bool isSame(const LineDrawing& one, const LineDrawing& other)
            one.hasCreases == other.hasCreases;
 }
 
-/// One follows the patches, the other sees the whole model each time.
+/// Two drawings of one model: the first is updated by patches, the second gets the whole model each time.
 class Pair
 {
 public:
@@ -46,7 +46,7 @@ public:
         return isSame(last, m_anew.draw(shaded, {}).value());
     }
 
-    /// What was drawn is thrown away half-way.
+    /// Cancels a drawing, so that its partial result is discarded.
     void stopADrawing(core::Sculptor& sculptor)
     {
         m_following.apply(sculptor.takePatch());

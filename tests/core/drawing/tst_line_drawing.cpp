@@ -1,5 +1,5 @@
-// Drawings against the model itself: what is drawn lies on its edges, and a ray from there to the eye says whether it
-// can be seen.
+// Tests drawings against the model: drawn lines must be on its edges, and a ray to the eye decides whether a line is
+// visible.
 
 #include "core/drawing/line_drawing.h"
 #include "core/mesh/dirty_slots.h"
@@ -52,7 +52,7 @@ core::TriangleMesh turned(core::TriangleMesh mesh, double radians)
     return mesh;
 }
 
-/// The slow and simple truth about one side of a model.
+/// A slow reference for the drawing of one side of a model.
 class Judge
 {
 public:
@@ -74,14 +74,14 @@ public:
     {
         Vec3f a, b;
     };
-    std::vector<Edge> lines; ///< outlines and creases that nothing but other parts of the model could hide
+    std::vector<Edge> lines; ///< outlines and creases that only other parts of the model can hide
 
-    /// Nothing is nearer here, nor close by.
+    /// Returns whether nothing hides `at` or any point within the tolerance of it.
     bool isClearlySeen(const Vec3f& at) const
     {
         return !around(at, [this](const Vec3f& p) { return isHidden(p); });
     }
-    /// Something nearer is in front of all that is close by.
+    /// Returns whether something hides `at` and every point within the tolerance of it.
     bool isClearlyHidden(const Vec3f& at) const
     {
         return !around(at, [this](const Vec3f& p) { return !isHidden(p); });
@@ -133,7 +133,7 @@ private:
     }
 
     float m_tolerance;
-    std::vector<Vec3f> m_points; ///< on paper
+    std::vector<Vec3f> m_points; ///< vertices in the coordinates of the drawing
     std::vector<core::Triangle> m_faces;
 };
 
@@ -165,7 +165,7 @@ private Q_SLOTS:
         const LineDrawing drawing = drawn(arraysOf(shapes::cube(40)));
         for (const core::DrawnView& view : drawing.views) {
             QVERIFY(std::abs(length(view.outlines) - 160) < 1e-3);
-            QVERIFY(view.creases.empty()); // those behind lie under the outline's edges
+            QVERIFY(view.creases.empty()); // hidden creases coincide with the outline
             QCOMPARE(view.outlines.size(), std::size_t(1));
             QCOMPARE(view.outlines[0].front(), view.outlines[0].back());
             for (const Vec2f& p : view.outlines[0])
@@ -210,7 +210,8 @@ private Q_SLOTS:
         const LineDrawing drawing = drawn(arraysOf(shapes::torus({30, 10, 96, 48})));
         const double around = 2 * std::numbers::pi;
         QVERIFY(std::abs(length(drawing.view(DrawnSide::Top).outlines) - around * (40 + 20)) < 0.02 * around * 60);
-        for (const DrawnLine& line : drawing.view(DrawnSide::Front).outlines) // two half circles and two straight lines
+        // an outline consists of two half circles and two straight lines
+        for (const DrawnLine& line : drawing.view(DrawnSide::Front).outlines)
             for (const Vec2f& p : line) {
                 const float fromMiddle = (p - Vec2f(std::clamp(p.x(), -30.0F, 30.0F), 0)).norm();
                 QVERIFY(std::abs(fromMiddle - 10) < 0.1F);

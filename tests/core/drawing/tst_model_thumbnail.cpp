@@ -24,7 +24,7 @@ std::size_t inked(const core::ModelThumbnail& picture)
         std::ranges::count_if(picture.rgba, [](const auto& pixel) { return pixel[3] > 0; }));
 }
 
-/// Rows and columns that hold something: from, to.
+/// Range of rows and columns that contain drawn pixels.
 struct Extent
 {
     explicit Extent(const core::ModelThumbnail& picture)
@@ -71,7 +71,7 @@ private Q_SLOTS:
         QVERIFY(row(side / 4)[0] > row(side * 3 / 4)[0]);
         core::TriangleMesh lower = core::icosphere(2, 1);
         for (const core::Vec3f& p : core::icosphere(2, 1).points)
-            lower.points.push_back(core::Vec3f(0, 10, 0) + 0.1F * p); // far above: no face uses it
+            lower.points.push_back(core::Vec3f(0, 10, 0) + 0.1F * p); // unused vertices, far above the model
         QCOMPARE(pictureOf(lower).rgba, pictureOf(core::icosphere(2, 1)).rgba);
     }
 
@@ -122,11 +122,11 @@ private Q_SLOTS:
         QVERIFY(!core::drawThumbnail(core::icosphere(3, 10), side, stop.get_token()));
     }
 
-    /// A ball of radius 10 about the target: its outline is the cone's from the eye.
+    /// A ball of radius 10 mm is at the target. Its outline is that of the cone from the eye.
     void aCameraSeesWhatItSees_data()
     {
         QTest::addColumn<double>("distance");
-        QTest::addColumn<double>("outline"); // mm of the plane through the target
+        QTest::addColumn<double>("outline"); // radius in mm in the plane through the target
         QTest::newRow("parallel") << 0.0 << 10.0;
         QTest::newRow("far") << 100.0 << 10.0 * 100 / std::sqrt(100.0 * 100 - 100);
         QTest::newRow("near") << 20.0 << 10.0 * 20 / std::sqrt(20.0 * 20 - 100);
@@ -154,7 +154,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(right - left + 1 - pixels) <= 2 && std::abs(bottom - top + 1 - pixels) <= 2);
         QVERIFY(std::abs(left + right + 1 - 160) <= 2 && std::abs(top + bottom + 1 - 120) <= 2);
 
-        view.target = core::Vec3(-5, -17, 3); // now it is up and to the right, and reaches over the borders
+        view.target = core::Vec3(-5, -17, 3); // moves the ball up and to the right, beyond the borders
         const core::ModelThumbnail cut = core::drawThumbnail(mesh, view, {}).value();
         const auto alpha = [&cut](int x, int y) { return cut.rgba[static_cast<std::size_t>(y * 160 + x)][3]; };
         QCOMPARE(alpha(110, 30), std::uint8_t(255));
@@ -166,9 +166,9 @@ private Q_SLOTS:
         const core::TriangleMesh mesh = core::icosphere(4, 10);
         core::ThumbnailView view{Eigen::Matrix3d::Identity(), core::Vec3(0, 0, -30), 5, 10, 80, 60};
         const auto inkOf = [&] { return inked(core::drawThumbnail(mesh, view, {}).value()); };
-        QCOMPARE(inkOf(), std::size_t(0)); // behind
+        QCOMPARE(inkOf(), std::size_t(0)); // the ball is behind the eye
         view.target = {0, 0, -4};
-        QCOMPARE(inkOf(), std::size_t(80 * 60)); // around the eye: it sees the inside, and nothing else
+        QCOMPARE(inkOf(), std::size_t(80 * 60)); // the eye is inside the ball, which fills the picture
         view.target = {1e6, 0, 0};
         view.distance = 0;
         QCOMPARE(inkOf(), std::size_t(0));
