@@ -32,7 +32,7 @@ void TestIcosphere::counts()
     QFETCH(int, vertices);
     const core::TriangleMesh mesh = core::icosphere(subdivisions, 50);
     QCOMPARE(mesh.points.size(), static_cast<std::size_t>(vertices));
-    QCOMPARE(mesh.triangles.size(), static_cast<std::size_t>(2 * vertices - 4)); // Euler: V - E + F = 2
+    QCOMPARE(mesh.triangles.size(), static_cast<std::size_t>(2 * vertices - 4)); // by Euler's formula V - E + F = 2
 }
 
 void TestIcosphere::isClosedAndOutwards()

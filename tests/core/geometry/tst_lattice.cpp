@@ -45,7 +45,7 @@ void TestLattice::forExtent_ofATenCentimetreBall()
 
 void TestLattice::snap_takesTheNearestPointAndTiesToEven()
 {
-    const Lattice lattice(3); // eighths
+    const Lattice lattice(3); // unit: 1/8
     QCOMPARE(lattice.snap(1.0 / 16), 0.0);
     QCOMPARE(lattice.snap(3.0 / 16), 2.0 / 8);
     QCOMPARE(lattice.snap(-1.0 / 16), 0.0);
@@ -56,7 +56,8 @@ void TestLattice::snap_takesTheNearestPointAndTiesToEven()
         const double x = coordinate(engine);
         QCOMPARE(lattice.snap(x), std::nearbyint(x * 8) / 8);
     }
-    QVERIFY(!lattice.contains(lattice.snap(Vec3(1e300, 0, 0)).cast<double>())); // far away stays far away
+    // snapping does not bring points beyond the limit onto the lattice
+    QVERIFY(!lattice.contains(lattice.snap(Vec3(1e300, 0, 0)).cast<double>()));
 }
 
 void TestLattice::randomLatticePoints_comeBack()

@@ -1,4 +1,4 @@
-// The exact predicates, against CGAL's exact-predicates kernel.
+// Tests the exact predicates against CGAL's exact-predicates kernel.
 
 #include "core/geometry/predicates.h"
 
@@ -44,13 +44,13 @@ template <typename Point> int judgedOrient2d(const Point& a, const Point& b, con
 class LatticeSource
 {
 public:
-    /// Uniform in [-range, range].
+    /// Returns a uniformly distributed point, each coordinate in [-range, range].
     LatticePoint point(int range)
     {
         std::uniform_int_distribution<int> coordinate(-range, range);
         return {coordinate(m_engine), coordinate(m_engine), coordinate(m_engine)};
     }
-    /// Near the plane of three points, off by rounding: a convex or not so convex combination.
+    /// Returns a random affine combination of three points, which rounding moves off their plane.
     LatticePoint near(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c)
     {
         std::uniform_real_distribution<double> weight(-0.2, 1.2);
@@ -67,7 +67,7 @@ private:
 class FloatSource
 {
 public:
-    /// Any finite float32, each exponent alike.
+    /// Returns a random finite float32, with every exponent equally likely.
     float any()
     {
         for (;;) {
@@ -102,7 +102,7 @@ template <typename Predicates> QByteArray describe(const char* what, const std::
     return text;
 }
 
-/// Empty if all predicates agree with the judge on these four points.
+/// Returns a description of the first disagreement with CGAL on these four points, or an empty text.
 template <typename Predicates> QByteArray disagreement(const std::array<typename Predicates::Point, 4>& p)
 {
     if (Predicates::orient3d(p[0], p[1], p[2], p[3]) != judgedOrient3d(p[0], p[1], p[2], p[3]))
@@ -154,7 +154,7 @@ void TestPredicates::lattice_agreesWithJudge()
         if (nearPlane)
             p[3] = source.near(p[0], p[1], p[2]);
         if (i % 8 == 0)
-            p[2] = source.near(p[0], p[1], p[0]); // near a line
+            p[2] = source.near(p[0], p[1], p[0]); // nearly collinear points
         const QByteArray wrong = disagreement<LatticePredicates>(p);
         QVERIFY2(wrong.isEmpty(), wrong.constData());
     }
@@ -201,7 +201,7 @@ void TestPredicates::float_agreesWithJudge()
             p = {tenths(1), tenths(1), tenths(1), tenths(1)};
         } else if (kind == "tenths") {
             p = {tenths(0.1f), tenths(0.1f), tenths(0.1f), tenths(0.1f)};
-        } else if (kind == "planes of any exponent") { // in the plane x = y, exactly
+        } else if (kind == "planes of any exponent") { // exactly in the plane x = y
             for (Vec3f& q : p) {
                 q = source.anyPoint();
                 q.y() = q.x();
@@ -232,7 +232,7 @@ void TestPredicates::float_isExactAtTheEndsOfItsRange()
     }
 }
 
-/// Prints figures; fails only when something is out of all proportion.
+/// Prints the duration of each predicate. Fails only at grossly excessive times.
 void TestPredicates::speed()
 {
     constexpr std::size_t count = 1 << 12, rounds = 500;

@@ -27,8 +27,8 @@ void TestProximityGrid::cells_holdAllInTheBox_data()
     }
 }
 
-/// Checks that each point in a box is visited once, and none outside of the cells that it meets, which are two reaches
-/// long at most.
+/// Checks that each point of a box is visited once, and that visited points are in cells that meet the box. Cells are
+/// at most two reaches wide.
 void TestProximityGrid::cells_holdAllInTheBox()
 {
     QFETCH(int, count);

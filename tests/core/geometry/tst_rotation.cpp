@@ -23,7 +23,7 @@ void TestRotation::rotationBetween_takesOneDirectionToTheOther()
         const Eigen::Quaterniond turn = rotationBetween(random.uniform(0.1, 9) * a, random.uniform(0.1, 9) * b);
         QVERIFY(std::abs(turn.norm() - 1) < 1e-14);
         QVERIFY((turn * a - b).norm() < 1e-7);
-        // No rotation is smaller.
+        // No smaller rotation does it: its angle is the one between the vectors.
         QVERIFY(std::abs(Eigen::AngleAxisd(turn).angle() - std::acos(std::clamp(a.dot(b), -1.0, 1.0))) < 1e-7);
     }
 }

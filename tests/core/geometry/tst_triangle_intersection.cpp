@@ -1,5 +1,5 @@
-// Pairs of triangles, against CGAL: do_intersect for pairs that share no corner, the exact kernel's intersection, by
-// its kind, for pairs that do.
+// Tests intersection of triangle pairs against CGAL: do_intersect() for pairs without common corners, the kind of the
+// exact intersection for pairs with common corners.
 
 #include "core/geometry/triangle_intersection.h"
 
@@ -61,7 +61,7 @@ QByteArray describePair(const CornerTriangle<Predicates>& s, const CornerTriangl
     return text;
 }
 
-/// Two triangles that share `shared` corners, in random places of both.
+/// Returns two triangles that share `shared` corners, at random positions in each triangle.
 template <typename Predicates, typename MakePoint>
 std::pair<CornerTriangle<Predicates>, CornerTriangle<Predicates>> randomPair(std::mt19937& engine, int shared,
                                                                              MakePoint make)
@@ -86,7 +86,7 @@ std::pair<CornerTriangle<Predicates>, CornerTriangle<Predicates>> randomPair(std
     return {turned, t};
 }
 
-/// Points of a kind: how many hits and near-hits there are depends on it.
+/// Random points of a kind. The kind determines how often triangles of such points meet or nearly meet.
 template <typename Predicates> class PointSource
 {
 public:
@@ -107,7 +107,7 @@ public:
             const Number x = integer(3), y = integer(3);
             return Point(x, y, -x - y);
         }
-        if (m_kind == "thin") // nearly flat
+        if (m_kind == "thin") // nearly in a plane
             return Point(integer(1000), integer(1000), integer(1));
         return Point(integer(core::Lattice::limit), integer(core::Lattice::limit), integer(core::Lattice::limit));
     }
@@ -161,7 +161,7 @@ void TestTriangleIntersection::agreesWithJudge()
 {
     QFETCH(QString, kind);
     QFETCH(int, shared);
-    const int count = shared == 0 ? 200'000 : 15'000; // the judge's exact constructions are slow
+    const int count = shared == 0 ? 200'000 : 15'000; // fewer pairs, because CGAL's exact constructions are slow
     QByteArray wrong = firstDisagreement<LatticePredicates>(kind, shared, count);
     QVERIFY2(wrong.isEmpty(), wrong.constData());
     wrong = firstDisagreement<FloatPredicates>(kind, shared, count);

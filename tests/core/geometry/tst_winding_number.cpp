@@ -20,7 +20,7 @@ std::vector<Vec3> placesOf(const TriangleMesh& mesh)
     return places;
 }
 
-/// Van Oosterom and Strackee 1983.
+/// Returns the solid angle of a triangle seen from the origin (van Oosterom and Strackee 1983).
 double solidAngle(const Vec3& a, const Vec3& b, const Vec3& c)
 {
     const double la = a.norm(), lb = b.norm(), lc = c.norm();
@@ -38,7 +38,8 @@ private Q_SLOTS:
     void shellsAroundAPoint_areCounted();
 };
 
-/// Random triangles about the origin, which is too near to them for a dipole; it lies in the planes of some of them.
+/// Tests random triangles around the origin, too near for the dipole approximation. The planes of some contain the
+/// origin.
 void TestWindingNumber::fewTriangles_areSummedExactly()
 {
     StrokeFuzzer random(11);
@@ -52,7 +53,7 @@ void TestWindingNumber::fewTriangles_areSummedExactly()
             for (Vec3& corner : corners)
                 corner = random.uniform(0.1, 1) * random.direction();
             if (f % 4 == 3)
-                corners[2] = corners[0] + corners[1]; // its plane, but not itself, holds the origin
+                corners[2] = corners[0] + corners[1]; // the plane contains the origin, the triangle does not
             points.insert(points.end(), corners.begin(), corners.end());
             triangles.push_back({3 * f, 3 * f + 1, 3 * f + 2});
             expected += solidAngle(corners[0], corners[1], corners[2]) / (4 * std::numbers::pi);
