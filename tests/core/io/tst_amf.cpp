@@ -1,4 +1,5 @@
-// AMF of others, plain and zipped: units, volumes, objects, constellations, colours; and what hostile ones try.
+// Tests AMF files of other programs, plain and zipped: units, volumes, objects, constellations, colours. Hostile files
+// must be refused.
 
 #include "core/io/mesh_io.h"
 #include "core/util/file_error.h"
@@ -30,9 +31,9 @@ using Entries = std::vector<std::pair<std::string, std::string>>;
 
 struct AmfTetrahedron
 {
-    std::string ofVertex, ofTriangle; ///< what the first of each holds, too
+    std::string ofVertex, ofTriangle; ///< extra content of the first vertex and of the first triangle
 
-    /// Right-angled, 1 x 2 x 3, with its right angle at (x, 0, 0).
+    /// Returns the vertices of a right-angled tetrahedron of 1 x 2 x 3, with its right angle at (x, 0, 0).
     std::string vertices(int x = 0) const
     {
         const std::string at = std::to_string(x), beside = std::to_string(x + 1);
@@ -226,7 +227,7 @@ void TestAmf::units_becomeMillimetres()
     QVERIFY(mesh.points[1] == Vec3f(static_cast<float>(millimetres), 0, 0));
     QVERIFY(mesh.points[2] == Vec3f(0, static_cast<float>(2 * millimetres), 0));
     QVERIFY(mesh.points[3] == Vec3f(0, 0, static_cast<float>(3 * millimetres)));
-    // displacements are in that unit, too
+    // Displacements of instances are in the file's unit, too.
     const TriangleMesh moved = read(
         amfOf(amfObject("1") + amfConstellation("2", amfInstance("1", "<deltax>4</deltax>")), attribute.toStdString()));
     QVERIFY(moved.points[0] == Vec3f(static_cast<float>(4 * millimetres), 0, 0));
@@ -305,7 +306,8 @@ void TestAmf::slicersVolumes_areLeftOutAndTold()
     const ReadResult result = readAll(amfOf(amfObject("1", mesh)));
     QCOMPARE(result.mesh.triangles.size(), std::size_t(isMatter ? 12 : 8));
     QCOMPARE(enclosedVolume(result.mesh), isMatter ? 3.0 : 2.0);
-    QCOMPARE(result.mesh.points.size(), std::size_t(isMatter ? 12 : 8)); // the others would count for the size
+    // vertices of excluded volumes are removed, as they would count in the size of the model
+    QCOMPARE(result.mesh.points.size(), std::size_t(isMatter ? 12 : 8));
     QCOMPARE(result.mesh.colors.empty(), !isMatter);
     QCOMPARE(result.remarks.negativeParts, std::size_t(isNegative));
     QCOMPARE(result.remarks.otherParts, std::size_t(!isMatter && !isNegative));
@@ -314,7 +316,7 @@ void TestAmf::slicersVolumes_areLeftOutAndTold()
 void TestAmf::instances_arePlaced_data()
 {
     QTest::addColumn<QString>("placed");
-    QTest::addColumn<QList<double>>("x1"); // where (1, 0, 0), (0, 2, 0) and (0, 0, 3) are
+    QTest::addColumn<QList<double>>("x1"); // x1, y2, z3: images of (1, 0, 0), (0, 2, 0) and (0, 0, 3)
     QTest::addColumn<QList<double>>("y2");
     QTest::addColumn<QList<double>>("z3");
     const auto row = [](const char* placed, QList<double> x1, QList<double> y2, QList<double> z3) {
@@ -327,7 +329,8 @@ void TestAmf::instances_arePlaced_data()
     row("<rz>90</rz>", {0, 1, 0}, {-2, 0, 0}, {0, 0, 3});
     row("<rz>-450</rz>", {0, -1, 0}, {2, 0, 0}, {0, 0, 3});
     row("<rz>180</rz>", {-1, 0, 0}, {0, -2, 0}, {0, 0, 3});
-    row("<rz>90</rz><rx>90</rx>", {0, 1, 0}, {0, 0, 2}, {3, 0, 0}); // about x first, whatever stands first
+    // first about x, regardless of the order in the file
+    row("<rz>90</rz><rx>90</rx>", {0, 1, 0}, {0, 0, 2}, {3, 0, 0});
     row("<rx>90</rx><ry>90</ry>", {0, 0, -1}, {2, 0, 0}, {0, -3, 0});
     row("<ry>90</ry><rz>90</rz><deltax>1</deltax>", {1, 0, -1}, {-1, 0, 0}, {1, 3, 0});
     row("<scale>2</scale><rz>90</rz><deltay>1</deltay>", {0, 3, 0}, {-4, 1, 0}, {0, 1, 6});
@@ -339,7 +342,7 @@ void TestAmf::instances_arePlaced()
     QFETCH(QString, placed);
     const TriangleMesh mesh =
         read(amfOf(amfObject("1") + amfConstellation("2", amfInstance("1", placed.toStdString()))));
-    QCOMPARE(mesh.triangles.size(), std::size_t(4)); // the object stands nowhere else
+    QCOMPARE(mesh.triangles.size(), std::size_t(4)); // a placed object is not added a second time unplaced
     QVERIFY(enclosedVolume(mesh) > 0);
     const char* const names[] = {"x1", "y2", "z3"};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -348,7 +351,7 @@ void TestAmf::instances_arePlaced()
     }
 }
 
-/// Whatever else turns, the constellation's order is about x, then y, then z.
+/// Rotations by multiples of 90 degrees must be exact. The standard's order is about x, then y, then z.
 void TestAmf::rightAngles_areExact()
 {
     const auto turned = [this](const std::string& placed) {
@@ -389,9 +392,9 @@ void TestAmf::constellations_nest()
         QVERIFY(hasPoint(result.mesh, 0, 11, 0) && hasPoint(result.mesh, -2, 10, 0) &&
                 hasPoint(result.mesh, 11, 0, 100));
         QVERIFY(hasPoint(result.mesh, 0, 2, 200));
-        QVERIFY(hasPoint(result.mesh, 7, 0, 0)); // nothing names it: it stands where it is
+        QVERIFY(hasPoint(result.mesh, 7, 0, 0)); // object 4 is in no constellation and is added unplaced
     }
-    // constellations that nothing names stand all
+    // Constellations that no other one refers to are all added.
     QCOMPARE(read(amfOf(amfObject("1") + amfConstellation("2", two) +
                         amfConstellation("3", amfInstance("1", "<deltay>9</deltay>"))))
                  .triangles.size(),
@@ -406,7 +409,7 @@ void TestAmf::mirroredInstances_stayOutward()
     QVERIFY(hasPoint(mesh, -2, 0, 0));
 }
 
-/// Slic3r and its heirs write radians, where the standard asks for degrees.
+/// Slic3r and its derivatives write radians, although the standard specifies degrees.
 void TestAmf::slicersAngles_areInRadians()
 {
     const std::string placed = amfObject("1") + amfConstellation("2", amfInstance("1", "<rz>1.5707963267948966</rz>"));
@@ -424,7 +427,7 @@ void TestAmf::slicersAngles_areInRadians()
 void TestAmf::colors_areRead_data()
 {
     QTest::addColumn<QByteArray>("content");
-    QTest::addColumn<QList<int>>("first"); // of the first vertex and the last one; none: there are no colours
+    QTest::addColumn<QList<int>>("first"); // colours of the first and the last vertex; empty: no colours
     QTest::addColumn<QList<int>>("last");
     const QList<int> none, red{255, 0, 0}, green{0, 128, 0}, blue{0, 0, 255}, yellow{255, 255, 0}, grey{200, 200, 200};
     const std::string r = amfColor("1", "0", "0"), g = amfColor("0", "0.5", "0"), b = amfColor(" 0 ", "-0.1", "1.5"),
@@ -465,8 +468,8 @@ void TestAmf::sharedVertices_haveTheMeanColor()
 {
     const AmfTetrahedron t{.ofVertex = amfColor("0", "1", "0"), .ofTriangle = amfColor("1", "0", "0")};
     const std::vector<Rgb> colors = read(amfOf(amfObject("1", t.mesh(amfColor("0", "0", "1"))))).colors;
-    QVERIFY((colors[0] == Rgb{85, 170, 0})); // the triangle's, and twice the vertex's own
-    QVERIFY((colors[1] == Rgb{85, 0, 170})); // the triangle's, and twice the volume's
+    QVERIFY((colors[0] == Rgb{85, 170, 0})); // mean of the triangle's colour and twice the vertex's own
+    QVERIFY((colors[1] == Rgb{85, 0, 170})); // mean of the triangle's colour and twice the volume's
     QVERIFY((colors[3] == Rgb{0, 0, 255}));
 }
 
@@ -710,7 +713,7 @@ void TestAmf::cutFiles_areRefused()
               amfConstellation("2", amfInstance("1", "<rz>90</rz>")));
     for (const std::string& whole : {plain, zipped({{"a.amf", plain}})}) {
         QCOMPARE(enclosedVolume(core::parseMesh("a.amf", whole)), 1.0);
-        for (std::size_t length = 0; length + 1 < whole.size(); ++length) // the last line's end is no loss
+        for (std::size_t length = 0; length + 1 < whole.size(); ++length) // only the final line break may be missing
             QVERIFY2(errorOf([&] { core::parseMesh("a.amf", std::string_view(whole).substr(0, length)); }),
                      qPrintable(QString::number(length)));
     }
@@ -722,7 +725,8 @@ void TestAmf::bombs_areRefused()
     const auto error = errorOf([&] { read(zipped({{"a.amf", bomb}})); });
     QVERIFY(error && error->kind == Kind::UnpacksTooLarge);
     QCOMPARE(error->expected, std::uint64_t(16) << 20);
-    QCOMPARE(enclosedVolume(read(zipped({{"a.amf", bomb}}, ZIP_CM_STORE))), 1.0); // a large file
+    // a large file that is not compressed is no bomb
+    QCOMPARE(enclosedVolume(read(zipped({{"a.amf", bomb}}, ZIP_CM_STORE))), 1.0);
     Entries many;
     for (int i = 0; i < 300; ++i)
         many.emplace_back(std::to_string(i) + ".xml", "<x/>" + std::string(1 << 20, ' '));
@@ -734,14 +738,14 @@ void TestAmf::manyCopies_areRefused()
 {
     for (const bool isEmpty : {false, true}) {
         std::string content = isEmpty ? amfObject("1", {}) : amfObject("1");
-        for (int i = 2; i < 40; ++i) { // each holds the one before twice
+        for (int i = 2; i < 40; ++i) { // each constellation contains the previous one twice
             const std::string before = amfInstance(std::to_string(i - 1));
             content += amfConstellation(std::to_string(i), before + before);
         }
         const auto error = errorOf([&] { read(amfOf(content)); });
         QVERIFY(error && error->kind == Kind::TooManyElements && error->token == "instances");
     }
-    // few instances of much
+    // Few instances of a large mesh are refused as well.
     std::string triangles;
     for (int i = 0; i < 500; ++i)
         triangles += AmfTetrahedron().triangles();

@@ -1,4 +1,4 @@
-// The preset file: what is written is read, and each bad one is refused with its place.
+// Tests the preset file: a written one is read again, and each invalid one is refused with the place of its error.
 #include "core/io/stroke/brush_file.h"
 #include "core/sculpt/deform/alpha.h"
 #include "tests/support/test_main.h"
@@ -25,7 +25,7 @@ private Q_SLOTS:
 
 namespace
 {
-/// A preset file with these values in "stroke", and these keys beside it.
+/// Returns a preset file with `stroke` in its "stroke" object and `more` after its name.
 std::string preset(const std::string& stroke, const std::string& more = {})
 {
     return R"({"format":"fettle-brush","version":1,"name":"A")" + more + R"(,"stroke":{)" + stroke + "}}";
@@ -180,10 +180,10 @@ void TestBrushFile::refuses()
     QVERIFY(error);
     QCOMPARE(error->kind, kind);
     QCOMPARE(QString::fromStdString(error->key), key);
-    QVERIFY(!error->stroke && !error->sample); // there is only one
+    QVERIFY(!error->stroke && !error->sample); // preset errors have no indices, because a preset has only one stroke
 }
 
-/// A newer version wins over all faults of the file, before or after it.
+/// A newer version is reported first, whatever other errors the file has before or after it.
 void TestBrushFile::aNewerVersionIsSaidFirst()
 {
     for (const char* text :

@@ -61,7 +61,7 @@ void TestExportCheck::whatWasWritten_isThere()
 void TestExportCheck::oneBit_isFound_data()
 {
     QTest::addColumn<QString>("name");
-    QTest::addColumn<int>("fromEnd"); ///< the byte that is spoilt
+    QTest::addColumn<int>("fromEnd"); ///< distance of the changed byte from the end of the file
     QTest::addColumn<bool>("isColor");
     QTest::newRow("a coordinate in STL") << QStringLiteral("a.stl") << 2 + 12 << false;
     QTest::newRow("a corner in PLY") << QStringLiteral("a.ply") << 4 << false;
@@ -85,7 +85,7 @@ void TestExportCheck::oneBit_isFound()
     const core::ExportVerdict verdict = core::checkExport(file(name), paintedBall());
     QVERIFY(!verdict.holds());
     QCOMPARE(verdict.sameCorners, isColor);
-    QVERIFY(!isColor || !verdict.sameColors); // another corner may have another colour, too
+    QVERIFY(!isColor || !verdict.sameColors); // a changed corner may also change which colour is compared
 }
 
 void TestExportCheck::anotherModel_isFound()

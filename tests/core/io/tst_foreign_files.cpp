@@ -1,5 +1,5 @@
-// Tests files as other programs write them, not quite by the book: each is read as the same model in a plain file. A
-// sentence on a broken one says what was expected, what was found and where. Random bytes crash nothing.
+// Tests files of other programs that deviate from the standards. Each must give the same model as a plain file. Error
+// messages must state what was expected, what was found and where. Random bytes must not crash a reader.
 
 #include "core/io/mesh_io.h"
 #include "core/util/file_error.h"
@@ -29,8 +29,7 @@ using core::TriangleMesh;
 using core::Vec3f;
 using Kind = core::FileErrorKind;
 
-/// Returns a corner of the box of all tests, 10 x 20 x 30: corner i stands at 10 where bit 0 of i is set, at 20 where
-/// bit 1 is, ...
+/// Returns a corner of the box of all tests, 10 x 20 x 30. Bits 0, 1, 2 of `i` select the far side in x, y, z.
 const std::vector<std::vector<int>> quads{{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
                                           {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
 
@@ -55,7 +54,8 @@ std::vector<std::array<int, 3>> boxTriangles()
     return all;
 }
 
-/// Returns each triangle's corners, from the least one on; sorted.
+/// Returns the coordinates of each triangle's corners, the lexicographically smallest corner first. The triangles are
+/// sorted.
 std::vector<std::array<float, 9>> surfaceOf(const TriangleMesh& mesh)
 {
     const auto less = [](const Vec3f& a, const Vec3f& b) {
@@ -81,7 +81,7 @@ double volumeOf(const TriangleMesh& mesh)
     return six / 6;
 }
 
-/// Returns whether each edge is used once in each direction.
+/// Returns whether each edge is used exactly once in each direction.
 bool isClosed(const TriangleMesh& mesh)
 {
     std::vector<std::pair<Slot, Slot>> there, back;
@@ -177,7 +177,7 @@ std::string binaryStl(std::uint32_t count, const std::string& behind = "", std::
     return head + behind;
 }
 
-/// Makes a PLY of the box's points and of what else the parts of the header and of the body say.
+/// A PLY file of the box's points. Members are inserted into its header and its body.
 struct Ply
 {
     std::string format = "ascii", elements = {}, body = {}, vertexLine = "\n", early = {};
@@ -209,8 +209,7 @@ struct Ply
     }
 };
 
-/// Returns a strip for each quad, from a corner on: 0, 1, 3, 2 of its ring. The diagonals are others than the plain
-/// box's.
+/// Returns a triangle strip for a quad. Its diagonal is not the one of the plain box.
 std::vector<int> stripOf(const std::vector<int>& quad)
 {
     return {quad[1], quad[2], quad[0], quad[3]};
@@ -231,18 +230,18 @@ std::string strips(const std::string& format, bool isUnsigned = false)
     return isUnsigned ? replaced(ply.text(), "-1", "4294967295") : ply.text();
 }
 
-/// Returns one strip of all quads, connected by triangles that name a corner twice, an even and an odd number of them.
+/// Returns one strip of all quads. Degenerate triangles connect them, an even or an odd number of them.
 std::string sewnStrip(const std::string& format)
 {
     Ply ply{.format = format};
     std::vector<int> all;
-    const auto& q = quads[0]; // as two strips of one triangle
+    const auto& q = quads[0]; // the first quad consists of two strips of one triangle each
     std::vector<std::vector<int>> parts{{q[0], q[1], q[2]}, {q[0], q[2], q[3]}};
     std::transform(quads.begin() + 1, quads.end(), std::back_inserter(parts), stripOf);
     for (const std::vector<int>& strip : parts) {
         if (!all.empty())
             all.insert(all.end(), {all.back(), strip[0]});
-        if (all.size() % 2 != 0) // each begins where none is turned
+        if (all.size() % 2 != 0) // strips must begin at an even position, where triangles are not reversed
             all.push_back(strip[0]);
         all.insert(all.end(), strip.begin(), strip.end());
     }
@@ -262,14 +261,14 @@ std::string plyFaces(const std::string& format, const std::vector<std::vector<in
     return ply.text();
 }
 
-/// Returns the quads with a corner named twice, an outline that ends where it begins, a slit, and a point, an edge and
-/// a triangle without a third corner.
+/// Returns the quads with defects: repeated corners, an explicitly closed outline, and a slit. A point, an edge and a
+/// degenerate triangle are added.
 std::vector<std::vector<int>> clumsyFaces()
 {
     auto faces = quads;
     faces[0] = {0, 2, 2, 2, 3, 1, 0};
     faces[1] = {4, 5, 7, 6, 4};
-    faces[2] = {0, 1, 6, 1, 5, 4}; // a slit to 6 and back
+    faces[2] = {0, 1, 6, 1, 5, 4}; // the outline runs to corner 6 and back
     faces[3] = {2, 2, 6, 7, 3, 3, 2};
     faces.push_back({1});
     faces.push_back({1, 2});
@@ -293,12 +292,13 @@ std::string offOf(const std::string& keyword, const std::string& sizes, const st
     return text;
 }
 
-/// Makes an OFF of a torus in any layout: so many words of the vertices, or of the faces, on a line; 0: an element.
+/// An OFF file of a torus in any layout. Wraps: number of words of the vertices, or of the faces, per line; 0: one
+/// element per line.
 struct OffLayout
 {
     std::string keyword = "OFF", vertexMore = {}, faceMore = {};
     std::size_t vertexWrap = 0, faceWrap = 0;
-    std::string badVertex = {}, badCorner = {}; ///< a word that stands in their middle, or none
+    std::string badVertex = {}, badCorner = {}; ///< invalid word that replaces one in the middle; empty: none
 
     static TriangleMesh mesh() { return shapes::moved(shapes::torus(), {0.3F, 0.4F, 0.6F}); }
 
@@ -352,10 +352,10 @@ private:
     }
 };
 
-/// Returns the layouts that OFF may have.
+/// Returns all tested layouts of OFF.
 std::vector<OffLayout> offLayouts()
 {
-    constexpr std::size_t allOnOne = 420'000; // a multiple of all vertices' words
+    constexpr std::size_t allOnOne = 420'000; // a multiple of the number of all words, so that one line contains all
     std::vector<OffLayout> all;
     for (const auto& [keyword, more] :
          std::vector<std::pair<std::string, std::string>>{{"OFF", ""},
@@ -417,7 +417,7 @@ std::string glbOf(const std::string& json, const std::string& chunk, bool isPadd
            number(bytes.size()) + std::string("BIN\0", 4) + bytes;
 }
 
-/// Makes a GLB, in metres as glTF has it. `scene`, `nodes`: with a comma behind, or empty.
+/// Makes a GLB of the box in metres, the unit of glTF. `scene`, `nodes`: JSON members that end with a comma, or empty.
 std::string glbBox(const std::string& scene = R"("scene":0,"scenes":[{"nodes":[0]}],)",
                    const std::string& nodes = R"("nodes":[{"mesh":0}],)", const std::string& more = "",
                    bool isPadded = true)
@@ -600,7 +600,7 @@ std::vector<Sample> plySamples()
         all.push_back({"ply repeated corners, points and edges", "a.ply", plyFaces(format, clumsyFaces())});
         all.push_back({"ply strips", "a.ply", strips(format)});
         all.push_back({"ply sewn strip", "a.ply", sewnStrip(format)});
-        Ply mixed{.format = format}; // a strip a list, and faces before them
+        Ply mixed{.format = format}; // faces, and then one strip per list
         mixed.elements = "element face 3\nproperty list int int vertex_index\nelement tristrips 3\n"
                          "property int what\nproperty list int int vertex_index\n";
         for (std::size_t i = 0; i < 3; ++i)
@@ -789,7 +789,8 @@ private:
     QTemporaryDir m_dir;
 };
 
-/// The model has the box's faces, but for the diagonals of strips: the same points, closed, of the same volume.
+/// Each sample has the box's points and its volume and is closed. Its faces are the box's, except for the diagonals of
+/// strips.
 void TestForeignFiles::samples_areThePlainModel()
 {
     const TriangleMesh plain = read("plain.obj", objVertices() + objFaces()).mesh;
@@ -914,7 +915,7 @@ void TestForeignFiles::off_isReadInAnyLayout()
         }
 }
 
-/// A broken file is told by its own fault, not by what another layout makes of it.
+/// The reported error must be the file's own defect, not a consequence of parsing another layout.
 void TestForeignFiles::off_faultsAreToldInAnyLayout()
 {
     const auto isTold = [](const std::string& bytes, Kind kind, std::string_view token) {
@@ -928,9 +929,10 @@ void TestForeignFiles::off_faultsAreToldInAnyLayout()
         QVERIFY2(isTold(layout.text(), Kind::IndexOutOfRange, "99999"), layout.what().c_str());
         layout.badCorner.clear();
         layout.badVertex = "abc";
-        if (layout.linesBeginVertices()) // other lines may end in a word that is passed over
+        // in other layouts the word may be an extra one at the end of a line, which is ignored
+        if (layout.linesBeginVertices())
             QVERIFY2(isTold(layout.text(), Kind::NotANumber, "abc"), layout.what().c_str());
-        layout.badVertex = "1 1"; // lines that begin vertices may have words behind them
+        layout.badVertex = "1 1"; // lines that begin with a vertex may have extra words at their end
         if (!layout.linesBeginVertices())
             QVERIFY2(errorOf([&] { core::parseMesh("a.off", layout.text()); }), layout.what().c_str());
     }
@@ -945,7 +947,7 @@ void TestForeignFiles::binaryOff_keepsColors()
     }
 }
 
-/// Triangles of a ribbon round a cylinder face outwards, whatever the strip's length and its restarts.
+/// Tests that the triangles of a strip around a cylinder face outwards, for any strip length and any restarts.
 void TestForeignFiles::strips_faceAsTheirFirstTriangle()
 {
     for (const int restartEach : {0, 6, 8}) {
@@ -1000,7 +1002,7 @@ void TestForeignFiles::largePolygons_areFilled_data()
     }
 }
 
-/// The triangles face as the polygon does, and have its area together: they fill it, and nothing else.
+/// Checks that the triangles face as the polygon does, and that their areas sum to its area.
 void TestForeignFiles::largePolygons_areFilled()
 {
     QFETCH(int, kind);
@@ -1065,7 +1067,7 @@ void TestForeignFiles::polygonsThatCrossThemselves_end()
     QVERIFY(isSound(read("a.obj", obj + face + "\n").mesh));
 }
 
-/// Two kilobytes place a box 6000 times.
+/// A package of less than 4 kB that places a box 6000 times is valid.
 void TestForeignFiles::manyCopiesInASmallPackage_areRead()
 {
     const auto assembly = [](int id, int of, int times) {
@@ -1123,7 +1125,7 @@ void TestForeignFiles::slicersParts_areLeftOutAndTold_data()
                                        << false << true;
 }
 
-/// PrusaSlicer names ranges of an object's triangles, here of a tetrahedron in the box.
+/// PrusaSlicer identifies parts by ranges of an object's triangles. Here one range is a tetrahedron in the box.
 void TestForeignFiles::slicersParts_areLeftOutAndTold()
 {
     QFETCH(QString, config);
@@ -1141,11 +1143,12 @@ void TestForeignFiles::slicersParts_areLeftOutAndTold()
     packageOf(file("prusa.3mf"), parts);
     const core::ReadResult prusa = core::readModel(file("prusa.3mf"));
     QCOMPARE(prusa.mesh.triangles.size(), std::size_t(isMatter ? 16 : 12));
-    QCOMPARE(prusa.mesh.points.size(), std::size_t(isMatter ? 12 : 8)); // the others would count for the size
+    // vertices of excluded parts are removed, as they would count in the size of the model
+    QCOMPARE(prusa.mesh.points.size(), std::size_t(isMatter ? 12 : 8));
     QCOMPARE(prusa.remarks.negativeParts, std::size_t(isNegative));
     QCOMPARE(prusa.remarks.otherParts, std::size_t(!isMatter && !isNegative));
 
-    // Bambu Studio's parts are objects, usually of another type; its file says what they are.
+    // Bambu Studio's parts are objects, usually with another type. Its settings file states their kind.
     for (const std::string type : {"other", "model", ""})
         for (const std::string subtype : {"negative_part", "modifier_part", "support_blocker", "support_enforcer"}) {
             std::string objects = replaced(
@@ -1168,7 +1171,7 @@ void TestForeignFiles::slicersParts_areLeftOutAndTold()
         }
 }
 
-/// Bambu Studio's numbers of parts are those of objects, which are counted anew in each part of the package.
+/// Bambu Studio's part numbers are object ids, which are unique only within one model file of the package.
 void TestForeignFiles::slicersNumbers_areOfTheirObject()
 {
     const std::string space = "<model xmlns:p=\"http://schemas.microsoft.com/3dmanufacturing/production/2015/06\" ";
@@ -1199,7 +1202,7 @@ void TestForeignFiles::slicersNumbers_areOfTheirObject()
     QCOMPARE(read.remarks.otherParts, std::size_t(1));
 }
 
-/// A model that is nothing but parts which a slicer leaves out, or takes away.
+/// A model that consists only of parts that a slicer excludes or subtracts is refused with the number of these parts.
 void TestForeignFiles::slicersParts_areCountedWhereTheyAreAll()
 {
     packageOf(file("all.3mf"), {{"_rels/.rels", relationships("/3D/a.model")},
@@ -1214,7 +1217,8 @@ void TestForeignFiles::slicersParts_areCountedWhereTheyAreAll()
     }
 }
 
-/// Shapes that extensions put in the place of a mesh: counted, or named if there is nothing else.
+/// Objects whose shape an extension defines are counted as unread. If there is nothing else, the error names the
+/// extension.
 void TestForeignFiles::threeMfOtherShapes_areCounted()
 {
     const std::string space = "<model xmlns:b=\"http://schemas.3mf.io/3dmanufacturing/booleanoperations/2023/07\" ";
@@ -1234,11 +1238,11 @@ void TestForeignFiles::threeMfOtherShapes_areCounted()
     QCOMPARE(error->token, std::string("booleanoperations/2023/07"));
 }
 
-/// An extension without which the shape is another must not be passed over; those that change nothing may be required.
+/// A required extension that changes shapes is refused by name. Extensions that change no shape may be required.
 void TestForeignFiles::threeMfExtensions_areRefusedByName_data()
 {
     QTest::addColumn<QString>("space");
-    QTest::addColumn<QString>("token"); // empty: it is read
+    QTest::addColumn<QString>("token"); // name of the refused extension; empty: the file is read
     const QString microsoft = QStringLiteral("http://schemas.microsoft.com/3dmanufacturing/");
     for (const char* known : {"material/2015/02", "production/2015/06", "slice/2015/07", "core/2015/02"})
         QTest::newRow(known) << microsoft + QLatin1StringView(known) << QString();

@@ -31,7 +31,7 @@ using Json = nlohmann::json;
 
 constexpr std::size_t headSize = 12, chunkHeadSize = 8;
 
-/// A ball with a colour at each vertex, not centred, on a lattice.
+/// Returns a ball with a colour at each vertex, off centre, on a lattice.
 TriangleMesh painted()
 {
     TriangleMesh mesh = core::icosphere(3, 20);
@@ -114,8 +114,8 @@ std::string putTogether(const Glb& glb)
     return bytes + std::string("BIN\0", 4) + glb.binary;
 }
 
-/// What in the file goes against sections 3 and 4 of the glTF 2.0 specification, as far as our files use them. Empty:
-/// nothing.
+/// Checks a file against sections 3 and 4 of the glTF 2.0 specification, as far as Fettle's files use them. broken()
+/// returns the first violated rule, or an empty text.
 class Rules
 {
 public:
@@ -301,7 +301,7 @@ void TestGlbFile::notes_comeBackUnchanged()
     QVERIFY(none.palette.empty() && !none.frame && !none.view && !none.brush && !none.work);
 }
 
-/// An image that lies with its model is found where both have gone.
+/// Tests that a reference image inside the model's folder is found after the folder has moved.
 void TestGlbFile::references_moveWithTheModel()
 {
     namespace fs = std::filesystem;
@@ -334,12 +334,13 @@ void TestGlbFile::notes_thatAreNotAsWeWriteThemAreLeftOut_data()
 {
     QTest::addColumn<QString>("path");
     QTest::addColumn<QString>("value");
-    QTest::addColumn<QString>("left"); ///< which of palette, frame, view, brush, work, reference are
+    /// initials of the metadata that is still read: palette, frame, view, brush, work, reference
+    QTest::addColumn<QString>("left");
     const auto row = [](const char* path, const char* value, const char* left) {
         QTest::addRow("%s: %s", path, value)
             << QString::fromLatin1(path) << QString::fromLatin1(value) << QString::fromLatin1(left);
     };
-    row("/new", "[1,{}]", "pfvbwr"); // what we do not know is passed over
+    row("/new", "[1,{}]", "pfvbwr"); // unknown keys are ignored
     row("/version", "2", "");
     row("/version", "\"1\"", "");
     row("/unit", "\"m\"", "");
@@ -382,7 +383,7 @@ void TestGlbFile::notes_thatAreNotAsWeWriteThemAreLeftOut_data()
     row("/references/0/opacity", "1.5", "pfvbw");
     row("/references/0/inFront", "\"yes\"", "pfvbwr");
     row("/references/1", "{\"side\": \"front\", \"path\": \"b.png\", \"width\": 1, \"x\": 0, \"y\": 0, \"opacity\": 1}",
-        "pfvbwr"); // the side has one
+        "pfvbwr"); // each side has at most one reference image
 }
 
 void TestGlbFile::notes_thatAreNotAsWeWriteThemAreLeftOut()
@@ -400,8 +401,8 @@ void TestGlbFile::notes_thatAreNotAsWeWriteThemAreLeftOut()
     QCOMPARE(!metadata.references.empty(), left.contains(u'r'));
 }
 
-/// A document's surface, which nobody would import like that: not in the middle, on another lattice than its size asks
-/// for.
+/// Tests the surface of a document that importing would change: it is off centre, and its lattice does not fit its
+/// size.
 void TestGlbFile::latticeAndBits_comeBackUnchanged()
 {
     const core::MeshFrame frame = *someNotes().frame;
@@ -416,12 +417,13 @@ void TestGlbFile::latticeAndBits_comeBackUnchanged()
     QVERIFY(again.mesh);
     QVERIFY(again.mesh->frame() == frame);
     QCOMPARE(again.mesh->meshHash(), first.mesh->meshHash());
-    QCOMPARE(again.mesh->stateHash(), first.mesh->stateHash()); // it was laid out along the curve, and is again
+    // the slots were sorted along the Morton curve before writing, and are again
+    QCOMPARE(again.mesh->stateHash(), first.mesh->stateHash());
     const core::BuildResult stranger = core::buildMesh(core::readMesh(file("a.glb")), true);
     QVERIFY(!stranger.mesh->frame().place.isZero() && stranger.mesh->lattice() != frame.lattice);
 }
 
-/// Simulates another program that moved a vertex but left our metadata in the file.
+/// Simulates another program that moved a vertex but left Fettle's metadata in the file.
 void TestGlbFile::latticeThatDoesNotFit_isNotTaken()
 {
     TriangleMesh mesh = painted();
@@ -431,7 +433,8 @@ void TestGlbFile::latticeThatDoesNotFit_isNotTaken()
     const core::BuildResult built = core::buildMesh(mesh, true, {}, frame);
     QVERIFY(built.mesh && built.mesh->lattice() != frame.lattice && !built.mesh->frame().place.isZero());
     const core::BuildResult tooSmall = core::buildMesh(painted(), true, {}, core::MeshFrame{core::Lattice(19), 1});
-    QVERIFY(tooSmall.mesh && tooSmall.mesh->lattice() != core::Lattice(19)); // which ends at 16 mm
+    // lattice 19 ends at 16 mm, which is too small for the model
+    QVERIFY(tooSmall.mesh && tooSmall.mesh->lattice() != core::Lattice(19));
 }
 
 void TestGlbFile::structure_keepsTheSpecification_data()
@@ -461,7 +464,7 @@ void TestGlbFile::structure_keepsTheSpecification()
     const std::string bytes = contentsOf(file("a.glb"));
     const Rules rules(bytes);
     QVERIFY2(rules.broken().empty(), rules.broken().c_str());
-    Glb spoilt = takenApart(bytes); // the rules can fail
+    Glb spoilt = takenApart(bytes); // proves that the rules can fail
     spoilt.json["accessors"][0]["max"][0] = 1e31;
     const std::string other = putTogether(spoilt);
     QCOMPARE(Rules(other).broken(), "min and max");
@@ -503,7 +506,7 @@ void TestGlbFile::assimp_readsTheSame()
     QVERIFY(read.HasVertexColors(0));
     for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
         for (unsigned k = 0; k < 3; ++k) {
-            const aiVector3D& p = read.mVertices[read.mFaces[f].mIndices[k]]; // metres
+            const aiVector3D& p = read.mVertices[read.mFaces[f].mIndices[k]]; // in metres
             const Vec3f& q = mesh.points[mesh.triangles[f][k]];
             QVERIFY((1000 * Vec3f(p.x, p.y, p.z) - q).norm() < 1e-4F);
         }

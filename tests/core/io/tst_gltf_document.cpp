@@ -1,4 +1,4 @@
-// glTF with its buffers in the JSON and in files beside it; and files that name what is not theirs.
+// Tests glTF with buffers in the JSON or in separate files. References outside the model's folder must be refused.
 
 #include "core/io/draco_stream.h"
 #include "core/io/mesh_io.h"
@@ -23,14 +23,14 @@ using core::TriangleMesh;
 using core::Vec3f;
 using Kind = core::FileErrorKind;
 
-/// The points of a tetrahedron, and its corners in 16 bits.
+/// Returns the points of a tetrahedron, then its corners as 16-bit indices.
 QByteArray binary()
 {
     const TriangleMesh mesh = shapes::tetrahedron();
     QByteArray bytes;
     const auto add = [&bytes](auto number) {
         bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
-    }; // little-endian machines only
+    }; // works on little-endian machines only
     for (const Vec3f& p : mesh.points)
         for (int i = 0; i < 3; ++i)
             add(p[i]);
@@ -50,7 +50,7 @@ QByteArray gltf(const QByteArray& uri, int bytes = 72, const QByteArray& more = 
            uri + R"(","byteLength":)" + QByteArray::number(bytes) + "}]" + more + "}";
 }
 
-/// A tetrahedron that a stream of three bytes is said to hold, its positions with the id 7.
+/// Returns a glTF of a tetrahedron in a simulated Draco stream of three bytes. Its positions have attribute id 7.
 QByteArray packedGltf(const QByteArray& nodes)
 {
     return R"({"asset":{"version":"2.0"},"extensionsRequired":["KHR_draco_mesh_compression"],)" + nodes +
@@ -73,7 +73,7 @@ QByteArray inside()
     return "data:application/octet-stream;base64," + binary().toBase64();
 }
 
-/// A tetrahedron in metres at (1, 2, 3), once for each element of the lists that are not empty.
+/// Returns a glTF of a tetrahedron in metres at (1, 2, 3), with one instance for each element of the non-empty lists.
 QByteArray instanced(const std::vector<float>& places, const std::vector<float>& turns,
                      const std::vector<float>& scales, const QByteArray& more = {})
 {
@@ -103,8 +103,8 @@ QByteArray instanced(const std::vector<float>& places, const std::vector<float>&
                                             R"(","byteLength":)" + QByteArray::number(bytes.size()) + "}");
 }
 
-/// A tetrahedron, in a node with a scale of its own, whose vertices hang on the first joint, on the second one, on
-/// both, and by no weight on the second one. That is within the first one.
+/// Returns a skinned tetrahedron in a scaled node. Its vertices have weights for joint 0, joint 1, both, and none for
+/// joint 1. Joint 1 is a child of joint 0.
 QByteArray skinned()
 {
     const QByteArray joints("\0\0\0\0\1\0\0\0\0\1\0\0\1\0\0\0", 16);
@@ -238,7 +238,7 @@ void TestGltfDocument::textures_areRemarked()
     QVERIFY(readAll(gltf(inside(), 72, R"(,"skins":[{}])")).remarks.poses);
 }
 
-/// The limit on JSON is for what is parsed to more than itself.
+/// The JSON limit applies to parsed structures, not to the length of texts.
 void TestGltfDocument::manyTextsAreNoStructure()
 {
     QVERIFY(isTetrahedron(read(gltf(inside(), 72, R"(,"extras":")" + QByteArray(20'000'000, 'x') + '"'))));
@@ -305,7 +305,7 @@ void TestGltfDocument::badBuffers_areRefused()
     QCOMPARE(static_cast<int>(error->kind), static_cast<int>(kind));
 }
 
-/// Buffers of images, for instance, may be left at home.
+/// Unused buffers, for example those of images, may be missing.
 void TestGltfDocument::buffersThatNothingUses_mayBeMissing()
 {
     for (const char* uri : {"b.bin", "../outside.bin", "data:;base64,****"}) {
@@ -314,7 +314,7 @@ void TestGltfDocument::buffersThatNothingUses_mayBeMissing()
             R"("byteLength":72})", R"("byteLength":72},{"byteLength":9,"uri":")" + QByteArray(uri) + "\"}");
         QVERIFY(isTetrahedron(read(unused)));
         QVERIFY(isTetrahedron(read(QByteArray(unused).replace(
-            R"("byteLength":24})", R"("byteLength":24},{"buffer":1,"byteLength":9})")))); // an image's
+            R"("byteLength":24})", R"("byteLength":24},{"buffer":1,"byteLength":9})")))); // the buffer view of an image
         QVERIFY(errorOf(QByteArray(unused).replace(R"("bufferViews":[{"buffer":0)", R"("bufferViews":[{"buffer":1)")));
     }
 }
@@ -333,14 +333,15 @@ void TestGltfDocument::tooLargeNumbers_areTold()
         QCOMPARE(error->token, std::string(number));
         QCOMPARE(error->place.number, std::uint64_t(at));
     }
-    // a place that float32 cannot hold is nowhere in the file
+    // a coordinate that overflows float32 has no position in the file
     const auto far = errorOf(gltf(inside()).replace(R"("scale":[0.001,0.001,0.001])", R"("translation":[1e300,0,0])"));
     QVERIFY(far);
     QCOMPARE(static_cast<int>(far->kind), static_cast<int>(Kind::NotANumber));
     QVERIFY(far->place == core::FilePlace());
 }
 
-/// As many nodes as a file has are visited; fewer in each other, and of those that hold one node twice.
+/// Each of many sibling nodes is visited once. Nesting depth is limited, and so is the number of visits when a node is
+/// referenced twice.
 void TestGltfDocument::nodes_areCountedAndNested()
 {
     const auto scene = [](const QByteArray& roots, const QByteArray& nodes) {
@@ -357,7 +358,7 @@ void TestGltfDocument::nodes_areCountedAndNested()
     QVERIFY(isTetrahedron(read(scene(roots, nodes))));
     const auto chain = [&](int length, bool isTwice) {
         QByteArray links;
-        for (int i = 0; i < length; ++i) { // each holds the one before
+        for (int i = 0; i < length; ++i) { // each node contains the previous one
             const QByteArray before = QByteArray::number(i);
             links += R"(,{"children":[)" + before + (isTwice ? "," + before : "") + "]}";
         }
@@ -409,7 +410,8 @@ void TestGltfDocument::gltf_isNotWritten()
     }
 }
 
-/// A node that is moved by (1, 2, 3), with three instances of the mesh: to be moved, turned and scaled in each.
+/// Tests a node at (1, 2, 3) with three instances of a mesh, which have translations, rotations and scales of their
+/// own.
 void TestGltfDocument::instances_standWhereListsSay()
 {
     const float s = std::sqrt(0.5F);
@@ -429,7 +431,7 @@ void TestGltfDocument::instances_standWhereListsSay()
                 const std::size_t instance = t / alone.triangles.size();
                 core::Triangle corners = alone.triangles[t % alone.triangles.size()];
                 if (parts & 4 && instance == 2)
-                    std::swap(corners[1], corners[2]); // the mirrored one stays outward
+                    std::swap(corners[1], corners[2]); // a mirrored instance must still face outwards
                 for (std::size_t k = 0; k < 3; ++k) {
                     Vec3f p = alone.points[corners[k]];
                     if (parts & 4)
@@ -476,7 +478,7 @@ void TestGltfDocument::badInstances_areRefused()
     QVERIFY(infinite && infinite->kind == Kind::NotANumber);
 }
 
-/// Lists without data are of nothing but zeros, and cost a file nothing.
+/// Accessors without data contain only zeros and take no space, so the number of instances must be limited.
 void TestGltfDocument::manyInstances_areBounded()
 {
     const auto many = [](int count, int nodes) {
@@ -521,8 +523,7 @@ void TestGltfDocument::hiddenNodes_areLeftOut()
     QVERIFY(bad && bad->fault == core::FileFault::NotAnObject);
 }
 
-/// A decoder is asked once for each stream, and only for the attributes that are read.
-/// The transform of the node that the mesh is in does not count; without bindings it alone does.
+/// Vertices follow their joints. The transform of the mesh's own node is ignored, unless the mesh has no joints.
 void TestGltfDocument::skinnedMeshes_standWhereJointsDo()
 {
     const core::ReadResult result = readAll(skinned());
@@ -544,22 +545,24 @@ void TestGltfDocument::skinnedMeshes_standWhereJointsDo()
     QVERIFY((read(plain).points[1] - 1000 * (2 * points[1] + one)).norm() < 1e-3F);
 }
 
-/// Joints of a vertex without weight may have any number: programs fill them up with 255.
+/// Joints with weight 0 may have any index: some programs write 255 there.
 void TestGltfDocument::jointsWithoutWeight_mayBeNone()
 {
     const QByteArray joints("\0\0\0\0\1\0\0\0\0\1\0\0\1\0\0\0", 16),
         filled("\0\xff\xff\xff\1\xff\xff\xff\0\1\xff\xff\xff\xff\xff\xff", 16);
-    const QByteArray plain = skinned(), start = joints.first(15).toBase64(); // the same whatever follows
+    // the first 15 bytes, whose base64 does not depend on the bytes after them
+    const QByteArray plain = skinned(), start = joints.first(15).toBase64();
     QVERIFY(plain.contains(start));
     const std::vector<Vec3f> points = read(QByteArray(plain).replace(start, filled.first(15).toBase64())).points;
     std::vector<Vec3f> wanted = read(plain).points;
-    wanted[3] = 1000 * (shapes::tetrahedron().points[3] + Vec3f(1, 0, 0)); // by the skin's first joint
+    // a vertex without weights follows the skin's first joint
+    wanted[3] = 1000 * (shapes::tetrahedron().points[3] + Vec3f(1, 0, 0));
     QCOMPARE(points.size(), wanted.size());
     for (std::size_t i = 0; i < wanted.size(); ++i)
         QVERIFY((points[i] - wanted[i]).norm() < 1e-3F);
 }
 
-/// Each set takes the weights that the one before has; up to eight of them are read.
+/// Tests that further sets of joints with equal weights do not change the result. Up to eight sets are read.
 void TestGltfDocument::furtherSetsOfJoints_areRead()
 {
     const auto sets = [](int count) {
@@ -580,7 +583,7 @@ void TestGltfDocument::furtherSetsOfJoints_areRead()
     QCOMPARE(error->expected, std::uint64_t(8));
 }
 
-/// The joints that most of a triangle hangs on tell whether it is mirrored, whatever those of the first vertex do.
+/// A triangle is mirrored if the joints with most of its weight mirror it, regardless of its first vertex.
 void TestGltfDocument::mirrors_areOfTriangles()
 {
     const QByteArray joints("\0\0\0\0\1\0\0\0\0\1\0\0\1\0\0\0", 16), firstAlone("\0\0\0\0\1\0\0\0\1\1\0\0\1\0\0\0", 16);
@@ -596,7 +599,7 @@ void TestGltfDocument::mirrors_areOfTriangles()
                 mesh.points[a].cast<double>().dot(mesh.points[b].cast<double>().cross(mesh.points[c].cast<double>()));
         return six / 6e9;
     };
-    constexpr double whole = 8.0 / 3, wanted = whole / 2; // with one vertex on the other side
+    constexpr double whole = 8.0 / 3, wanted = whole / 2; // one vertex is mirrored to the other side
     QVERIFY(std::abs(volumeOf("{}", "{}") - whole) < 1e-3);
     for (const auto& [first, second] : {std::pair("{}", R"({"scale":[-1,1,1]})"), {R"({"scale":[1,-1,1]})", "{}"}})
         QVERIFY(std::abs(volumeOf(first, second) - wanted) < 1e-3);
@@ -666,12 +669,12 @@ void TestGltfDocument::decodedStreams_areReadOnce()
     core::setDracoDecoder({});
     const auto error = errorOf(packedGltf(R"("nodes":[{"mesh":0}])"));
     QVERIFY(error && error->fault == core::FileFault::NeedsExtension);
-    QVERIFY(error->expected > 700); // the file, and the three bytes in it
+    QVERIFY(error->expected > 700); // size of the file plus the three bytes of its stream
 }
 
 void TestGltfDocument::decodersResults_areChecked_data()
 {
-    QTest::addColumn<std::shared_ptr<core::DracoMesh>>("mesh"); // null: the stream is broken
+    QTest::addColumn<std::shared_ptr<core::DracoMesh>>("mesh"); // null: the decoder reports a broken stream
     QTest::addColumn<int>("kind");
     const auto row = [](const char* name, Kind kind, const std::function<void(core::DracoMesh&)>& change) {
         auto mesh = std::make_shared<core::DracoMesh>(tetrahedronStream());

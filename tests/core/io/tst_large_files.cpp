@@ -1,5 +1,5 @@
-// Files of more than a few thousand elements, which all cores read and write in parts: the same as if one had read
-// them.
+// Tests files of more than a few thousand elements, which several cores read and write in parts. Results must equal
+// those of one core.
 
 #include "core/io/mesh_io.h"
 #include "core/util/file_error.h"
@@ -27,7 +27,7 @@ using core::Vec3f;
 
 constexpr unsigned largeModelSeed = 20261122;
 
-/// 180,000 triangles, in no order.
+/// Returns a mesh of 180,000 triangles in random order.
 TriangleMesh largeModel()
 {
     TriangleMesh mesh = shapes::noisy(shapes::torus({30, 10, 300, 300}), 0.01F, largeModelSeed);
@@ -40,7 +40,7 @@ TriangleMesh largeModel()
     return mesh;
 }
 
-/// Each triangle has corners of its own; each second one lies on -0 and 0.
+/// Returns the large model with separate corners for each triangle. About half of the points have z = 0 or -0.
 TriangleMesh looseModel()
 {
     const TriangleMesh mesh = largeModel();
@@ -57,7 +57,7 @@ TriangleMesh looseModel()
     return loose;
 }
 
-/// Point after point: equal ones are the first of them.
+/// Welds equal points sequentially: each is replaced by the first equal point.
 TriangleMesh weldedOneByOne(const TriangleMesh& mesh)
 {
     TriangleMesh welded;
@@ -83,7 +83,7 @@ template <typename Value> void put(std::ofstream& file, Value value)
     file.write(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
-/// Binary PLY whose faces have a flag before their corners.
+/// Writes a binary PLY in which each face has a flag before its corners.
 void writePolygons(const std::filesystem::path& path, const TriangleMesh& mesh,
                    const std::vector<std::vector<std::int32_t>>& faces)
 {
@@ -151,7 +151,7 @@ private Q_SLOTS:
         QVERIFY(read.triangles == mesh.triangles);
     }
 
-    /// Loose corners are welded as if one point came after the other.
+    /// Separate corners must be welded as a sequential weld does it.
     void weldsInOrder_data()
     {
         QTest::addColumn<QString>("name");
@@ -172,12 +172,12 @@ private Q_SLOTS:
         const TriangleMesh expected = weldedOneByOne(loose);
         const TriangleMesh read = core::readMesh(path(name.toStdString()), {.up = core::UpAxis::Y});
         QCOMPARE(read.points.size(), expected.points.size());
-        QVERIFY(read.points == expected.points); // 0 for -0 is as good
+        QVERIFY(read.points == expected.points); // 0 and -0 compare equal
         QVERIFY(read.colors == expected.colors);
         QVERIFY(read.triangles == expected.triangles);
     }
 
-    /// Polygons of one size are read in parts, others not: the triangles are the same.
+    /// Only polygons of equal size are read in parts. Both ways must give the same triangles.
     void polygonsOfOneSizeOrOfMany()
     {
         core::WorkerPool::shared().setThreads(3);
@@ -204,7 +204,7 @@ private Q_SLOTS:
                 quads.push_back({400 * i + k, 400 * i + k + 1, 400 * (i + 1) + k + 1, 400 * (i + 1) + k});
         writePolygons(path("quads.ply"), mesh, quads);
         const TriangleMesh read = core::readMesh(path("quads.ply"));
-        quads.push_back({0, 1, 2}); // and now face by face
+        quads.push_back({0, 1, 2}); // the triangle forces reading face by face
         writePolygons(path("quads_and_more.ply"), mesh, quads);
         TriangleMesh oneByOne = core::readMesh(path("quads_and_more.ply"));
         oneByOne.triangles.pop_back();
@@ -212,7 +212,7 @@ private Q_SLOTS:
         QVERIFY(read.triangles == oneByOne.triangles);
     }
 
-    /// What is wrong is said of its own place, whichever core sees it.
+    /// The first error in file order is reported, whichever core finds it.
     void wrongElementIsNamed()
     {
         core::WorkerPool::shared().setThreads(3);
@@ -251,12 +251,12 @@ private Q_SLOTS:
         }
     }
 
-    /// Nothing but one number, a million times: the weld takes no longer for it.
+    /// A million equal points must not slow the weld down.
     void pointsThatAreAllOne()
     {
         TriangleMesh mesh;
         mesh.points.assign(1'000'000, Vec3f(1, 2, 3));
-        mesh.triangles.push_back({0, 1, 2}); // in one place: it is left out
+        mesh.triangles.push_back({0, 1, 2}); // a degenerate face, which is removed
         mesh.triangles.push_back({999'999, 1'000'000, 1'000'001});
         mesh.points.emplace_back(4.0F, 5.0F, 6.0F);
         mesh.points.emplace_back(7.0F, 8.0F, 10.0F);

@@ -1,4 +1,5 @@
-// Mesh files: round trips to the same bits, bad input by kind and place, and mutations of good files.
+// Tests mesh files: round trips without a changed bit, kind and place of errors in bad files, and mutations of good
+// files.
 
 #include "core/io/mesh_io.h"
 #include "core/util/file_error.h"
@@ -51,7 +52,7 @@ std::string readBytes(const std::filesystem::path& path)
 void writeBytes(const std::filesystem::path& path, std::string_view bytes)
 {
     std::filesystem::remove(
-        path); // some file systems flush a file that is overwritten, a new one not: thousands are written here
+        path); // some file systems flush a file that is overwritten, but not a new one; thousands are written here
     std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
 }
 
@@ -67,7 +68,7 @@ bool sameBits(const TriangleMesh& a, const TriangleMesh& b)
                       [](const Vec3f& p, const Vec3f& q) { return sameBits(p, q); });
 }
 
-/// The corners of all triangles, in order: what STL keeps.
+/// Returns whether the corners of all triangles are equal, in order. STL stores nothing else.
 bool sameCorners(const TriangleMesh& a, const TriangleMesh& b)
 {
     if (a.triangles.size() != b.triangles.size())
@@ -96,7 +97,7 @@ bool isSound(const TriangleMesh& mesh)
     return !mesh.triangles.empty() && (mesh.colors.empty() || mesh.colors.size() == mesh.points.size());
 }
 
-/// Coordinates of every exponent, and colours.
+/// Returns a mesh with coordinates of every exponent, and with random colours if `colored`.
 TriangleMesh wildMesh(bool colored, bool minusZero)
 {
     std::mt19937 engine(seed);
@@ -120,7 +121,7 @@ TriangleMesh wildMesh(bool colored, bool minusZero)
     return mesh;
 }
 
-/// A locale of commas, for as long as the object lives.
+/// Sets a locale with a decimal comma for the lifetime of the object.
 class CommaLocale
 {
 public:
@@ -192,9 +193,10 @@ std::string bigEndianPly()
 std::string smallStl()
 {
     std::string file(80, ' ');
-    file.replace(0, 5, "solid"); // as some programs do
+    file.replace(0, 5, "solid"); // binary files of some programs begin with "solid" like text files
     const auto add = [&file](auto number) {
-        const auto bytes = std::bit_cast<std::array<char, sizeof number>>(number); // little-endian machines only
+        // works on little-endian machines only
+        const auto bytes = std::bit_cast<std::array<char, sizeof number>>(number);
         file.append(bytes.data(), bytes.size());
     };
     const TriangleMesh mesh = shapes::tetrahedron();
@@ -233,8 +235,8 @@ std::string glbOf(std::string json, std::string binary)
     json.resize((json.size() + 3) / 4 * 4, ' ');
     binary.resize((binary.size() + 3) / 4 * 4);
     const auto number = [](std::size_t value) {
-        const auto bytes =
-            std::bit_cast<std::array<char, 4>>(static_cast<std::uint32_t>(value)); // little-endian machines only
+        // works on little-endian machines only
+        const auto bytes = std::bit_cast<std::array<char, 4>>(static_cast<std::uint32_t>(value));
         return std::string(bytes.data(), bytes.size());
     };
     return "glTF" + number(2) + number(28 + json.size() + binary.size()) + number(json.size()) + "JSON" + json +
@@ -251,7 +253,8 @@ std::string bytesOf(std::initializer_list<float> numbers)
     return bytes;
 }
 
-/// Four points 16 bytes apart, the third of them elsewhere; a strip of two triangles and a fan of two, below two nodes.
+/// Returns four points 16 bytes apart, the third one given by a sparse accessor. A strip and a fan of two triangles
+/// each are in two nodes.
 std::string smallGlb()
 {
     const std::string points = bytesOf({0, 0, 0, 9, 1, 0, 0, 9, 7, 7, 7, 9, 0, 1, 0, 9});
@@ -387,7 +390,7 @@ void TestMeshIo::roundTrip_isBitIdentical()
     const auto path = file(name.toStdString());
     core::writeMesh(path, mesh, {.up = UpAxis::Y, .ascii = ascii});
     QVERIFY(sameBits(core::readMesh(path, {.up = UpAxis::Y}), mesh));
-    const TriangleMesh plain = wildMesh(colored, false); // the turn takes the sign from -0
+    const TriangleMesh plain = wildMesh(colored, false); // the rotation from Z up to Y up would lose the sign of -0
     core::writeMesh(path, plain, {.up = UpAxis::Z, .ascii = ascii});
     QVERIFY(sameBits(core::readMesh(path, {.up = UpAxis::Z}), plain));
 }
@@ -527,7 +530,7 @@ void TestMeshIo::stl_colorsOfVisCamAndMagicsAreRead()
     QCOMPARE(colorsOf(magics, {0, 0, 0, 0}), all({10, 20, 30}));
     QCOMPARE(colorsOf(magics, {flag, flag, flag, flag}), all({10, 20, 30}));
     QCOMPARE(colorsOf(magics, {red, red, red, red}), all({255, 0, 0}));
-    // A corner of a tetrahedron lies on three of its faces: one lies on no green one.
+    // Each vertex of a tetrahedron is at three faces. One vertex is not at the green face.
     QCOMPARE(colorsOf(magics, {red, red, red, green}),
              (std::vector<Rgb>{{170, 85, 0}, {170, 85, 0}, {170, 85, 0}, {255, 0, 0}}));
 }
@@ -615,8 +618,8 @@ void TestMeshIo::glb_nodesStripsAndSparseAccessorsAreRead()
     const TriangleMesh mesh = parsed("a.glb", smallGlb());
     const std::vector<core::Triangle> expected{{0, 1, 3}, {1, 2, 3}, {4, 6, 5}, {4, 7, 6}};
     QCOMPARE(mesh.triangles, expected);
-    QVERIFY(sameBits(mesh.points[2], {1, 1, 5}));  // sparse, and moved
-    QVERIFY(sameBits(mesh.points[6], {-1, 1, 0})); // mirrored
+    QVERIFY(sameBits(mesh.points[2], {1, 1, 5}));  // from the sparse accessor, translated
+    QVERIFY(sameBits(mesh.points[6], {-1, 1, 0})); // mirrored by its node
     QCOMPARE(mesh.colors[0], (Rgb{255, 0, 0}));
     QCOMPARE(mesh.colors[1], (Rgb{0, 255, 0}));
     QCOMPARE(mesh.colors[7], Rgb());
@@ -652,7 +655,7 @@ void TestMeshIo::remarks_tellWhatIsLeftOut()
     QVERIFY(remarksOf("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\ncall a.obj\nf 1 2 3\ncall b.obj 7\n") == two);
     core::WriteOptions options;
     options.metadata.palette = {{1, 2, 3}};
-    for (const std::string_view ending : core::writtenEndings()) { // our own hold nothing else
+    for (const std::string_view ending : core::writtenEndings()) { // Fettle's own files have nothing to remark on
         const auto path = file("own." + std::string(ending));
         core::writeMesh(path, shapes::cube(1), options);
         QVERIFY(core::readModel(path).remarks == core::ReadRemarks());
@@ -671,7 +674,7 @@ void TestMeshIo::equalVertices_areWelded()
     QCOMPARE(mesh.colors.size(), mesh.points.size());
 }
 
-/// Star-shaped polygons, most of them concave: the triangles all face as the polygon does, and cover its area.
+/// Tests star-shaped, mostly concave polygons. Their triangles must face as the polygon does and cover its area.
 void TestMeshIo::polygons_areCutInside()
 {
     std::mt19937 engine(seed);
@@ -868,7 +871,7 @@ void TestMeshIo::badFiles_areRefused()
     writeBytes(file("closed.stl"), smallStl());
     std::filesystem::permissions(file("closed.stl"), std::filesystem::perms::none);
 #ifdef Q_OS_UNIX
-    const bool mayReadAll = geteuid() == 0; // then someone else tries
+    const bool mayReadAll = geteuid() == 0; // root may read any file, so another user tries
     if (mayReadAll) {
         std::filesystem::permissions(m_dir.path().toStdString(), std::filesystem::perms(0755));
         QCOMPARE(seteuid(nobody), 0);
@@ -904,7 +907,8 @@ void TestMeshIo::truncatedFiles_areRefused_data()
 {
     QTest::addColumn<QString>("name");
     QTest::addColumn<QByteArray>("bytes");
-    QTest::addColumn<bool>("always"); // refused at every length but the last line's end
+    // whether the file is refused at every length, except when only the final line break is missing
+    QTest::addColumn<bool>("always");
     const TriangleMesh small = shapes::tetrahedron();
     const auto written = [&](const char* name, bool ascii) {
         core::writeMesh(file(name), small, {.up = {}, .ascii = ascii});
@@ -918,8 +922,9 @@ void TestMeshIo::truncatedFiles_areRefused_data()
     QTest::newRow("glb") << "a.glb" << written("w.glb", false) << true;
     QTest::newRow("3mf") << "a.3mf" << written("w.3mf", false) << true;
     QTest::newRow("off") << "a.off" << written("w.off", false) << true;
-    QTest::newRow("off of all kinds") << "a.off" << QByteArray(smallOff) << false; // a colour may be shorter
-    QTest::newRow("obj") << "a.obj" << written("w.obj", false) << false;           // has no end
+    // a truncated colour can still be valid
+    QTest::newRow("off of all kinds") << "a.off" << QByteArray(smallOff) << false;
+    QTest::newRow("obj") << "a.obj" << written("w.obj", false) << false; // OBJ has no end marker
     QTest::newRow("obj of all kinds") << "a.obj" << QByteArray(smallObj) << false;
 }
 
@@ -954,7 +959,7 @@ void TestMeshIo::mutatedFiles_neverGetThrough_data()
     QTest::newRow("3mf") << "a.3mf" << QByteArray::fromStdString(readBytes(file("w.3mf")));
 }
 
-/// Whatever the bytes: an error, or a mesh that keeps the reader's promises. Never a crash, never long.
+/// Any bytes must give an error or a mesh that meets the reader's guarantees, without a crash and in bounded time.
 void TestMeshIo::mutatedFiles_neverGetThrough()
 {
     QFETCH(QString, name);
@@ -1051,7 +1056,7 @@ void TestMeshIo::writing_replacesWhatLinksPointTo()
 void TestMeshIo::writing_makesWhatDanglingLinksPointTo()
 {
     std::filesystem::create_directories(file("real"));
-    std::filesystem::create_symlink("real/new.obj", file("first.obj")); // relative to where the link is
+    std::filesystem::create_symlink("real/new.obj", file("first.obj")); // relative to the folder of the link
     std::filesystem::create_symlink("first.obj", file("second.obj"));
     core::writeMesh(file("second.obj"), shapes::tetrahedron());
     QVERIFY(std::filesystem::is_symlink(file("first.obj")) && std::filesystem::is_symlink(file("second.obj")));

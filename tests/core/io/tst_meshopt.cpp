@@ -1,4 +1,5 @@
-// Compressed buffer views of glTF: what an encoder of the test packs comes back, what is broken is refused.
+// Tests compressed buffer views of glTF. Data that the test's encoder packs must be unpacked unchanged, and broken data
+// refused.
 
 #include "core/io/mesh/binary.h"
 #include "core/io/mesh/meshopt.h"
@@ -23,7 +24,7 @@ using core::TriangleMesh;
 using core::io::MeshoptView;
 using Kind = core::FileErrorKind;
 
-/// Numbers of 32 bits.
+/// A generator of 32-bit random numbers.
 struct Random
 {
     using result_type = std::uint32_t;
@@ -49,7 +50,7 @@ void appendVarint(std::string& to, std::uint32_t value)
     to += static_cast<char>(value);
 }
 
-/// Packs attributes in ways that are drawn by lot, good ones or not, so that all are used.
+/// Packs attributes with randomly chosen encodings, efficient or not, so that all of them are tested.
 class AttributePacker
 {
 public:
@@ -158,7 +159,7 @@ private:
     Random& m_random;
 };
 
-/// Packs triangles by all codes that the latest edges and corners allow, drawn by lot.
+/// Packs triangles with randomly chosen codes among those that the latest edges and corners allow.
 class TrianglePacker
 {
 public:
@@ -173,7 +174,7 @@ public:
     }
 
 private:
-    /// Returns the age of an entry among the latest `reach`; `reach` if it is not there.
+    /// Returns the age of an entry among the latest `reach` ones, or `reach` if it is not among them.
     template <class Entry>
     static std::size_t age(const std::vector<Entry>& latest, const Entry& entry, std::size_t first, std::size_t reach)
     {
@@ -225,18 +226,18 @@ private:
         if (isNext && known < 14 && !restarts && m_random() % 4)
             m_codes[code] = static_cast<char>(0xf0 | known);
         else if (pair == 0 && !restarts)
-            return packAloneExplicitly(t, code, data); // the pair would begin again
+            return packAloneExplicitly(t, code, data); // an all-zero pair would mean a restart
         else
             m_data.insert(0, 1, pair);
         m_data = data + m_data;
         push(t, second == 0 || second == 15, third == 0 || third == 15);
     }
 
-    /// Packs three corners that follow each other, without the pair that begins again.
+    /// Packs three consecutive corners with explicit indices, which avoids the pair that means a restart.
     void packAloneExplicitly(const core::Triangle& t, std::size_t code, const std::string& data)
     {
         m_codes[code] = static_cast<char>(0xff);
-        const std::string first = m_data; // the first corner, if it was explicit
+        const std::string first = m_data; // index of the first corner, if it was packed explicitly
         m_data = "\xff" + first;
         m_next = first.empty() ? t[0] : t[1];
         if (first.empty())
@@ -318,11 +319,11 @@ std::vector<std::uint32_t> cornersIn(const std::vector<core::Triangle>& triangle
 
 struct PackedGltf
 {
-    std::string points, corners; ///< packed
+    std::string points, corners; ///< packed bytes of the points and of the corners
     QByteArray extension = "EXT_meshopt_compression", filter = "NONE", mode = "TRIANGLES";
     QByteArray fallback = R"({"byteLength":72,"uri":"nowhere.bin","extensions":{"%1":{"fallback":true}}})";
 
-    /// A tetrahedron, its points as float32 and its corners in 16 bits.
+    /// Returns a glTF of a tetrahedron with float32 points and 16-bit corners.
     QByteArray text() const
     {
         const auto view = [this](int offset, std::size_t length, const QByteArray& content, const QByteArray& own) {
@@ -389,7 +390,7 @@ private:
         return {
             .data = data, .mode = mode, .filter = filter, .count = count, .stride = stride, .name = "bufferViews/7"};
     }
-    /// Filters elements, which are packed first.
+    /// Packs the elements, and returns the result of unpacking them with the filter.
     std::string filtered(const std::string& elements, std::size_t stride, MeshoptView::Filter filter)
     {
         const std::string data = AttributePacker(elements, stride, m_random() % 2 == 0, m_random).packed();
@@ -448,7 +449,7 @@ void TestMeshopt::attributes_comeBack()
             }
 }
 
-/// The extension explains one group of deltas, of 4 bits.
+/// Tests the group of 4-bit deltas that the extension's specification gives as an example.
 void TestMeshopt::specifiedExample_isUnpacked()
 {
     const std::string group("\x17\x5f\xf0\xbc\x77\xa9\x21\x00\x34\xb5", 10);
@@ -516,7 +517,7 @@ void TestMeshopt::octahedralVectors_haveLengthOne()
                       y = static_cast<int>(m_random() % (2U * unsigned(max) + 1)) - max;
             for (const int part : {x, y, max, i % 100})
                 elements.push_back(static_cast<Number>(part));
-            // the square's corners are folded below
+            // the corners of the square are folded to the lower hemisphere
             const double u = double(x) / max, v = double(y) / max, z = 1 - std::abs(u) - std::abs(v);
             const double px = z >= 0 ? u : std::copysign(1 - std::abs(v), u),
                          py = z >= 0 ? v : std::copysign(1 - std::abs(u), v);
@@ -580,7 +581,7 @@ void TestMeshopt::exponentials_areExact()
     QVERIFY(filtered(bytesOf(elements), 12, MeshoptView::Filter::Exponential) == bytesOf(wanted));
 }
 
-/// Luma and chromas of whole numbers give the colour back.
+/// Tests that luma and chroma of whole numbers give the exact colour.
 void TestMeshopt::colors_areExact()
 {
     const auto check = [this](auto number) {
@@ -600,7 +601,7 @@ void TestMeshopt::colors_areExact()
     };
     check(std::uint8_t());
     check(std::uint16_t());
-    const std::vector<std::uint8_t> three{7, 0, 0, 12}; // of 4 bits: white, half transparent
+    const std::vector<std::uint8_t> three{7, 0, 0, 12}; // 4-bit components: white, half transparent
     QVERIFY(filtered(bytesOf(three), 4, MeshoptView::Filter::Color) ==
             bytesOf(std::vector<std::uint8_t>{119, 119, 119, 136}));
 }
@@ -625,7 +626,7 @@ void TestMeshopt::compressedModels_areRead()
     PackedGltf gltf = tetrahedron();
     gltf.extension = extension;
     gltf.fallback = fallback;
-    std::vector<std::uint32_t> fixed; // multiples of 1/16
+    std::vector<std::uint32_t> fixed; // fixed-point numbers in units of 1/16
     std::vector<float> numbers;
     for (const core::Vec3f& p : mesh.points)
         for (const float x : p) {
@@ -752,7 +753,7 @@ void TestMeshopt::cutStreams_areRefused()
     }
 }
 
-/// A byte can stand for a thousand, so that many views of few bytes may not be unpacked.
+/// One byte can expand to a thousand, so the total unpacked size of many small views must be limited.
 void TestMeshopt::bombs_areRefused()
 {
     constexpr int count = 1 << 18;

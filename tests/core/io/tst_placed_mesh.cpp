@@ -23,7 +23,7 @@ TriangleMesh onLattice(TriangleMesh mesh)
     return mesh;
 }
 
-/// Two balls with edges of 0.06, a thousandth from each other.
+/// Returns two balls of radius 1 with edges of about 0.06, separated by a gap of 0.001.
 TriangleMesh balls()
 {
     const TriangleMesh ball = core::icosphere(4, 1);
@@ -55,7 +55,8 @@ void TestPlacedMesh::near_isExact()
         QCOMPARE(there.points[i].cast<double>(), Vec3(balls().points[i].cast<double>() + place));
 }
 
-/// Where rounding alone makes faces meet, other places that floats hold are found, as long as there are enough.
+/// Rounding alone can make faces intersect far from the origin. Other nearby float positions are then used, as long as
+/// enough exist.
 void TestPlacedMesh::far_isSoundOrRefused()
 {
     std::size_t rescued = 0, refused = 0;

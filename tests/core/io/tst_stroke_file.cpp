@@ -16,7 +16,7 @@ using namespace core;
 
 namespace
 {
-/// A file of one stroke of one sample; the arguments go into its objects.
+/// Returns a file of one stroke with one sample. The arguments are inserted into their JSON objects.
 std::string file(const std::string& stroke, const std::string& sample = R"("position":[1,0,0])")
 {
     return R"({"format":"fettle-strokes","version":1,"strokes":[{"samples":[{)" + sample + "}]," + stroke + "}]}";
@@ -33,7 +33,7 @@ std::optional<StrokeFileError> errorOf(const std::string& text)
     return std::nullopt;
 }
 
-/// Returns the strokes of a file without commands.
+/// Returns the strokes of a file that contains no commands.
 std::vector<Stroke> strokesOf(const std::string& text)
 {
     std::vector<Stroke> strokes;
@@ -191,7 +191,7 @@ void TestStrokeFile::keys_mayComeInAnyOrder()
     QVERIFY(strokes[1].samples.empty());
 }
 
-/// Ours come back by their names; of files the names do, with what they were.
+/// Built-in alphas are found by name. Alphas and models in files keep their file name.
 void TestStrokeFile::shapes_areNamed()
 {
     const Stroke read = strokesOf(file(least + R"(,"alpha":"star","alpha_follows":true,"model":"a.stl")")).at(0);
@@ -505,10 +505,10 @@ void TestStrokeFile::refusal_atEachTruncation()
     std::ostringstream out;
     writeStrokes(out, {randomStroke(random), randomStroke(random)});
     std::string text = out.str();
-    text.pop_back(); // the line's end may go
+    text.pop_back(); // the final line break may be missing
     for (std::size_t length = 0; length < text.size(); ++length)
         QVERIFY(errorOf(text.substr(0, length)));
-    for (int i = 0; i < 3000; ++i) { // a flipped byte is read or refused, never worse
+    for (int i = 0; i < 3000; ++i) { // a file with a flipped byte must be read or refused
         std::string broken = text;
         broken[random() % broken.size()] = static_cast<char>(random());
         errorOf(broken);

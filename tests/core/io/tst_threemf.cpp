@@ -1,4 +1,5 @@
-// 3MF packages of others: units, components, colours, parts elsewhere; and what hostile ones try.
+// Tests 3MF packages of other programs: units, components, colours, parts in several files. Hostile packages must be
+// refused.
 
 #include "core/io/mesh_io.h"
 #include "core/util/file_error.h"
@@ -36,7 +37,7 @@ const std::string modelHead =
     R"(xmlns:m="http://schemas.microsoft.com/3dmanufacturing/material/2015/02" )"
     R"(xmlns:p="http://schemas.microsoft.com/3dmanufacturing/production/2015/06" requiredextensions="p")";
 
-/// A right-angled tetrahedron; `more` goes into each of its triangles.
+/// Returns a right-angled tetrahedron. `more` is inserted into each of its triangles.
 std::string mesh(const std::string& more = {})
 {
     std::string text =
@@ -171,12 +172,13 @@ void TestThreeMf::units_becomeMillimetres()
                        static_cast<float>(3 * millimetres));
     QVERIFY(largest(read) == wanted);
     const TriangleMesh turned = core::readMesh(file("a.3mf"));
-    QVERIFY(turned.points[3] == Vec3f(0, wanted.z(), 0)); // Z is up
+    QVERIFY(turned.points[3] == Vec3f(0, wanted.z(), 0)); // 3MF has Z up, the mesh Y up
 }
 
 void TestThreeMf::components_areTransformed()
 {
-    // a tetrahedron at its place and one 10 away, both turned by a quarter about z (x becomes y), all doubled
+    // The model has a tetrahedron and a copy 10 units away. Both are rotated by 90 degrees about z (x becomes y) and
+    // scaled by 2.
     const std::string parts = R"(<components><component objectid="1"/>)"
                               R"(<component objectid="1" transform="1 0 0 0 1 0 0 0 1 10 0 0"/></components>)";
     const std::string turned = item(2, R"(transform="0 2 0 -2 0 0  0 0 2)"
@@ -204,7 +206,7 @@ void TestThreeMf::partsElsewhere_areRead()
     QCOMPARE(volume(core::readMesh(path)), 1.0);
 }
 
-/// The mesh that a component puts somewhere is in the unit of its own part, the place in that of the component's part.
+/// A mesh is in the unit of its own model file, its placement in the unit of the file that contains the component.
 void TestThreeMf::partsElsewhere_haveTheirUnits()
 {
     const auto other = [](const char* name, int id, const char* at) {
@@ -215,7 +217,7 @@ void TestThreeMf::partsElsewhere_haveTheirUnits()
         package({{"_rels/.rels", relationships},
                  {"3D/a.model", model(object(1, other("b.model", 2, "7")), item(1), "unit=\"centimeter\"")},
                  {"3D/b.model", model(object(2, other("c.model", 3, "5")), "", "unit=\"meter\"")},
-                 {"3D/c.model", model(object(3, mesh()), "")}}); // in millimetres
+                 {"3D/c.model", model(object(3, mesh()), "")}}); // without a unit attribute: millimetres
     const TriangleMesh read = core::readMesh(path, {.up = UpAxis::Y});
     QVERIFY(read.points[0] == Vec3f(70 + 5000, 0, 0));
     QVERIFY(largest(read) == Vec3f(70 + 5000 + 1, 2, 3));
@@ -235,7 +237,7 @@ void TestThreeMf::supports_areLeftOut()
     QCOMPARE(core::readModel(file("a.3mf")).remarks.otherParts, std::size_t(3));
 }
 
-/// Checks that an object scaled to a point is left out, with its faces, while the one beside it is read.
+/// Tests that an object scaled to a single point is removed with its faces, while another object is read.
 void TestThreeMf::pointsBesideOthers_areLeftOut()
 {
     const TriangleMesh read =
@@ -260,9 +262,9 @@ void TestThreeMf::colors_areRead()
     QVERIFY(colorsOf("", R"(pid="6" p1="9")").empty());
     QVERIFY(colorsOf("", R"(pid="9" p1="0")").empty());
     const std::vector<Rgb> mixed = colorsOf("", R"(pid="5" p1="0" p2="1" p3="1")");
-    QVERIFY(mixed[0] == red);               // the first corner of three triangles
-    QVERIFY(mixed[2] == blue);              // never the first one
-    QCOMPARE(mixed[1].r, std::uint8_t(85)); // once of three
+    QVERIFY(mixed[0] == red);               // first corner of each of its three triangles
+    QVERIFY(mixed[2] == blue);              // never the first corner
+    QCOMPARE(mixed[1].r, std::uint8_t(85)); // first corner of one of its three triangles
 }
 
 void TestThreeMf::sameModel_givesSameBytes()
@@ -275,7 +277,7 @@ void TestThreeMf::sameModel_givesSameBytes()
     QVERIFY(bytes("one.3mf") == bytes("two.3mf"));
 }
 
-/// QCoreApplication takes the environment's locale over.
+/// Tests the locale of a QCoreApplication, which adopts the one of the environment.
 void TestThreeMf::insideAnApplication_withCommas_bitsStay()
 {
     QVERIFY(QCoreApplication::instance());
@@ -374,7 +376,7 @@ void TestThreeMf::badPackages_areRefused()
 
 void TestThreeMf::bombs_areRefused()
 {
-    // blanks between elements take no memory, but time
+    // Whitespace between elements takes time but no memory.
     const std::string blanks(std::size_t(64) << 20, ' ');
     const std::string bomb = model(object(1, mesh()) + blanks, item(1));
     const auto path = package({{"_rels/.rels", relationships}, {"3D/a.model", bomb}});
@@ -382,10 +384,10 @@ void TestThreeMf::bombs_areRefused()
     const auto error = errorOf([&] { core::readMesh(path); });
     QVERIFY(error && error->kind == Kind::UnpacksTooLarge);
     QCOMPARE(error->expected, std::uint64_t(16) << 20);
-    // as large as that, but not packed: a large file
+    // An uncompressed file of the same size is just a large file.
     const auto plain = package({{"_rels/.rels", relationships}, {"3D/a.model", bomb}}, ZIP_CM_STORE);
     QCOMPARE(volume(core::readMesh(plain)), 1.0);
-    // many parts, none of them large
+    // Many parts of moderate size must be refused in total.
     Parts parts{{"_rels/.rels", relationships}};
     std::string components;
     for (int i = 0; i < 20; ++i) {
@@ -401,7 +403,7 @@ void TestThreeMf::bombs_areRefused()
 void TestThreeMf::manyCopies_areRefused()
 {
     std::string objects = object(1, mesh());
-    for (int i = 2; i < 40; ++i) { // each holds the one before twice
+    for (int i = 2; i < 40; ++i) { // each object contains the previous one twice
         const std::string before = "<component objectid=\"" + std::to_string(i - 1) + "\"/>";
         objects += object(i, "<components>" + before + before + "</components>");
     }
@@ -409,7 +411,7 @@ void TestThreeMf::manyCopies_areRefused()
     QVERIFY(error && error->kind == Kind::TooManyElements);
 }
 
-/// The package is whole, its XML is not.
+/// Mutates the XML inside an intact package.
 void TestThreeMf::mutatedModels_neverGetThrough()
 {
     const int rounds = byEffort(300, 1'500, 200'000);

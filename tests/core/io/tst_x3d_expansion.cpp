@@ -1,5 +1,5 @@
-// Checks the text that is written of X3D scenes: it has nothing that a simple reader would get wrong, within its
-// limits.
+// Tests the expansion of X3D scenes: the written text contains nothing that a simple reader would misread, and it is
+// within its limits.
 
 #include "core/io/mesh/x3d_expansion.h"
 
@@ -40,7 +40,7 @@ QString sceneOf(const QByteArray& scene)
     return sceneOf(expanded(scene));
 }
 
-/// Returns the value of an attribute, the first time that it comes.
+/// Returns the value of the attribute's first occurrence.
 QString valueOf(const QString& text, const char* attribute)
 {
     return QRegularExpression(QStringLiteral(" %1=\"([^\"]*)\"").arg(QLatin1StringView(attribute)))
@@ -108,13 +108,13 @@ void TestX3dExpansion::uses_areThereAgain()
     const QString scene =
         sceneOf("<Transform DEF='T' translation='1 2 3'>" + box + "</Transform><Group><Transform USE='T'/></Group>");
     QCOMPARE(scene.count("<Transform translation=\"1 2 3\">"), 2);
-    QCOMPARE(scene.count("<Box"), 1); // the shape is named
+    QCOMPARE(scene.count("<Box"), 1); // the shape is written once and referred to by its name
     QCOMPARE(scene.count("<Shape USE=\"" + valueOf(scene, "DEF") + "\""), 1);
     QCOMPARE(sceneOf("<Switch whichChoice='-1'><Shape DEF='S'><Box/></Shape></Switch><Shape USE='S'/>").count("<Box"),
              1);
 }
 
-/// Files of one scene, in which names are sought everywhere, share none.
+/// Inlined files share a scene in which names are global, so no name may occur in two files.
 void TestX3dExpansion::names_areThoseOfOneFile()
 {
     const std::string text = ("<X3D><Scene><Shape DEF='A'><IndexedFaceSet coordIndex='0 1 2'>" + points +
@@ -163,7 +163,7 @@ void TestX3dExpansion::groups_areHeldToWhatTheyShow()
     QCOMPARE(expansion.unread, std::size_t(0));
 }
 
-/// Assimp goes up twice where a group of nothing ends.
+/// Empty groups are removed, because Assimp ascends two levels at their end.
 void TestX3dExpansion::emptyGroups_areLeftOut()
 {
     QCOMPARE(sceneOf("<Group/><Transform><Group><Transform translation='1 1 1'/></Group></Transform>"), QString());
@@ -204,7 +204,7 @@ void TestX3dExpansion::faces_areWoundAnticlockwise()
 void TestX3dExpansion::colors_areThoseOfPoints_data()
 {
     QTest::addColumn<QByteArray>("attributes");
-    QTest::addColumn<QString>("colors"); // of the points 0 to 5, of which four are used
+    QTest::addColumn<QString>("colors"); // colours of points 0 to 5, of which four are used
     QTest::newRow("points'") << QByteArray() << "1 0 0 0 1 0 0 0 1 1 1 1 1 1 1 1 1 1";
     QTest::newRow("corners'") << QByteArray("colorIndex='2 2 0 -1 0 0 1'") << "0 0 1 0 0 1 1 0 0 0 1 0 1 1 1 1 1 1";
     QTest::newRow("faces'") << QByteArray("colorPerVertex='false'") << "0 1 0 1 0 0 0 1 0 0 1 0 1 1 1 1 1 1";
@@ -220,7 +220,7 @@ void TestX3dExpansion::colors_areThoseOfPoints()
     const QString scene = sceneOf("<Shape><IndexedFaceSet coordIndex='0 1 2 -1 0 2 3' " + attributes + ">" + points +
                                   color + "</IndexedFaceSet></Shape>");
     if (attributes.startsWith("colorIndex"))
-        colors.replace(0, 17, "1 0 0 0 0 1 1 0 0"); // the last corner of a point counts
+        colors.replace(0, 17, "1 0 0 0 0 1 1 0 0"); // a point has the colour of its last corner
     QCOMPARE(valueOf(scene, "color"), colors);
 }
 
@@ -230,13 +230,13 @@ void TestX3dExpansion::units_areScaled()
     QVERIFY(sceneOf(expanded(box, inch)).startsWith("<Transform scale=\"0.0254 0.0254 0.0254\"><Shape"));
     QCOMPARE(sceneOf(expanded("<Group/>", inch)), QString());
     QVERIFY(!sceneOf(expanded(box, "<head><unit category='angle' conversionFactor='0.1'/></head>")).contains("scale"));
-    // an inlined file is of a unit of its own, which is made metres there
+    // An inlined file has a unit of its own and scales itself to metres.
     const QByteArray quarter = "<head><unit category='length' conversionFactor='0.25'/></head>";
     QVERIFY(sceneOf(expanded("<Inline url='a.x3d'/>", quarter))
                 .contains("<Transform scale=\"0.25 0.25 0.25\"><Transform scale=\"4 4 4\"><Inline url="));
 }
 
-/// Turns by angles in a unit of the file's own are as those in radians, which is the format's.
+/// Angles in a unit that the file defines are converted to radians, the unit of X3D.
 void TestX3dExpansion::angles_areInRadians()
 {
     const QByteArray half = "<head><unit category='angle' name='half radian' conversionFactor='0.5'/></head>";
@@ -253,7 +253,7 @@ void TestX3dExpansion::angles_areInRadians()
     QVERIFY(!errorOf({}, "<head><unit category='mass' conversionFactor='x'/></head>"));
 }
 
-/// X3D 4: groups and shapes that are there to be hidden.
+/// X3D 4 adds groups and shapes with a `visible` attribute.
 void TestX3dExpansion::invisibleNodes_areLeftOut()
 {
     for (const char* name : {"Group", "Transform", "Anchor", "Switch whichChoice='0'", "LOD", "Collision"}) {
@@ -272,11 +272,11 @@ void TestX3dExpansion::invisibleNodes_areLeftOut()
     QCOMPARE(sceneOf("<Shape visible='false'><Sphere/></Shape>" + box).count("Sphere"), 0);
     QCOMPARE(sceneOf("<Inline visible='false' url='a.x3d'/>"), QString());
     QCOMPARE(expanded("<Group visible='false'><ProtoInstance name='x'/></Group>").unread, std::size_t(0));
-    // a hidden level of detail is no level
+    // A hidden level of detail does not count as a level.
     QCOMPARE(sceneOf("<LOD><Group visible='false'>" + box + "</Group>" + box + box + "</LOD>").count("<Box"), 1);
 }
 
-/// A CADLayer's list has a word for each child; version 4 has one for all of them.
+/// A CADLayer has a visibility value for each child in version 3, and one value for all children in version 4.
 void TestX3dExpansion::layers_hideChildByChild()
 {
     const auto shown = [](const QByteArray& visible, const char* version) {
@@ -289,7 +289,7 @@ void TestX3dExpansion::layers_hideChildByChild()
     };
     for (const char* version : {"3.1", "3.3", ""}) {
         QCOMPARE(shown("", version), QStringLiteral("BSC"));
-        QCOMPARE(shown("false", version), QStringLiteral("SC")); // the others are shown
+        QCOMPARE(shown("false", version), QStringLiteral("SC")); // a missing value means visible
         QCOMPARE(shown("FALSE, true", version), QStringLiteral("SC"));
         QCOMPARE(shown("true false", version), QStringLiteral("BC"));
         QCOMPARE(shown("true true false false", version), QStringLiteral("BS"));
@@ -321,8 +321,8 @@ void TestX3dExpansion::axes_areOfUnitLength()
         squares += number.toDouble() * number.toDouble();
     QVERIFY(std::abs(squares - 1) < 1e-12);
     QCOMPARE(numbers[3], QStringLiteral("2"));
-    QCOMPARE(rotation("rotation='0 0 0 1'"), QString()); // no axis: no turn
-    for (int x = 1; x < 30; ++x) {                       // what was divided by its length is not divided again
+    QCOMPARE(rotation("rotation='0 0 0 1'"), QString()); // without an axis there is no rotation
+    for (int x = 1; x < 30; ++x) {                       // an axis that has been normalised stays bit for bit the same
         const QString once = rotation("rotation='" + QByteArray::number(x) + " 1 0 0.5'");
         QCOMPARE(rotation("rotation='" + once.toLatin1() + "'"), once);
     }
@@ -341,7 +341,7 @@ void TestX3dExpansion::namesOfPrototypes_holdInsideOnly()
     QCOMPARE(static_cast<int>(error->fault), static_cast<int>(FileFault::Missing));
 }
 
-/// A ring whose scales and orientations are stated for each point is as closed as one whose are not.
+/// A ring with a scale and an orientation for each point is closed like one without them.
 void TestX3dExpansion::closedExtrusions_haveNoCaps()
 {
     const QByteArray ring = "<Shape><Extrusion crossSection='1 1 1 -1 -1 -1 -1 1 1 1' "
@@ -356,14 +356,14 @@ void TestX3dExpansion::closedExtrusions_haveNoCaps()
 void TestX3dExpansion::doubledEnds_haveTheirSections_data()
 {
     QTest::addColumn<QString>("spine");
-    QTest::addColumn<int>("atBegin"); // the times that the point there comes again
+    QTest::addColumn<int>("atBegin"); // repetitions of the first point
     QTest::addColumn<int>("atEnd");
     for (const char* spine : {"0 0 0 0 10 0 10 20 0", "0 0 0 0 0 5 3 0 9 9 1 9", "0 0 0 0 10 0"})
         for (const auto& [atBegin, atEnd] : {std::pair(1, 0), std::pair(0, 1), std::pair(2, 3)})
             QTest::addRow("%s: %d, %d", spine, atBegin, atEnd) << QString(spine) << atBegin << atEnd;
 }
 
-/// The point at an end of the spine comes again, as for a sharp cap: the same cross-section stands there.
+/// Tests a repeated point at an end of the spine, as in a sharp cap: it gets the same cross-section.
 void TestX3dExpansion::doubledEnds_haveTheirSections()
 {
     QFETCH(QString, spine);
@@ -376,11 +376,11 @@ void TestX3dExpansion::doubledEnds_haveTheirSections()
     const QString first = numbers.first(3).join(u' ') + u' ', last = u' ' + numbers.last(3).join(u' ');
     const QString plain = extrusion(spine), doubled = first.repeated(atBegin) + spine + last.repeated(atEnd);
     QCOMPARE(extrusion(doubled), plain);
-    if (atBegin == 0) { // where the last section is smaller, it is a step in the cap
+    if (atBegin == 0) { // a smaller last cross-section is a step in the cap
         const auto points = [](const QString& scene) { return valueOf(scene, "point").split(u' '); };
         const QByteArray ones = QByteArray("1 1 ").repeated(numbers.size() / 3);
         const QStringList stepped = points(extrusion(doubled, "scale='" + ones + "0.5 0.5'"));
-        constexpr int sectionNumbers = 12; // of four corners
+        constexpr int sectionNumbers = 12; // coordinates of a cross-section of four corners
         QCOMPARE(stepped.size(), points(plain).size() + sectionNumbers);
         QCOMPARE(stepped.first(points(plain).size()), points(plain));
         for (int i = 0; i < sectionNumbers; ++i) {
@@ -396,13 +396,13 @@ void TestX3dExpansion::straightSpines_doNotTurn_data()
     QTest::addColumn<double>("x");
     QTest::addColumn<double>("y");
     QTest::addColumn<double>("z");
-    QTest::addColumn<int>("digits"); // digits of numbers of single or double precision
+    QTest::addColumn<int>("digits"); // significant digits of the written numbers
     for (const auto& [x, y, z] : {std::array{0.1, 0.2, 0.3}, {0.3, 0.7, 0.2}, {1.0, 2.0, 3.0}, {0.7, -0.1, 0.0}})
         for (const int digits : {6, 8, 16})
             QTest::addRow("%g %g %g, %d digits", x, y, z, digits) << x << y << z << digits;
 }
 
-/// Further points on a straight piece of the spine, whose numbers are rounded, change nothing at its ends.
+/// Additional points on a straight part of the spine, with rounded coordinates, must not change its ends.
 void TestX3dExpansion::straightSpines_doNotTurn()
 {
     QFETCH(double, x);
@@ -445,12 +445,12 @@ void TestX3dExpansion::grids_areMadeOfQuads()
     QCOMPARE(valueOf(grid("ccw='false'"), "coordIndex"), QStringLiteral("1 4 3 0 -1 2 5 4 1 -1"));
     QCOMPARE(valueOf(grid(""), "point"), QStringLiteral("0 1 0 1 2 0 2 3 0 0 4 1 1 5 1 2 6 1"));
     QCOMPARE(valueOf(grid("colorPerVertex='false'", "<Color color='1 0 0 0 1 0'/>"), "color"),
-             QStringLiteral("1 0 0 0 1 0 0 1 0 1 0 0 0 1 0 0 1 0")); // the last face of a point counts
+             QStringLiteral("1 0 0 0 1 0 0 1 0 1 0 0 0 1 0 0 1 0")); // a point has the colour of its last face
     QCOMPARE(sceneOf("<Shape><ElevationGrid/></Shape><Shape><ElevationGrid xDimension='1' zDimension='9'/></Shape>"),
              QString());
 }
 
-/// Lists of numbers are written as numbers, with blanks between them and nothing else.
+/// Lists of numbers must be written with single spaces as separators.
 void TestX3dExpansion::primitives_haveNumbers()
 {
     QCOMPARE(sceneOf("<Shape><Box DEF='B' size=' .01,+.02, 3e-2' solid='true'/></Shape>").count("0.01 0.02 0.03\"/>"),
@@ -543,13 +543,14 @@ void TestX3dExpansion::badFiles_areRefused()
     QCOMPARE(static_cast<int>(error->kind), kind);
     QCOMPARE(static_cast<int>(error->fault), fault);
     QCOMPARE(QString::fromStdString(error->token), token);
-    QCOMPARE(error->place.number, std::uint64_t(3)); // the declaration, the scene's first line, and its second
+    // the error is in line 3: the declaration and the scene's first line precede it
+    QCOMPARE(error->place.number, std::uint64_t(3));
     const QByteArray entities = "<!DOCTYPE X3D [<!ENTITY a 'b'>]><X3D><Scene/></X3D>";
     QVERIFY_THROWS_EXCEPTION(core::FileError, core::io::expandX3d({path, entities.toStdString()}));
     QVERIFY(errorOf({}, "<head><unit category='length' conversionFactor='0'/></head>"));
 }
 
-/// Groups that hold the one before twice: 2^40 boxes in 3 kB.
+/// Each group contains the previous one twice: 2^40 boxes in 3 kB.
 void TestX3dExpansion::growth_isBounded()
 {
     QByteArray scene = "<Group DEF='g0'>" + box + "</Group>";
@@ -566,7 +567,7 @@ void TestX3dExpansion::growth_isBounded()
     QVERIFY(large && large->kind == Kind::UnpacksTooLarge);
 }
 
-/// Groups each of which uses the one before: as deep as nothing else in the file.
+/// Each group uses the previous one, which nests deeper than the file itself does.
 void TestX3dExpansion::chainsOfUses_areBounded()
 {
     const auto chain = [](int length) {
@@ -592,7 +593,7 @@ void TestX3dExpansion::cutFiles_areRefused()
     }
 }
 
-/// Files of other programs that are not quite by the book.
+/// Tests files of other programs that deviate from the standard.
 void TestX3dExpansion::wordsAndNames_areTakenGenerously()
 {
     const auto set = [](const QByteArray& ccw, const QByteArray& coordinates) {
@@ -621,7 +622,7 @@ void TestX3dExpansion::wordsAndNames_areTakenGenerously()
     }
 }
 
-/// A USE of what cannot stand there, itself among it.
+/// Tests USE of a node of a wrong kind, and of the node that contains it.
 void TestX3dExpansion::usesOfOtherKinds_areUnread()
 {
     for (const QByteArray& scene : {box + "<Shape DEF='S'><IndexedFaceSet coordIndex='0 1 2'>" + points +
@@ -654,14 +655,14 @@ void TestX3dExpansion::inlines_haveAlternatives()
         QCOMPARE(inlineOf(missing, hasB).unread, std::size_t(1));
     }
     for (const char* none : {"", "\"\"", " , ", "\" \" \"\""}) {
-        QCOMPARE(inlineOf(none, hasB).unread, std::size_t(0)); // it names none
+        QCOMPARE(inlineOf(none, hasB).unread, std::size_t(0)); // the list contains no file name
         QCOMPARE(sceneOf(inlineOf(none, {})), QString());
     }
     for (const char* blank : {"\" a.x3d\"", "\",a.x3d\"", " a.x3d"})
         QCOMPARE(valueOf(sceneOf(inlineOf(blank, {})), "url"), QStringLiteral("a.x3d"));
 }
 
-/// A colour that takes a page is written as short as any, at each of the points that it comes to.
+/// A colour with thousands of digits is written in short form at each of its points.
 void TestX3dExpansion::colors_areNumbers()
 {
     QByteArray coordinates, indices;
@@ -680,7 +681,7 @@ void TestX3dExpansion::colors_areNumbers()
     QVERIFY(error && error->fault == FileFault::Number && error->token == "red");
 }
 
-/// Sets that use few points of a Coordinate that all of them name do not multiply it.
+/// Sets that use few points of a large shared Coordinate node must not each copy all of it.
 void TestX3dExpansion::fewPoints_areTheSetsOwn()
 {
     QByteArray coordinates, colors;
@@ -709,7 +710,7 @@ void TestX3dExpansion::fewPoints_areTheSetsOwn()
     };
     QVERIFY(sizeOf(1) < 1000);
     QVERIFY(sizeOf(1000) < 1000 * sizeOf(1));
-    // sets that name its colours, too, take them once
+    // Sets that share colours, too, write each used colour once.
     QByteArray many = set("0 1 2", "<Coordinate DEF='C' point='" + coordinates.repeated(10'000) +
                                        "'/><Color DEF='K' color='" + colors.repeated(10'000) + "'/>");
     for (int i = 0; i < 10'000; ++i)
