@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 namespace
 {
-/// The state that must come back.
+/// The state of a document that recovery must restore.
 struct State
 {
     std::uint64_t mesh = 0, state = 0;
@@ -38,7 +38,7 @@ State stateOf(const RecoveredDocument& document)
     return {document.mesh->meshHash(), document.mesh->stateHash(), document.history};
 }
 
-/// Somebody who sculpts, undoes and does again, and a journal.
+/// A simulated user who sculpts, undoes and redoes, with a journal.
 class Session
 {
 public:
@@ -53,7 +53,7 @@ public:
         m_journal = Journal::begin(root, {start, {"clay", "", metadata, false}}, {}, limits);
         note();
     }
-    /// Goes on with what was recovered.
+    /// Resumes from a recovered document.
     Session(std::unique_ptr<JournalFolder> folder, RecoveredDocument document, std::uint64_t seed) : m_random(seed)
     {
         m_journal = Journal::resume(std::move(folder), document, {});
@@ -124,12 +124,12 @@ public:
         }
     }
     Journal& journal() { return *m_journal; }
-    /// Another journal of the same.
+    /// Adds a second journal that records the same changes.
     void alsoTell(std::shared_ptr<Journal> journal) { m_other = std::move(journal); }
     const Mesh& mesh() const { return m_sculptor->mesh(); }
     State now() const { return {mesh().meshHash(), mesh().stateHash(), m_history}; }
 
-    std::vector<State> states; ///< after each record, the first before any
+    std::vector<State> states; ///< state after each record; the first one is before any record
 
 private:
     void note() { states.push_back(now()); }
@@ -147,7 +147,7 @@ void write(const fs::path& file, std::string_view bytes)
         .write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
 }
 
-/// The end of each record, 0 first.
+/// Returns the offset of each record's end, preceded by 0.
 std::vector<std::size_t> endsIn(const std::string& segment)
 {
     std::vector<std::size_t> ends{0};
@@ -158,7 +158,7 @@ std::vector<std::size_t> endsIn(const std::string& segment)
 }
 } // namespace
 
-/// Tests that a journal gives its sitting back, whatever becomes of its files.
+/// Tests that a journal restores its session, whatever damage its files have.
 class TestJournal : public QObject
 {
     Q_OBJECT
@@ -185,7 +185,7 @@ private Q_SLOTS:
     void folders_setAsideAreBounded();
 
 private:
-    /// The only session's folder, copied, so that it can be spoilt.
+    /// Returns a copy of a session's folder, which a test may damage.
     fs::path copyOf(const fs::path& folder);
 
     QTemporaryDir m_home;
@@ -201,7 +201,7 @@ fs::path TestJournal::copyOf(const fs::path& folder)
 
 void TestJournal::checksum_isThatOfZip()
 {
-    QCOMPARE(checksum("123456789"), 0xcbf43926u); // the check value of the catalogue of CRCs
+    QCOMPARE(checksum("123456789"), 0xcbf43926u); // check value of this CRC in the catalogue of CRCs
     const std::string bytes(1000, 'x');
     QCOMPARE(checksum(std::string_view(bytes).substr(300), checksum(std::string_view(bytes).substr(0, 300))),
              checksum(bytes));
@@ -249,7 +249,7 @@ void TestJournal::words_areReadWithoutTheMesh()
     QVERIFY(words && !words->mesh && words->history == found->history && words->isUnsaved() == found->isUnsaved());
 }
 
-/// On the recovered mesh the same strokes give the same bits, and every step can be undone and done again.
+/// The same strokes on the recovered mesh must give the same bits, and every step can be undone and redone.
 void TestJournal::recovery_goesOnAsIfNothingHadBeen()
 {
     Session session(m_home.path().toStdString(), icosphere(3, 20), 2);
@@ -286,7 +286,7 @@ void TestJournal::recovery_goesOnAsIfNothingHadBeen()
 
 void TestJournal::truncation_atEveryByteLosesWhatFollowsOnly()
 {
-    std::optional<Session> brief; // each byte costs a replay
+    std::optional<Session> brief; // a short session, because each byte costs a replay
     std::string whole;
     for (std::uint64_t seed = 1; !brief || whole.size() > 40'000; ++seed) {
         brief.emplace(m_home.path().toStdString(), icosphere(0, 20), seed);
@@ -311,7 +311,7 @@ void TestJournal::truncation_atEveryByteLosesWhatFollowsOnly()
         fs::resize_file(segmentFile(folder, 0), bytes);
         const auto found = recoverJournal(folder);
         QVERIFY2(found && stateOf(*found) == session.states[record], qPrintable(QString::number(bytes)));
-        QVERIFY(!found->isDamaged); // a power cut does that
+        QVERIFY(!found->isDamaged); // a truncated end is normal after a power cut, not damage
     }
     qInfo("%zu bytes, %zu states", whole.size(), session.states.size());
 }
@@ -359,7 +359,7 @@ void TestJournal::flippedBytes_neverGiveAnotherState()
     }
 }
 
-/// A power cut: what was not synced comes to disk in pages, some of them, in any order.
+/// Simulates a power cut: of the pages that were not synced, some are on the disk, in any order.
 void TestJournal::unsyncedPages_costWhatWasNotSynced()
 {
     constexpr std::size_t page = 4096;
@@ -438,15 +438,15 @@ void TestJournal::tornBase_isNoBase()
     QVERIFY(found && stateOf(*found) == session.now());
     const std::string base = contentOf(baseFile(compacted, last / 2));
     StrokeFuzzer random(11);
-    for (int i = 0; i < 300; ++i) { // as if it had come torn, beside what it stands for
+    for (int i = 0; i < 300; ++i) { // a truncated base beside the segments that it would replace is ignored
         write(baseFile(complete, last / 2), std::string_view(base).substr(0, random.below(base.size())));
         const auto without = recoverJournal(complete);
         QVERIFY(without && stateOf(*without) == session.now());
     }
-    QVERIFY(!compactJournal(complete, last + 5)); // there is no such segment
+    QVERIFY(!compactJournal(complete, last + 5)); // the segment does not exist
 }
 
-/// A base does the work of a start that is lost.
+/// A base replaces a start file that is lost.
 void TestJournal::lostStart_isDoneWithoutIfThereIsABase()
 {
     constexpr JournalLimits limits{.segmentBytes = 4 << 10};
@@ -467,7 +467,7 @@ void TestJournal::lostStart_isDoneWithoutIfThereIsABase()
             continue;
         QVERIFY(stateOf(*found) == before);
         QVERIFY(checkMesh(extractMesh(*meshOf(*found->start))).printReady());
-        Sculptor sculptor(std::move(found->mesh)); // it can be worked on
+        Sculptor sculptor(std::move(found->mesh)); // the recovered mesh can be sculpted
         StrokeFuzzer random(16);
         const Stroke stroke = random.stroke(sculptor.mesh());
         session.stroke(stroke);
@@ -494,7 +494,8 @@ void TestJournal::damage_isToldFromATornEnd()
     const fs::path complete = copyOf(session.journal().folder());
     const unsigned last = filesIn(complete).segments.rbegin()->first;
     QVERIFY(last > 4 && !recoverJournal(complete)->isDamaged);
-    for (unsigned number = 0; number < last; ++number) { // any but the last: what follows it is lost
+    // damage in any segment except the last one loses the segments after it
+    for (unsigned number = 0; number < last; ++number) {
         const fs::path folder = copyOf(complete);
         std::string bytes = contentOf(segmentFile(folder, number));
         bytes[bytes.size() / 2] = static_cast<char>(~bytes[bytes.size() / 2]);
@@ -505,12 +506,12 @@ void TestJournal::damage_isToldFromATornEnd()
         QVERIFY(recoverJournal(folder)->isDamaged);
     }
     QVERIFY(compactJournal(complete, last / 2));
-    fs::resize_file(baseFile(complete, last / 2), 1000); // what was before it is gone
+    fs::resize_file(baseFile(complete, last / 2), 1000); // damages the base, which the removed segments cannot replace
     const auto found = recoverJournal(complete);
     QVERIFY(found && found->isDamaged && found->history.steps.empty() && stateOf(*found) == session.states.front());
 }
 
-/// A journal that begins on top of what was done before, while the hand goes on.
+/// Tests a journal that begins with an existing document while the user keeps sculpting.
 void TestJournal::lateBeginning_holdsWhatWasAndWhatCame()
 {
     const QTemporaryDir home;
@@ -529,7 +530,7 @@ void TestJournal::lateBeginning_holdsWhatWasAndWhatCame()
     for (int i = 0; i < 10; ++i)
         session.act();
     bool isTold = false;
-    journal->after([&] { isTold = true; }); // nobody waits for it
+    journal->after([&] { isTold = true; }); // called at once, because a journal that has not begun delays nothing
     QVERIFY(isTold && !hasBegun);
     journal->drain();
     QVERIFY(JournalFolder::abandoned(root / "second").empty() && !fs::exists(journal->folder()));
@@ -542,7 +543,7 @@ void TestJournal::lateBeginning_holdsWhatWasAndWhatCame()
     const auto found = recoverJournal(journal->folder());
     QVERIFY(found && !found->isDamaged && stateOf(*found) == session.now());
     const Session later(JournalFolder::make(root / "third"), std::move(*recoverJournal(journal->folder())),
-                        1); // it can be gone on with
+                        1); // a recovered session can be resumed
     QVERIFY(later.now() == session.now());
 }
 
@@ -560,7 +561,8 @@ void TestJournal::lateBeginning_withoutMemoryIsBroken()
         journal->beginWith(nullptr, {}, {});
         journal->flush();
         QVERIFY(journal->isBroken());
-        const auto unused = Journal::beginDeferred(JournalFolder::makeHidden(root), 0, callbacks); // given up before
+        // destroyed before it begins
+        const auto unused = Journal::beginDeferred(JournalFolder::makeHidden(root), 0, callbacks);
         unused->saved(0);
     }
     QCOMPARE(broken, 1);
@@ -636,12 +638,12 @@ void TestJournal::folders_belongToWhoHoldsThem()
     QVERIFY(first->path() != second->path());
     QVERIFY(JournalFolder::abandoned(root).empty());
     const fs::path path = first->path();
-    first.reset(); // as when its program has ended
+    first.reset(); // releases the folder, as the end of its program does
     {
         const auto found = JournalFolder::abandoned(root);
         QCOMPARE(found.size(), std::size_t(1));
         QCOMPARE(found[0]->path(), path);
-        QVERIFY(JournalFolder::abandoned(root).empty()); // it is held again
+        QVERIFY(JournalFolder::abandoned(root).empty()); // locked again
         found[0]->remove();
     }
     QVERIFY(!fs::exists(path) && fs::exists(second->path()));
@@ -662,7 +664,7 @@ void TestJournal::folders_setAsideAreBounded()
         QCOMPARE(last, folder->path());
         QVERIFY(fs::exists(last / "start"));
         QCOMPARE(std::distance(fs::directory_iterator(aside), {}), std::min(i + 1, 3));
-        std::this_thread::sleep_for(std::chrono::milliseconds(20)); // times of files are coarse
+        std::this_thread::sleep_for(std::chrono::milliseconds(20)); // time stamps of files are coarse
     }
     QVERIFY(fs::is_empty(root) && fs::exists(last));
     fs::remove_all(aside);
