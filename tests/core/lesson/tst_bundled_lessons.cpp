@@ -1,5 +1,5 @@
-// Fettle's own lessons, and how lessons are played: each is played to its end and meets its checkpoints, in every
-// language.
+// Tests Fettle's own lessons: each is played to its end and meets its checkpoints, in every language. Tests how lessons
+// are played, too.
 #include "core/lesson/lesson_playback.h"
 #include "core/mesh/mesh_builder.h"
 #include "tests/support/solid_asserts.h"
@@ -20,7 +20,7 @@ std::shared_ptr<const Lesson> lessonNamed(const char* name)
     return std::make_shared<const Lesson>(readLesson(shelf / name));
 }
 
-/// All of a step by the player, so many seconds at a time.
+/// Plays a step with the player, which advances by `seconds` at a time.
 void playByTime(LessonPlayer& player, LessonPlayback& playback, double seconds)
 {
     for (player.play(); player.isPlaying();)
@@ -79,7 +79,8 @@ private Q_SLOTS:
         }
     }
 
-    /// Twice, and by the player's cues, however the time goes by.
+    /// Plays each lesson twice at once, and with the player's cues at different speeds. The models must be identical
+    /// bit for bit.
     void each_isTheSameToTheBit_data() { names(); }
     void each_isTheSameToTheBit()
     {
@@ -100,7 +101,7 @@ private Q_SLOTS:
         QCOMPARE(hashAfter(first), hash);
     }
 
-    /// Stroke by stroke, taken back and played again, the one under way too.
+    /// Plays and undoes a step stroke by stroke, including a stroke in progress, and plays it again.
     void oneByOne_leadsToTheSameModel()
     {
         const auto lesson = lessonNamed("creature");
@@ -141,7 +142,7 @@ private Q_SLOTS:
         QCOMPARE(playback.mesh().meshHash(), hashes.back());
     }
 
-    /// Twice the speed, half the time; and never faster or slower than there is.
+    /// Twice the speed takes half the time. The speed is limited to a range.
     void speed_isOfTime()
     {
         LessonPlayer player(lessonNamed("first-clay"));
@@ -160,13 +161,15 @@ private Q_SLOTS:
         QCOMPARE(player.speed(), LessonPlayer::minSpeed);
     }
 
-    /// From where the last stroke ended to where the next begins, without a leap, and pressed only in strokes.
+    /// The ghost brush moves from the end of a stroke to the start of the next one without a jump. It is pressed only
+    /// in strokes.
     void ghost_movesWithoutALeap()
     {
         LessonPlayer player(lessonNamed("first-clay"));
         player.setStep(2);
         player.play();
-        constexpr double step = 0.01, fastest = 500; // s, mm/s: across the model between two strokes
+        // s, mm/s; the fastest motion crosses the model between two strokes
+        constexpr double step = 0.01, fastest = 500;
         GhostBrush last = player.ghost().value();
         QVERIFY(!last.isPressed);
         std::size_t pressed = 0, moments = 0;
@@ -184,7 +187,7 @@ private Q_SLOTS:
         QVERIFY(pressed > moments / 4 && pressed < moments);
     }
 
-    /// A stranger's times: none, all alike, backwards, years.
+    /// Tests unusual sample times: none, all equal, decreasing, years apart.
     void ghost_takesAnyTimes()
     {
         const auto durationOf = [](const std::vector<double>& times) {
@@ -233,7 +236,8 @@ private Q_SLOTS:
         QVERIFY(verdict.target->largest > 5);
     }
 
-    /// Brushes that this model's lattice cannot hold, hands beyond its volume, commands that cannot be done.
+    /// Tests brushes too large for the model's lattice, positions outside its range, and commands that cannot be
+    /// executed.
     void strokesThatDoNotFit_areRefused()
     {
         const auto errorOf = [](const FileEntry& entry) -> std::optional<LessonError> {

@@ -59,7 +59,7 @@ private Q_SLOTS:
         }
     }
 
-    /// A fact without meaning does not hold, whatever is asked.
+    /// A fact that is undefined for the model does not hold, whatever its range.
     void openModel_hasNoGenusAndIsNotReady()
     {
         TriangleMesh open = starterModel(Starter::Ball);
@@ -80,7 +80,7 @@ private Q_SLOTS:
         QCOMPARE(verdict.distances.size(), ball.points.size());
     }
 
-    /// Of two spheres about the same middle each point is as far from the other one as the radii differ.
+    /// Each point of a sphere is as far from a concentric sphere as their radii differ.
     void largerBall_isApartByTheRadius()
     {
         const TriangleMesh small = icosphere(5, radius), large = icosphere(5, radius + 3);
@@ -93,8 +93,7 @@ private Q_SLOTS:
         QVERIFY(verdictOf(3.1, small, large).holds);
     }
 
-    /// A thorn on a twentieth of the surface or less is passed over, a missing half is not, though all that is there
-    /// fits.
+    /// Deviations on up to 5 % of the surface are ignored. A missing half counts, although the existing half matches.
     void number_isOfMostOfBothSurfaces()
     {
         const TriangleMesh ball = icosphere(5, radius);

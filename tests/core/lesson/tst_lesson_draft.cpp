@@ -1,4 +1,4 @@
-// A lesson is changed as its editor changes it, and stays one that can be written, read and played to its end.
+// Tests that a lesson changed by its editor can still be written, read and played to its end.
 #include "core/lesson/lesson_check.h"
 #include "core/lesson/lesson_draft.h"
 #include "core/lesson/lesson_file.h"
@@ -21,7 +21,7 @@ LessonDraft draftOf(const char* name)
     return LessonDraft(readLesson(std::filesystem::path(FETTLE_SOURCE_DIR "/resources/lessons") / name));
 }
 
-/// Written and read again.
+/// Writes the lesson and reads it again.
 Lesson readBack(const Lesson& lesson)
 {
     const QTemporaryDir folder;
@@ -30,7 +30,7 @@ Lesson readBack(const Lesson& lesson)
     return readLesson(path);
 }
 
-/// The model that each step leaves.
+/// Result of playing a lesson: the check of each step, the steps in order, hash and defects of the last model.
 struct Played
 {
     std::vector<StepCheck> checks;
@@ -62,8 +62,8 @@ class TestLessonDraft : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    /// What was opened and not changed is played to the same bits, its checkpoints are met, and its own words are
-    /// there.
+    /// A lesson that was opened and not changed gives the same model bit for bit, meets its checkpoints, and keeps its
+    /// texts.
     void unchanged_isTheSameLesson_data()
     {
         QTest::addColumn<QByteArray>("name");
@@ -102,7 +102,7 @@ private Q_SLOTS:
         QVERIFY(!back.summary.words.contains("en"));
     }
 
-    /// The same strokes in the other order; each step takes its words and its checkpoint along.
+    /// Steps can change their order. Each keeps its texts and its checkpoint.
     void reordered_isPlayedInTheNewOrder()
     {
         LessonDraft draft = draftOf("first-clay");
@@ -118,8 +118,7 @@ private Q_SLOTS:
         QCOMPARE(play(readBack(draft.complete({}))).hash, before);
     }
 
-    /// Without its legs the creature does not stand: what a later step asks for is said not to be there, and the lesson
-    /// is played all the same.
+    /// The creature does not stand without its legs. The checkpoint fails, and the lesson can still be played.
     void cut_isSaidWhereItMatters()
     {
         LessonDraft draft = draftOf("creature");
@@ -135,7 +134,7 @@ private Q_SLOTS:
         QVERIFY(!played.checks[0].verdict.isMet());
     }
 
-    /// A stroke in the air, far from what is left, is counted where it stands.
+    /// A stroke that does not touch the model is reported by its index.
     void strokeThatMeetsNothing_isIdle()
     {
         LessonDraft draft = draftOf("first-clay");
@@ -154,7 +153,7 @@ private Q_SLOTS:
         QVERIFY(play(draft.complete({})).checks[0].idle.empty());
     }
 
-    /// The step is seen from where its first stroke was made, and each tool has the brush of its first stroke.
+    /// The step's view is the one at its first entry. Each tool has the brush of its first stroke.
     void firstStroke_saysViewAndBrush()
     {
         LessonDraft draft;
@@ -224,7 +223,7 @@ private Q_SLOTS:
         QVERIFY(all.step(0).tools.empty());
     }
 
-    /// Somebody's own picture stays; what was made is made anew, and what nothing names is not taken along.
+    /// A picture chosen by the author is kept. Generated pictures are made again, and unused files are removed.
     void pictures_ofOnesOwnStay()
     {
         Lesson lesson = draftOf("first-clay").lesson();

@@ -1,4 +1,4 @@
-// Lessons as files: what comes back, and what is refused.
+// Tests lessons as files: what is restored, and what is refused.
 #include "core/io/mesh_io.h"
 #include "core/lesson/lesson_file.h"
 #include "core/operations/starter_models.h"
@@ -42,7 +42,7 @@ Json least()
             {"steps", {{{"title", text("B")}, {"text", text("C")}}}}};
 }
 
-/// All that a lesson may have.
+/// Returns a lesson with every possible key.
 Json full()
 {
     Json lesson = least();
@@ -81,7 +81,7 @@ std::string stl()
     return bytes;
 }
 
-/// What lies in a lesson's folder.
+/// Files of a lesson's folder; key: path.
 using Content = std::map<std::string, std::string>;
 
 Content contentOf(const Json& lesson)
@@ -138,7 +138,7 @@ std::string bytesOf(const std::filesystem::path& path)
     return std::string(std::istreambuf_iterator<char>(file), {});
 }
 
-/// As a stranger's program packs it.
+/// Packs a zip as another program might.
 void pack(const std::filesystem::path& path, const Content& content, const std::string& folder = {})
 {
     zip_t* const archive = zip_open(path.c_str(), ZIP_CREATE | ZIP_TRUNCATE, nullptr);
@@ -148,7 +148,7 @@ void pack(const std::filesystem::path& path, const Content& content, const std::
     zip_close(archive);
 }
 
-/// Whatever is in it, in one text.
+/// Returns everything in a lesson as one text, for comparison.
 std::string whole(const Lesson& lesson)
 {
     std::string all = lessonJson(lesson);
@@ -236,7 +236,7 @@ private Q_SLOTS:
         std::size_t entries = 0;
         for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(path.parent_path()))
             ++entries;
-        QCOMPARE(entries, std::size_t(1)); // nothing half-written beside it
+        QCOMPARE(entries, std::size_t(1)); // no temporary file remains
     }
 
     void zip_mayHoldTheFolder()
@@ -274,7 +274,7 @@ private Q_SLOTS:
         QCOMPARE(syntax.line, std::size_t(2));
     }
 
-    /// An image of ours is in the program; another one would have to come along.
+    /// Built-in alphas are allowed. Strokes that need other files are refused.
     void strokesThatNeedFiles_areRefused()
     {
         const auto errorWith = [](const std::string& entry) {
@@ -302,7 +302,7 @@ private Q_SLOTS:
         QCOMPARE(error.version, std::uint64_t(7));
     }
 
-    /// Cut off anywhere, a zip is refused: as cut off, or as one without a lesson.
+    /// A zip truncated anywhere is refused, either as truncated or as containing no lesson.
     void cutOffZip_isRefused()
     {
         const QTemporaryDir folder;
@@ -324,7 +324,7 @@ private Q_SLOTS:
         }
     }
 
-    /// What unpacks to more than a file of its size may is not unpacked.
+    /// A lesson that would unpack to more than a file of its size may contain is not unpacked.
     void bomb_isRefused()
     {
         const QTemporaryDir folder;
@@ -351,7 +351,8 @@ private Q_SLOTS:
         std::filesystem::create_symlink(folder.parent_path() / "secret.png", folder / "a.png");
         QCOMPARE(errorOf([&] { readLesson(folder); })->kind, Kind::BadName);
         std::filesystem::remove(folder / "a.png");
-        std::filesystem::create_symlink("models/../b.png", folder / "a.png"); // within it
+        // the target is inside the lesson's folder
+        std::filesystem::create_symlink("models/../b.png", folder / "a.png");
         write(folder / "b.png", png);
         QVERIFY(!errorOf([&] { readLesson(folder); }));
     }
@@ -373,7 +374,8 @@ private Q_SLOTS:
         QCOMPARE(errorOf([&] { readLesson(path / "c.zip"); })->kind, Kind::TooMany);
     }
 
-    /// Bytes changed, left out, put in twice, anywhere: a lesson comes of it, or a typed error.
+    /// Tests lessons with bytes changed, removed or duplicated at random: each must be read or refused with a typed
+    /// error.
     void strangersBytes_areTakenOrRefused()
     {
         const QTemporaryDir folder;
@@ -421,7 +423,7 @@ private Q_SLOTS:
         QVERIFY(taken > 0);
     }
 
-    /// A starting model that cannot be read is its own error, and names the file in the lesson.
+    /// An unreadable start model is reported with its own error.
     void brokenModel_isTold()
     {
         Content content = contentOf(full());
@@ -431,7 +433,7 @@ private Q_SLOTS:
         QCOMPARE(fileErrorOf([&] { readLesson(filesOf(content)); }), std::optional(FileErrorKind::CutOff));
         std::string open = stl().substr(0, stl().size() - 50);
         const auto left = static_cast<std::uint32_t>((open.size() - 84) / 50);
-        std::memcpy(open.data() + 80, &left, sizeof left); // a triangle less, as announced
+        std::memcpy(open.data() + 80, &left, sizeof left); // the file announces one triangle less
         content["models/start.stl"] = open;
         const LessonError error = errorOf(content).value();
         QCOMPARE(error.kind, Kind::Unsound);

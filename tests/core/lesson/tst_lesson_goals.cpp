@@ -1,5 +1,5 @@
-// The goals of Fettle's own lessons, on models that a class makes: what a step asks for passes, whoever made it and
-// however; what it does not ask for is not asked; and what was not done does not pass.
+// Tests the goals of Fettle's own lessons on models that a class might make. A model that meets a step's task passes,
+// however it was made. A step checks only its own task, and an unfinished task fails.
 #include "core/lesson/lesson_playback.h"
 #include "core/mesh/mesh_builder.h"
 #include "core/operations/starter_models.h"
@@ -21,7 +21,7 @@ const Eigen::AngleAxisd noTurn(0, Vec3::UnitY());
 
 using Change = std::function<void(Lesson& lesson)>;
 
-/// Models that its steps leave.
+/// Returns the model after each step of the lesson.
 std::vector<TriangleMesh> madeBy(const Lesson& lesson)
 {
     LessonPlayback playback(std::make_shared<const Lesson>(lesson), shelf);
@@ -34,7 +34,7 @@ std::vector<TriangleMesh> madeBy(const Lesson& lesson)
     return models;
 }
 
-/// Does the step's strokes somewhere else: turned about the model's middle, and moved.
+/// Rotates the step's strokes about the model's centre and moves them `up` mm.
 void displace(LessonStep& step, const Eigen::AngleAxisd& turn, double up = 0)
 {
     for (FileEntry& entry : step.strokes)
@@ -106,7 +106,7 @@ Change withoutLastStroke(std::size_t step)
 {
     return [step](Lesson& lesson) { lesson.steps[step].strokes.pop_back(); };
 }
-/// The pit comes out below.
+/// Deepens the pit until it breaks through the bottom.
 const Change throughTheBottom = [](Lesson& lesson) {
     std::vector<FileEntry>& entries = lesson.steps[1].strokes;
     for (int i = 0; i < 2; ++i)
@@ -135,7 +135,8 @@ private Q_SLOTS:
                 row(name, lesson, step, "torus", starterModel(Starter::Torus), false);
                 row(name, lesson, step, "in two pieces", withCrumb(model), false);
                 const bool onlySmooths = lesson.steps[step].tools == std::vector{Tool::Smooth};
-                if (step > 0 && !onlySmooths) // the window asks for a stroke of one's own, besides
+                // in a smoothing step the goals cannot tell; the window requires a stroke there
+                if (step > 0 && !onlySmooths)
                     row(name, lesson, step, "as it began", teachers[step - 1], false);
             }
         }
@@ -172,11 +173,11 @@ private:
                     const TriangleMesh& model, bool passes)
     {
         const Checkpoint& checkpoint = lesson.steps[step].checkpoint;
-        QVERIFY(!checkpoint.asksNothing() && !checkpoint.target); // creative: nobody's shape is asked for
+        QVERIFY(!checkpoint.asksNothing() && !checkpoint.target); // creative steps must not require the teacher's shape
         QTest::addRow("%s, step %zu: %s", name, step + 1, what) << evaluate(checkpoint, model, nullptr) << passes;
     }
 
-    /// The lesson by a pupil who does something otherwise: one row a step.
+    /// Adds a row for each step of a lesson whose pupil does something differently.
     static void all(const char* name, const char* what, const Change& change, const std::vector<bool>& passes)
     {
         Lesson lesson = readLesson(shelf / name);

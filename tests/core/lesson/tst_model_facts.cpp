@@ -37,12 +37,13 @@ TriangleMesh together(TriangleMesh mesh, const TriangleMesh& other)
     return mesh;
 }
 
-/// A ball whose outline swings in so often on the way up.
+/// Returns a ball whose profile has `waves` grooves in its middle half, `depth` deep as a share of the radius.
 TriangleMesh wavy(int waves, double depth)
 {
     TriangleMesh mesh = icosphere(6, radius);
     for (Vec3f& p : mesh.points) {
-        const double share = static_cast<double>(p.y()) / radius + 0.5; // of the middle half
+        // share of the middle half of the height, 0 to 1
+        const double share = static_cast<double>(p.y()) / radius + 0.5;
         if (share <= 0 || share >= 1)
             continue;
         const double wave = std::sin(waves * std::numbers::pi * share);
@@ -59,7 +60,8 @@ class TestModelFacts : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    /// Whichever way it lies: twice the radius, or the long axis; and its height is not asked.
+    /// The width is measured in all horizontal directions: twice the radius, or the long axis. The height does not
+    /// count.
     void widest_isSeenFromAbove()
     {
         const TriangleMesh ball = icosphere(5, radius);
@@ -85,7 +87,7 @@ private Q_SLOTS:
         QCOMPARE(feetOf(ball), 1);
         QCOMPARE(feetOf(starterModel(Starter::Torus)), 1);
         QCOMPARE(feetOf(together(ball, moved(ball, {150, 0, 0}))), 2);
-        QCOMPARE(feetOf(together(ball, moved(ball, {150, 20, 0}))), 1); // hangs in the air
+        QCOMPARE(feetOf(together(ball, moved(ball, {150, 20, 0}))), 1); // the second ball is 20 mm above the bed
         QCOMPARE(feetOf({}), 0);
     }
 
@@ -102,7 +104,7 @@ private Q_SLOTS:
         QCOMPARE(groovesOf({}), 0);
         for (const int waves : {1, 2, 3})
             QCOMPARE(groovesOf(wavy(waves, 0.2)), static_cast<std::size_t>(waves));
-        QCOMPARE(groovesOf(wavy(3, 0.005)), 0); // too shallow to be seen
+        QCOMPARE(groovesOf(wavy(3, 0.005)), 0); // too shallow to count
         TriangleMesh oneSided = wavy(3, 0.2);
         const TriangleMesh ball = icosphere(6, radius);
         for (std::size_t v = 0; v < ball.points.size(); ++v)
