@@ -88,7 +88,8 @@ core::Stroke StrokeFuzzer::stroke(const core::Mesh& mesh)
     }
     if (below(3) != 0)
         s.model = brushModels()[below(brushModels().size())];
-    // These tools refine the mesh more, so a coarser detail keeps the cost of their dabs similar to that of others.
+    // Stamps and alphas refine the mesh more, so a coarser detail keeps the cost of their dabs similar to that of
+    // others.
     if (s.tool == core::Tool::Stamp || (s.alpha && core::usesAlpha(s.tool)))
         s.detail = uniform(2, 8);
 
