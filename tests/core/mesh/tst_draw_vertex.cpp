@@ -1,4 +1,4 @@
-// Tests what viewers are told of a vertex besides place and colour: sharp edges and curvature.
+// Tests the sharp edges and the curvature that viewers receive for each vertex.
 #include "core/mesh/dirty_slots.h"
 #include "core/mesh/draw_vertex.h"
 #include "core/sculpt/sculptor.h"
@@ -21,7 +21,7 @@ Vec3 creaseOf(const DrawVertex& vertex)
     return Vec3(vertex.crease[0], vertex.crease[1], vertex.crease[2]) / 127;
 }
 
-/// A long prism along z with a ridge of this angle between its two upper sides.
+/// Returns a long prism along z whose two upper sides enclose `degrees` at the ridge.
 core::TriangleMesh roof(double degrees)
 {
     const double half = degrees / 2 * std::numbers::pi / 180;
@@ -61,7 +61,7 @@ void TestDrawVertex::box_isSharpAlongItsEdgesOnly()
         QCOMPARE(vertex.crease[3], std::int8_t(ends > 1 ? 127 : 0));
         const Vec3 line = creaseOf(vertex);
         QCOMPARE(line.norm() > 0.5, ends == 2);
-        if (ends == 2) // along the one axis on which it is not at an end
+        if (ends == 2) // the crease is along the axis in which the vertex is not at an end of the box
             for (Eigen::Index axis = 0; axis < 3; ++axis)
                 QCOMPARE(std::abs(line[axis]) > 0.99, std::abs(away[axis]) > 1e-3F);
         corners += ends == 3;
@@ -101,8 +101,8 @@ void TestDrawVertex::edge_isSharpFrom45Degrees()
     QVERIFY(seen >= 6);
 }
 
-/// A cylinder has two rims, each along its own circle; the sides bend by 15 degrees from face to face and are
-/// smooth.
+/// The two rims of a cylinder are sharp, and each crease follows its circle. Its sides are smooth: they bend by 15
+/// degrees from face to face.
 void TestDrawVertex::roundSolid_isSharpAlongItsRims()
 {
     const auto mesh = sculptable(turned({{0, -20}, {10, -20}, {20, -20}, {20, 0}, {20, 20}, {10, 20}, {0, 20}}, 24));
@@ -135,7 +135,7 @@ void TestDrawVertex::coarseBall_isSmooth()
         QCOMPARE(core::drawVertex(*mesh, v).crease, (std::array<std::int8_t, 4>{}));
 }
 
-/// A drum with a groove around it.
+/// Tests a cylinder with a groove around it.
 void TestDrawVertex::curvature_tellsRidgesFromValleys()
 {
     const auto mesh = sculptable(
@@ -164,7 +164,7 @@ void TestDrawVertex::curvature_tellsRidgesFromValleys()
     }
 }
 
-/// It is of the surface, not of its triangles: balls of any resolution are as round.
+/// Curvature depends on the surface, not on its triangles: balls of any resolution have the same one.
 void TestDrawVertex::curvature_isTheSameOnAFinerMesh()
 {
     int least = 255, most = 0;
@@ -180,7 +180,7 @@ void TestDrawVertex::curvature_isTheSameOnAFinerMesh()
     QVERIFY(most - least <= 1);
 }
 
-/// A ball that is pressed in, which leaves a sharp rim, and its undo: what the patches tell is what the mesh has.
+/// A stamp leaves a sharp rim. After it and after its undo, the patches must contain the creases of the mesh.
 void TestDrawVertex::crease_comesAndGoesWithTheStroke()
 {
     core::Sculptor sculptor(sculptable(core::icosphere(3, 50)));

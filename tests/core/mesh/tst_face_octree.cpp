@@ -36,7 +36,7 @@ LatticeBox randomBox(StrokeFuzzer& random, const Mesh& mesh)
     return box;
 }
 
-/// Faces that meet the box: each must be found; what is found must be a live face, and once.
+/// Checks a query: each face that meets the box must be found, and only live faces, each once.
 void compareWithBruteForce(const Mesh& mesh, const FaceOctree& octree, const LatticeBox& box)
 {
     std::set<Slot> found;
@@ -48,7 +48,7 @@ void compareWithBruteForce(const Mesh& mesh, const FaceOctree& octree, const Lat
         QVERIFY(!mesh.isFace(f) || !boxOf(mesh, f).meets(box) || found.contains(f));
 }
 
-/// Splits, collapses and moves, and tells the octree.
+/// Splits, collapses and moves at random, and updates the octree.
 void editSome(StrokeFuzzer& random, Mesh& mesh, FaceOctree& octree)
 {
     const Mesh::Mark mark = mesh.mark();
@@ -139,7 +139,7 @@ void TestFaceOctree::undo_isFollowed()
     for (int round = 0; round < 100; ++round)
         editSome(random, *mesh, octree);
     core::MeshDelta delta = mesh->endStroke();
-    for (int round = 0; round < 4; ++round) { // undo, redo, undo, redo
+    for (int round = 0; round < 4; ++round) { // undo and redo, twice
         mesh->swap(delta);
         std::vector<Slot> all;
         for (Slot f = 0; f < std::max(mesh->slots().faces, delta.counts.faces); ++f)

@@ -17,7 +17,7 @@ using mesh_asserts::sculptable;
 
 namespace
 {
-/// A ray brush that colours all that it selects, and remeshes nothing.
+/// Returns a ray brush that colours everything it selects and does not remesh.
 core::StrokeSettings dye(double radius)
 {
     core::StrokeSettings settings;
@@ -29,7 +29,7 @@ core::StrokeSettings dye(double radius)
     return settings;
 }
 
-/// What the engine selects, as its colour tells.
+/// Returns the vertices that the engine selects, identified by their new colour.
 std::vector<Slot> dyed(Sculptor& sculptor, const core::StrokeSettings& settings, const core::Ray& ray)
 {
     core::StrokeSample sample;
@@ -125,7 +125,7 @@ void TestFootprint::weighsAsTheBrushDoes()
     QVERIFY(least >= 1 && least < 40 && most > 240);
 }
 
-/// Not even in the middle of a dab.
+/// A query must not change the mesh, even between sub-steps of a dab.
 void TestFootprint::changesNothing()
 {
     const auto stroke = [](bool asks) {

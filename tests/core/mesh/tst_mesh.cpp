@@ -44,7 +44,7 @@ Vec3f midpoint(const Mesh& mesh, Slot e)
     return mesh.lattice().snap(0.5 * sum);
 }
 
-/// One random edit; what is not legal is left. Geometry is not judged here, only links.
+/// Makes one random edit, or none if it is illegal. It may spoil the geometry, because only links are tested.
 void editOnce(StrokeFuzzer& random, Mesh& mesh)
 {
     const Slot e = randomEdge(random, mesh);
@@ -71,7 +71,7 @@ void editOnce(StrokeFuzzer& random, Mesh& mesh)
     }
 }
 
-/// A stroke of nested marks, some of them rolled back.
+/// Makes a stroke of nested marks, some of which are rolled back.
 MeshDelta randomStroke(StrokeFuzzer& random, Mesh& mesh, int edits)
 {
     mesh.beginStroke();
@@ -156,7 +156,7 @@ void TestMesh::randomEdits_keepTheLinks()
         QCOMPARE(mesh_asserts::eulerNumber(*mesh), euler);
         if (i % 500 == 0) {
             const std::optional<CgalVerdict> verdict = judgedByCgal(mesh_asserts::surfaceOf(*mesh));
-            QVERIFY(verdict && verdict->closed); // manifold and oriented, wherever the vertices went
+            QVERIFY(verdict && verdict->closed); // manifold and oriented, regardless of vertex positions
         }
     }
     QVERIFY(!mesh->endStroke().empty());
@@ -181,7 +181,7 @@ void TestMesh::rollback_restoresTheStateOfEachNestedMark()
             marks.resize(to);
         }
         VERIFY_LINKED(*mesh);
-        for (int i = 0; i < 5; ++i) // so that the rounds start from different states
+        for (int i = 0; i < 5; ++i) // gives each round a different start state
             editOnce(random, *mesh);
     }
     MeshDelta delta = mesh->endStroke();
@@ -220,7 +220,7 @@ void TestMesh::commit_keepsWhatTheStrokeTouched()
         mesh->setPoint(static_cast<Slot>(10 + i % 2), mesh->lattice().snap(Vec3(0, 0.01 * i, 1)));
         mesh->commit(mark);
     }
-    QCOMPARE(mesh->endStroke().vertices.size(), std::size_t(3)); // one image an element, however often it was touched
+    QCOMPARE(mesh->endStroke().vertices.size(), std::size_t(3)); // one image per element, however often it was changed
 }
 
 void TestMesh::touchedSince_namesEachElementOnce()
@@ -324,7 +324,7 @@ void TestMesh::delta_survivesWritingAndReading()
     QCOMPARE(mesh->stateHash(), start);
     mesh->swap(read);
     QCOMPARE(mesh->stateHash(), end);
-    MeshDelta cut = MeshDelta::read(stream); // nothing more to read
+    MeshDelta cut = MeshDelta::read(stream); // the stream is at its end
     QVERIFY(!stream && cut.empty());
 }
 
@@ -375,17 +375,17 @@ void TestMesh::collapse_atValenceThree()
 {
     const auto mesh = sculptable(core::icosphere(1, 1));
     mesh->beginStroke();
-    const Slot m = mesh->splitEdge(0, midpoint(*mesh, 0)); // valence 4
+    const Slot m = mesh->splitEdge(0, midpoint(*mesh, 0)); // `m` has valence 4
     Slot spoke = mesh->outgoing(m);
     while (!mesh->isFlipOk(spoke / 2))
         spoke = mesh->rotate(spoke);
-    mesh->flip(spoke / 2); // now 3
+    mesh->flip(spoke / 2); // `m` has valence 3
     QCOMPARE(mesh->valence(m), 3u);
     mesh->forEachOutgoing(m, [&](Slot h) {
-        QVERIFY(!mesh->isCollapseOk(mesh->next(h))); // a face's apex of valence 3 would be left with 2
+        QVERIFY(!mesh->isCollapseOk(mesh->next(h))); // the collapse would leave a vertex of valence 2
         QVERIFY(!mesh->isFlipOk(h / 2));
     });
-    for (Slot side : {0u, 1u}) { // whether it is the end that goes or the one that stays
+    for (Slot side : {0u, 1u}) { // `m` is removed, or it remains
         const Mesh::Mark mark = mesh->mark();
         const Slot h = mesh->outgoing(m) ^ side, ring = mesh->to(mesh->outgoing(m));
         const unsigned before = mesh->valence(ring);
@@ -398,7 +398,7 @@ void TestMesh::collapse_atValenceThree()
     mesh->endStroke();
 }
 
-/// The vertex that stays has the colours of both, as far as it is from each.
+/// The remaining vertex gets colour and mask interpolated at its position on the collapsed edge.
 void TestMesh::collapse_meansColours()
 {
     for (const double share : {0.0, 0.25, 0.5, 1.0}) {
@@ -422,7 +422,7 @@ void TestMesh::collapse_meansColours()
 
 void TestMesh::collapse_refusesABrokenLinkCondition()
 {
-    // Around a tube of three vertices each ring's edges close a triangle that is no face.
+    // Each ring of three vertices around the tube is a closed triangle that is not a face.
     const auto mesh = sculptable(shapes::torus({3, 1, 8, 3}));
     int refused = 0;
     for (Slot h = 0; h < 2 * mesh->slots().edges; ++h) {

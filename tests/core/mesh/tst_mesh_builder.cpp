@@ -91,7 +91,8 @@ void TestMeshBuilder::neighboursInSpace_areNeighboursInMemory()
     for (Slot e = 0; e < mesh->slots().edges; ++e)
         sum += std::abs(double(mesh->to(2 * e)) - double(mesh->to(2 * e + 1)));
     const double mean = sum / mesh->slots().edges;
-    QVERIFY2(mean < mesh->slots().vertices / 20.0, qPrintable(QString::number(mean))); // a third in random order
+    // in random order the mean would be a third of the vertices
+    QVERIFY2(mean < mesh->slots().vertices / 20.0, qPrintable(QString::number(mean)));
 }
 
 void TestMeshBuilder::farModel_isMovedToTheOrigin()
@@ -184,7 +185,7 @@ void TestMeshBuilder::extractMesh_roundTrips()
 {
     for (const TriangleMesh& shape : {coloured(core::icosphere(2, 50)), clay::bowl()}) {
         const auto mesh = buildMesh(shape).mesh;
-        mesh->beginStroke(); // holes in the slots: a split and its undoing by collapse elsewhere
+        mesh->beginStroke(); // collapses leave holes in the slots
         for (Slot h = 0; h < 40; ++h) {
             if (mesh->isEdge(h / 2) && mesh->isCollapseOk(h))
                 mesh->collapse(h, mesh->point(mesh->to(h)));

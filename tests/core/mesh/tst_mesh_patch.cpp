@@ -1,4 +1,4 @@
-// Patches against the mesh: what a viewer has after applying them, or any merge of them, is what the mesh is.
+// Tests that a viewer has the state of the mesh after it has applied patches, or any merge of them.
 
 #include "core/mesh/dirty_slots.h"
 #include "core/mesh/mesh_patch.h"
@@ -26,7 +26,7 @@ bool isInForm(const std::vector<SlotSpan>& spans, std::size_t values, Slot lengt
     Slot end = 0;
     for (std::size_t i = 0; i < spans.size(); ++i) {
         if (spans[i].count == 0 || (i > 0 && spans[i].first <= end))
-            return false; // not ascending, not disjoint, or adjacent
+            return false; // not ascending, or overlapping, or adjacent
         end = spans[i].first + spans[i].count;
         count += spans[i].count;
     }
@@ -39,7 +39,7 @@ bool isInForm(const MeshPatch& patch)
            isInForm(patch.faceSpans, patch.faces.size(), patch.faceSlots);
 }
 
-/// A run of strokes, undos and redos with the patch of each, and the whole mesh after each.
+/// A series of strokes, undos and redos, with the patch of each and the whole mesh after each.
 struct Run
 {
     std::vector<MeshPatch> patches, wholes;
@@ -170,7 +170,7 @@ void TestMeshPatch::undo_shrinksTheArrays()
     QVERIFY(isInForm(patch));
 }
 
-/// All that changes is where the arrays end.
+/// Undo of an insertion only shortens the arrays, which the patch must report.
 void TestMeshPatch::undoOfAnInsertion_isSeen()
 {
     Sculptor sculptor(sculptable(core::icosphere(2, 1)));
@@ -178,7 +178,7 @@ void TestMeshPatch::undoOfAnInsertion_isSeen()
     const core::Insert insertion{shapes::moved(core::icosphere(1, 1), {5, 0, 0}), core::Insert::Place::AsItIs};
     core::ModelChange change = core::applyToCopy(sculptor.mesh(), insertion);
     QVERIFY(change.changes);
-    for (int i = 0; i < 4; ++i) { // in, out, in, out
+    for (int i = 0; i < 4; ++i) { // redo and undo, twice
         sculptor.swap(change.delta);
         const MeshPatch patch = sculptor.takePatch();
         QCOMPARE(patch.shortens, i % 2 == 1);
@@ -189,7 +189,7 @@ void TestMeshPatch::undoOfAnInsertion_isSeen()
     QVERIFY(sculptor.takePatch().empty());
 }
 
-/// Against arrays with one entry a slot.
+/// Compares merged patches with arrays that have one entry per slot.
 void TestMeshPatch::merge_ofSmallSpans_agreesWithSlots()
 {
     StrokeFuzzer random(seed);

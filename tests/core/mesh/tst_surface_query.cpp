@@ -25,7 +25,8 @@ std::array<Vec3, 3> cornersOf(const Mesh& mesh, Slot f)
     return {mesh.point(t[0]).cast<double>(), mesh.point(t[1]).cast<double>(), mesh.point(t[2]).cast<double>()};
 }
 
-/// Signed volumes decide, not the engine's way of solving for the hit.
+/// Returns the distance to the first hit, found by signed volumes and independent of the engine's method. `margin`: the
+/// smallest volume; near 0 the ray grazes an edge.
 double firstHitByBruteForce(const Mesh& mesh, const Ray& ray, double& margin)
 {
     const auto volume = [](const Vec3& a, const Vec3& b, const Vec3& c) { return a.cross(b).dot(c); };
@@ -39,7 +40,7 @@ double firstHitByBruteForce(const Mesh& mesh, const Ray& ray, double& margin)
         margin = std::min({margin, std::abs(u), std::abs(v), std::abs(w)});
         const Vec3 n = (b - a).cross(c - a);
         if (u > 0 || v > 0 || w > 0 || n.dot(d) >= 0)
-            continue; // from outside the three turn clockwise around the ray
+            continue; // a ray that enters from outside has the three corners clockwise around it
         const double t = n.dot(a - ray.origin) / n.dot(d);
         if (t >= 0)
             first = std::min(first, t);
@@ -87,7 +88,7 @@ void TestSurfaceQuery::firstHit_agreesWithBruteForce()
         double margin = 0;
         const double expected = firstHitByBruteForce(*mesh, ray, margin);
         if (margin < 1e-9)
-            continue; // grazes an edge
+            continue; // the ray grazes an edge, where the result is ambiguous
         const std::optional<SurfaceHit> hit = firstHit(*mesh, octree, ray);
         QCOMPARE(hit.has_value(), std::isfinite(expected));
         if (!hit)
@@ -141,7 +142,7 @@ void TestSurfaceQuery::ray_fromInsideMissesAndFromOutsideHits()
 {
     const auto mesh = sculptable(core::icosphere(3, 1));
     const FaceOctree octree(*mesh);
-    QVERIFY(!firstHit(*mesh, octree, {{0, 0, 0}, {0.1, 0.2, 1}})); // only faces that face the ray are hit
+    QVERIFY(!firstHit(*mesh, octree, {{0, 0, 0}, {0.1, 0.2, 1}})); // back faces are not hit
     const auto hit = firstHit(*mesh, octree, {{0.1, 0.05, 100}, {0, 0, -1}});
     QVERIFY(hit && std::abs(hit->position.norm() - 1) < 0.01);
     QVERIFY(!firstHit(*mesh, octree, {{0.1, 0.05, 100}, {0, 0, 1}}));
@@ -151,7 +152,7 @@ void TestSurfaceQuery::farAway_hasAnAnswer()
 {
     const auto mesh = sculptable(core::icosphere(3, 1));
     const FaceOctree octree(*mesh);
-    const Vec3 far(1e7, 2e6, -3e6); // 10 km
+    const Vec3 far(1e7, 2e6, -3e6); // 10 km away if the unit is mm
     const auto nearest = nearestPoint(*mesh, octree, far);
     QVERIFY(nearest && std::abs(nearest->position.norm() - 1) < 0.05);
     QVERIFY(firstHit(*mesh, octree, {far, -far}));

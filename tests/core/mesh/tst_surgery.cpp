@@ -38,7 +38,7 @@ private Q_SLOTS:
 
 namespace
 {
-/// Two cones that meet in a neck three edges around, `neck` from their axis.
+/// Returns two cones joined at a neck of three edges, each corner of which is `neck` from the axis.
 TriangleMesh hourglass(double neck)
 {
     return clay::revolved(
@@ -62,7 +62,7 @@ bool isSound(const Mesh& mesh)
     return verdict && verdict->allWell() && mesh_asserts::brokenLinks(mesh).empty();
 }
 
-/// Does it in a stroke, and checks that undo and redo give the same bits.
+/// Performs the surgery in a stroke, and checks that undo and redo restore the same bits.
 void operate(Mesh& mesh, const Surgery& surgery)
 {
     const std::uint64_t before = mesh.stateHash();
@@ -77,7 +77,8 @@ void operate(Mesh& mesh, const Surgery& surgery)
 }
 } // namespace
 
-/// Connectivity alone: a tube adds -2 to the Euler number, a closed notch 0, and parts that come apart +2 each.
+/// Checks connectivity only. A tube changes the Euler number by -2, a closed notch by 0, and each additional part by
+/// +2.
 void TestSurgery::joinStars_ofRandomPairs_leavesAManifold()
 {
     StrokeFuzzer random(20241121);
@@ -152,13 +153,14 @@ void TestSurgery::cutCycle_partsAnHourglass()
     QVERIFY(!mesh->isVertex(neck[0]) || mesh->point(neck[0]).y() != 0);
 }
 
-/// A tube between two sheets, made by a join, is three edges around nowhere; so the cut goes through a ring that is.
+/// Cuts the tube of a ring, three edges around, which opens its handle. A tube made by a join never has only three
+/// edges around it.
 void TestSurgery::cutCycle_opensAHandle()
 {
     const TriangleMesh ring = shapes::torus({.around = 12, .across = 3});
     const auto mesh = sculptable(ring);
     QCOMPARE(eulerNumber(*mesh), 0);
-    // Around the tube at some vertex: a cycle of three neighbours that is no face.
+    // Finds a cycle of three neighbours around the tube that is not a face.
     std::optional<Surgery> surgery;
     const Slot a = 0;
     mesh->forEachOutgoing(a, [&](Slot h) {
@@ -196,27 +198,28 @@ void TestSurgery::aHole_isNotOk()
 {
     const auto mesh = sculptable(core::icosphere(1, 1));
     Surgery surgery;
-    QVERIFY(core::isSurgeryOk(*mesh, surgery)); // nothing changes
+    QVERIFY(core::isSurgeryOk(*mesh, surgery)); // an empty surgery
     surgery.removed = {0};
     QVERIFY(!core::isSurgeryOk(*mesh, surgery));
     surgery.faces = {mesh->corners(0)};
     QVERIFY(core::isSurgeryOk(*mesh, surgery));
     std::swap(surgery.faces[0][0], surgery.faces[0][1]);
-    QVERIFY(!core::isSurgeryOk(*mesh, surgery)); // turned over
+    QVERIFY(!core::isSurgeryOk(*mesh, surgery)); // the new face has reversed orientation
 }
 
 void TestSurgery::aSideUsedTwice_isNotOk()
 {
     const auto mesh = sculptable(core::icosphere(1, 1));
     Surgery surgery;
-    surgery.faces = {mesh->corners(0)}; // the face is there already
+    surgery.faces = {mesh->corners(0)}; // the face already exists
     QVERIFY(!core::isSurgeryOk(*mesh, surgery));
     const Triangle t = mesh->corners(0);
     surgery.faces = {{t[2], t[1], t[0]}, t};
-    QVERIFY(!core::isSurgeryOk(*mesh, surgery)); // a pillow on top of it
+    QVERIFY(!core::isSurgeryOk(*mesh, surgery)); // two opposite faces on top of an existing one
 }
 
-/// Two balls made to touch in one vertex by naming them the same: one of them has to take a copy.
+/// Makes two balls share a vertex by index. The surgery is legal only after one of them has received a copy of the
+/// vertex.
 void TestSurgery::twoUmbrellas_areNotOkAndSplit()
 {
     const auto mesh =
