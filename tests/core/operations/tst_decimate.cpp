@@ -28,7 +28,7 @@ TriangleMesh wavyBall()
     return mesh;
 }
 
-/// A checked ball: blue where x y z is above 0, else red.
+/// Returns a two-coloured ball: blue where x y z > 0, elsewhere red.
 TriangleMesh twoColored()
 {
     TriangleMesh mesh = core::icosphere(5, 50);
@@ -42,13 +42,13 @@ core::Mesh built(const TriangleMesh& mesh)
     return std::move(*core::buildMesh(mesh).mesh);
 }
 
-/// V - E + F of a closed surface.
+/// Returns V - E + F. Precondition: the surface is closed.
 std::int64_t eulerNumber(const TriangleMesh& mesh)
 {
     return static_cast<std::int64_t>(mesh.points.size()) - static_cast<std::int64_t>(mesh.triangles.size()) / 2;
 }
 
-/// The surface of the unit cubes that are there, of size x size x size.
+/// Returns the surface of those unit cubes of a grid of size x size x size for which `isThere` returns true.
 template <class IsThere> TriangleMesh voxels(int size, IsThere isThere)
 {
     TriangleMesh mesh;
@@ -88,7 +88,7 @@ template <class IsThere> TriangleMesh voxels(int size, IsThere isThere)
 
 double squaredDistance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c)
 {
-    // Ericson, Real-Time Collision Detection, 5.1.5
+    // Source: Ericson, Real-Time Collision Detection, section 5.1.5.
     const Vec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
     const double d1 = ab.dot(ap), d2 = ac.dot(ap), d3 = ab.dot(bp), d4 = ac.dot(bp), d5 = ab.dot(cp), d6 = ac.dot(cp);
     const double va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
@@ -108,7 +108,7 @@ double squaredDistance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& 
     return (p - nearest).squaredNorm();
 }
 
-/// How far the farthest vertex of one lies from the other's surface.
+/// Returns the largest distance of a vertex of `from` from the other surface. Only every `step`-th vertex is tested.
 double farthest(const TriangleMesh& from, const TriangleMesh& surface, std::size_t step)
 {
     double most = 0;
@@ -147,7 +147,7 @@ void TestDecimate::surface_staysSound_data()
 {
     QTest::addColumn<TriangleMesh>("mesh");
     QTest::addColumn<int>("triangles");
-    QTest::addColumn<double>("within"); ///< mm
+    QTest::addColumn<double>("within"); ///< largest distance between the surfaces, mm
     QTest::newRow("ball, a tenth") << core::icosphere(5, 50) << 2048 << 0.3;
     QTest::newRow("ball, a hundredth") << core::icosphere(5, 50) << 204 << 2.0;
     QTest::newRow("waves") << wavyBall() << 2000 << 0.6;
@@ -180,7 +180,7 @@ void TestDecimate::surface_staysSound()
     QVERIFY2(std::max(there, back) < within, qPrintable(QStringLiteral("%1 mm and back %2 mm").arg(there).arg(back)));
 }
 
-/// A cube of thousands of triangles is a cube of twelve: edges and corners stay where they are.
+/// Flat faces need no inner vertices: a slab of thousands of triangles becomes one of twelve, with its edges unmoved.
 void TestDecimate::flatFaces_needNoTriangles()
 {
     const TriangleMesh slab = clay::slab(40, 10, 24);
@@ -189,8 +189,7 @@ void TestDecimate::flatFaces_needNoTriangles()
     QVERIFY(farthest(slab, few, 1) < 1e-3 && farthest(few, slab, 1) < 1e-3);
 }
 
-/// Seen from a vertex of the model, the nearest vertex of what is left has nearly the colour that was there, but near
-/// the borders.
+/// Away from colour borders, each remaining vertex must have almost the original colour of its position.
 void TestDecimate::colors_stayWhereTheyAre()
 {
     const TriangleMesh mesh = twoColored();
@@ -199,7 +198,7 @@ void TestDecimate::colors_stayWhereTheyAre()
     std::size_t wrong = 0, looked = 0;
     for (std::size_t i = 0; i < few.points.size(); ++i) {
         const Vec3f p = few.points[i];
-        if (p.cwiseAbs().minCoeff() < 4) // near a border
+        if (p.cwiseAbs().minCoeff() < 4) // at a border between colours
             continue;
         ++looked;
         const Rgb expected = p.x() * p.y() * p.z() > 0 ? Rgb{20, 40, 220} : Rgb{220, 40, 20};
@@ -210,7 +209,7 @@ void TestDecimate::colors_stayWhereTheyAre()
     }
     QVERIFY(looked > few.points.size() / 10);
     QCOMPARE(wrong, std::size_t(0));
-    // Where colours meet there are more triangles than where they do not.
+    // Triangles are denser where colours meet.
     const auto near = [](const Vec3f& p) { return p.cwiseAbs().minCoeff() < 4; };
     const auto share = [&](const TriangleMesh& m) {
         return static_cast<double>(std::ranges::count_if(m.points, near)) / static_cast<double>(m.points.size());
@@ -231,7 +230,7 @@ void TestDecimate::tooSmallABudget_keepsTopology()
     }
 }
 
-/// Twenty rings keep their holes, for each of which ten vertices or so are needed: twenty triangles.
+/// Twenty rings must keep their holes. Each needs at least 14 triangles, so 200 in total cannot be reached.
 void TestDecimate::tooSmallABudget_isToldWithItsReason()
 {
     constexpr std::size_t rings = 20, asked = 200;
@@ -250,10 +249,10 @@ void TestDecimate::tooSmallABudget_isToldWithItsReason()
     const auto verdict = judgedByCgal(few.mesh);
     QVERIFY(verdict && verdict->allWell());
     const core::Decimated enough = core::decimate(built(row), few.mesh.triangles.size());
-    QVERIFY(enough.mesh.triangles.size() <= few.mesh.triangles.size()); // so many it can be asked for
+    QVERIFY(enough.mesh.triangles.size() <= few.mesh.triangles.size()); // a budget of that many triangles can be met
 }
 
-/// As low as the share over what topology needs.
+/// `share`: budget as a multiple of the number that topology requires
 void TestDecimate::handlesAndShells_needFewMore_data()
 {
     QTest::addColumn<TriangleMesh>("mesh");
@@ -331,7 +330,7 @@ void TestDecimate::stopped_givesNothing()
     QVERIFY(last > 0 && last < 1);
 }
 
-/// Coarse triangles of one sheet would go through the other: such steps are taken back, and others found.
+/// Triangles of one layer must not pass through a near layer. Such collapses are undone, and others are made.
 void TestDecimate::closeSheets_doNotMeet()
 {
     for (const TriangleMesh& mesh : {clay::spiral(), clay::cutRing(0.02), clay::twoFingers(0.01)}) {

@@ -1,4 +1,4 @@
-// A flat base and a place on the bed: on named solids exactly, on random ones judged by CGAL.
+// Tests the flat base and placing on the bed: exact results on named solids, CGAL's verdict on random ones.
 
 #include "core/analysis/print_check.h"
 #include "core/geometry/polygon_triangulation.h"
@@ -131,8 +131,8 @@ void TestFlattenBase::polygons_areFilled_data()
     }());
 }
 
-/// Every side once, every other edge twice, all triangles anticlockwise, and together as large as the loops: that is a
-/// filling.
+/// Checks a triangulation: each side of the loops is used once, each other edge twice, every triangle is
+/// counter-clockwise, and the areas sum to that of the loops.
 void TestFlattenBase::polygons_areFilled()
 {
     QFETCH(const std::vector<Loop>, loops);
@@ -173,16 +173,16 @@ void TestFlattenBase::polygons_areFilled()
 void TestFlattenBase::polygons_thatAreNone()
 {
     const std::vector<FlatPoint> points{{0, 0}, {8, 8}, {8, 0}, {0, 8}, {4, 4}, {16, 16}};
-    QVERIFY(!core::triangulatePolygon(points, {{0, 2, 1, 3, 4, 5}})); // runs back into itself
-    QVERIFY(!core::triangulatePolygon(points, {{0, 4, 1}}));          // flat
-    QVERIFY(!core::triangulatePolygon(points, {{0, 1, 2}}));          // a hole in nothing
+    QVERIFY(!core::triangulatePolygon(points, {{0, 2, 1, 3, 4, 5}})); // the outline retraces itself
+    QVERIFY(!core::triangulatePolygon(points, {{0, 4, 1}}));          // without area
+    QVERIFY(!core::triangulatePolygon(points, {{0, 1, 2}}));          // clockwise, a hole without an outline
     QVERIFY(!core::triangulatePolygon(points, {{0, 2}}));
 }
 
 void TestFlattenBase::base_isFlat_data()
 {
     QTest::addColumn<TriangleMesh>("shape");
-    QTest::addColumn<double>("share"); ///< of the height
+    QTest::addColumn<double>("share"); ///< share of the height that is cut off
     const std::pair<const char*, TriangleMesh> models[] = {{"sphere", core::icosphere(3, 1)},
                                                            {"cube", shapes::cube(1)},
                                                            {"torus", shapes::torus()},
@@ -221,7 +221,7 @@ void TestFlattenBase::base_isFlat()
     QCOMPARE(mesh->stateHash(), after);
 }
 
-/// The volume that goes is what lay below: of a ball, a cap.
+/// The removed volume is exactly what was below the cut: a spherical cap.
 void TestFlattenBase::base_keepsWhatLiesAbove()
 {
     const auto mesh = sculptable(core::icosphere(5, 10));
@@ -291,7 +291,7 @@ void TestFlattenBase::bed_isAtZero_data()
     QTest::addRow("turned torus") << turned(shapes::torus(), 0.8, 0.6);
 }
 
-/// Nothing but the height changes, and that by the same for all.
+/// Placing on the bed adds the same amount to the height of each vertex and changes nothing else.
 void TestFlattenBase::bed_isAtZero()
 {
     QFETCH(const TriangleMesh, shape);

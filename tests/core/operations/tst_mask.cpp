@@ -1,5 +1,5 @@
-// What is masked stays: it does not move, is not remeshed away, does not fuse, and takes no colour, whatever tool goes
-// over it.
+// Tests that masked areas do not change, whichever tool is used on them: they do not move, are not remeshed, do not
+// fuse and take no colour.
 #include "core/analysis/mesh_check.h"
 #include "core/io/mesh_io.h"
 #include "core/mesh/mesh_builder.h"
@@ -47,7 +47,7 @@ StrokeSettings settingsOf(Tool tool, double radius, int falloff = 4)
     return settings;
 }
 
-/// Wholly, and all at once.
+/// Masks a disc completely with one dab.
 void maskAt(Sculptor& sculptor, const Vec3& at, double radius)
 {
     stroke(sculptor, settingsOf(Tool::Mask, radius, 0), {at});
@@ -59,7 +59,7 @@ void change(Sculptor& sculptor, const core::ModelCommand& command)
     sculptor.swap(change.delta);
 }
 
-/// On the ball about y, at such angles from the z axis.
+/// Returns the point of the ball in the plane y = 0 at an angle from the z axis.
 Vec3 onBall(double degrees)
 {
     return ballRadius * Vec3(std::sin(degrees * pi / 180), 0, std::cos(degrees * pi / 180));
@@ -87,7 +87,7 @@ Point pointOf(const Mesh& mesh, Slot v)
     return {mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()};
 }
 
-/// The points of faces all of whose corners are masked wholly.
+/// Returns the points of those faces whose corners are all fully masked.
 std::set<std::set<Point>> maskedFaces(const Mesh& mesh)
 {
     std::set<std::set<Point>> faces;
@@ -124,7 +124,7 @@ std::vector<int> masks(const Mesh& mesh)
     return all;
 }
 
-/// What is farthest from the ball's middle, of those at that angle from the z axis.
+/// Returns the largest distance from the ball's centre among vertices near this angle from the z axis.
 double highestAt(const Mesh& mesh, double degrees, double within)
 {
     double most = 0;
@@ -200,7 +200,8 @@ void TestMask::masked_stays_data()
     }
 }
 
-/// To and fro across its edge, finer than the ball's own mesh, with fusion: not one of its faces changes.
+/// Sculpts back and forth across the mask's edge, with fusion and finer than the ball's mesh. No masked face may
+/// change.
 void TestMask::masked_stays()
 {
     QFETCH(Tool, tool);
@@ -211,7 +212,7 @@ void TestMask::masked_stays()
     QVERIFY(faces.size() > 50);
     StrokeSettings settings = settingsOf(tool, 10);
     settings.inverted = inverted;
-    settings.detail = tool == Tool::Stamp ? 3 : 0.8; // its own is finer
+    settings.detail = tool == Tool::Stamp ? 3 : 0.8; // stamps refine the mesh more by themselves
     for (int pass = 0; pass < 2; ++pass) {
         stroke(*sculptor, settings, arc(-25, 30, 10));
         stroke(*sculptor, settings, arc(30, -25, 10));
@@ -250,7 +251,7 @@ void TestMask::half_movesHalf()
     QVERIFY2(std::abs(part / whole - 0.6) < 0.02, qPrintable(QString::number(part / whole)));
 }
 
-/// What lies between the masked and the free is stretched, and has to become finer.
+/// The area between masked and free vertices is stretched, so it must be refined.
 void TestMask::edge_isRefined()
 {
     const auto sculptor = ball();
@@ -270,7 +271,7 @@ void TestMask::edge_isRefined()
     QVERIFY2(longest < 2 * detail, qPrintable(QString::number(longest / detail)));
 }
 
-/// One finger is pulled towards the other, which is masked: they would become one, and here they stay two.
+/// One finger is pulled towards the masked other one. Without the mask they fuse; with it they stay two parts.
 void TestMask::masked_doesNotFuse()
 {
     for (const bool masked : {false, true}) {
@@ -361,7 +362,7 @@ void TestMask::saved_comesBack()
     QCOMPARE(after, before);
 }
 
-/// The kept half's mask is on both sides then, whatever was masked on the other.
+/// The mask of the kept half is mirrored and replaces the mask of the other half.
 void TestMask::symmetrized_isItsOwnImage()
 {
     const auto sculptor = ball(4);
@@ -378,7 +379,7 @@ void TestMask::symmetrized_isItsOwnImage()
     QVERIFY(isSound(*sculptor));
 }
 
-/// What lies above the cut keeps its mask, though the cut goes through it.
+/// Faces above the cut keep their mask, even if the masked area crosses the cut.
 void TestMask::flattened_staysMasked()
 {
     constexpr float level = -10;
@@ -395,7 +396,7 @@ void TestMask::flattened_staysMasked()
     QVERIFY(isSound(*sculptor));
 }
 
-/// A smaller copy has fewer triangles everywhere; its mask is about where it was.
+/// A decimated copy has fewer triangles in masked areas, too. Its mask covers about the same area.
 void TestMask::decimated_goesAlong()
 {
     const auto sculptor = ball();
@@ -496,7 +497,8 @@ void TestMask::part_isAllOfIt()
     forEachVertex(mesh, [&](Slot v) { QCOMPARE(int(mesh.mask(v)), mesh.point(v).x() > box.center().x() ? 255 : 0); });
 }
 
-/// A mask on one side makes two dabs of one; masked on both sides they stay one, bit for bit.
+/// A mask on one side only makes a mirrored dab asymmetric. With masks on both sides the result is symmetric bit for
+/// bit.
 void TestMask::symmetric_whereTheMaskIs()
 {
     for (const bool both : {true, false}) {

@@ -71,7 +71,7 @@ void TestStarterModels::isSymmetric()
         Vec3f p = mesh.points[v];
         if (axis >= 0)
             p[axis] = -p[axis];
-        return Place{p.x() + 0, p.y() + 0, p.z() + 0}; // no -0
+        return Place{p.x() + 0, p.y() + 0, p.z() + 0}; // converts -0 to 0
     };
     const auto face = [&](const core::Triangle& t, int axis) {
         return Face{place(t[0], axis), place(t[1], axis), place(t[2], axis)};
@@ -84,7 +84,7 @@ void TestStarterModels::isSymmetric()
     }
 }
 
-/// No sliver, and no edge far longer than the others: a brush finds about the same clay everywhere.
+/// Edges are of similar length without slivers, so that a brush meets a similar mesh everywhere.
 void TestStarterModels::edgesAreOfOneKind()
 {
     QFETCH(Starter, starter);

@@ -45,7 +45,7 @@ core::TriangleMesh turnedAboutZ(core::TriangleMesh mesh, double cosine, double s
     return mesh;
 }
 
-/// The farthest vertex in a direction.
+/// Returns the largest extent of the mesh in a direction.
 double reach(const Mesh& mesh, const Vec3& direction)
 {
     double farthest = -1e300;
@@ -126,7 +126,7 @@ void TestSymmetrize::keptHalf_keepsItsVertices()
 void TestSymmetrize::otherHalf_goes()
 {
     for (const Half keep : {Half::Positive, Half::Negative}) {
-        const auto mesh = sculptable(lopsided()); // reaches to 1.5 at x > 0, to 1 at x < 0
+        const auto mesh = sculptable(lopsided()); // extends to 1.5 at x > 0 and to 1 at x < 0
         ModelChange change = applyToCopy(*mesh, core::Symmetrize{Symmetry::X, keep});
         mesh->swap(change.delta);
         const double expected = keep == Half::Positive ? 1.5 : 1;
@@ -140,7 +140,7 @@ void TestSymmetrize::symmetricModel_keepsItsShape()
 {
     const auto mesh = sculptable(core::icosphere(3, 1));
     std::uint64_t hash = 0;
-    for (int i = 0; i < 2; ++i) { // the first time edges across the plane are parted, too
+    for (int i = 0; i < 2; ++i) { // the first pass also splits edges that cross the plane
         hash = mesh->meshHash();
         ModelChange change = applyToCopy(*mesh, core::Symmetrize{Symmetry::Y, Half::Negative});
         QVERIFY(change.refusal == ModelRefusal::None);
@@ -154,13 +154,14 @@ void TestSymmetrize::plane_throughNothing_isRefused()
     const auto mesh = sculptable(shapes::moved(core::icosphere(2, 1), {3, 0, 0}));
     const ModelChange change = applyToCopy(*mesh, core::Symmetrize{Symmetry::X, Half::Negative});
     QVERIFY(change.refusal == ModelRefusal::EmptyHalf && !change.changes && change.delta.empty());
-    QVERIFY(applyToCopy(*mesh, core::Symmetrize{Symmetry::X, Half::Positive}).changes); // two spheres then
+    QVERIFY(applyToCopy(*mesh, core::Symmetrize{Symmetry::X, Half::Positive}).changes); // gives two spheres
 }
 
 void TestSymmetrize::touchingHalves_areRefused()
 {
     core::TriangleMesh octahedron;
-    octahedron.points = {{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, -1, 0}, {1, 0, 1}, {1, 0, -1}}; // a corner on the plane
+    // vertex 0 is on the plane
+    octahedron.points = {{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, -1, 0}, {1, 0, 1}, {1, 0, -1}};
     octahedron.triangles = {{0, 4, 2}, {0, 3, 4}, {0, 5, 3}, {0, 2, 5}, {1, 2, 4}, {1, 4, 3}, {1, 3, 5}, {1, 5, 2}};
     const auto mesh = sculptable(octahedron);
     VERIFY_VALID(*mesh);

@@ -18,7 +18,7 @@ namespace
 {
 using mesh_asserts::volumeOf;
 
-/// Sculpted a little, so that it has free slots and colours.
+/// Returns the shape after a few random strokes, so that it has free slots and colours.
 std::unique_ptr<Mesh> sculpted(const TriangleMesh& shape, std::uint64_t seed)
 {
     std::unique_ptr<Mesh> mesh = buildMesh(shape).mesh;
@@ -34,7 +34,7 @@ std::unique_ptr<Mesh> sculpted(const TriangleMesh& shape, std::uint64_t seed)
     return std::make_unique<Mesh>(sculptor.mesh());
 }
 
-/// Whether anything changed.
+/// Applies the command. Returns whether it changed the mesh.
 bool apply(Mesh& mesh, const ModelCommand& command)
 {
     ModelChange change = applyToCopy(mesh, command);
@@ -62,7 +62,7 @@ bool near(double a, double b, double share)
 }
 } // namespace
 
-/// Move, Rotate, Scale, Mirror, Recentre and Fill, on models with a past.
+/// Tests Move, Rotate, Scale, Mirror, Recentre and Fill on models that have been sculpted.
 class TestTransform : public QObject
 {
     Q_OBJECT
@@ -122,7 +122,7 @@ void TestTransform::everyCommand_keepsTheModelSound()
         const std::uint64_t before = mesh->stateHash();
         ModelChange change = applyToCopy(*mesh, command);
         QVERIFY(change.refusal == ModelRefusal::None && change.changes);
-        QCOMPARE(mesh->stateHash(), before); // the copy was worked on
+        QCOMPARE(mesh->stateHash(), before); // the command worked on a copy
         mesh->swap(change.delta);
         const std::uint64_t after = mesh->stateHash();
         QVERIFY(after != before);
@@ -222,7 +222,7 @@ void TestTransform::mirror_isTheMirrorImage()
     QVERIFY(after.colors == before.colors);
     for (std::size_t v = 0; v < before.points.size(); ++v)
         QVERIFY(after.points[v] == before.points[v].cwiseProduct(Vec3f(1, -1, 1)));
-    QVERIFY(near(volumeOf(*mesh), volume, 1e-12)); // so it still faces outwards
+    QVERIFY(near(volumeOf(*mesh), volume, 1e-12)); // positive, so the faces still face outwards
 }
 
 void TestTransform::recentre_putsTheMiddleAtTheOrigin()
@@ -263,7 +263,7 @@ void TestTransform::tooFar_isRefused()
     const auto mesh = buildMesh(icosphere(3, 50)).mesh;
     const ModelChange change = applyToCopy(*mesh, Move{{0, 500, 0}});
     QVERIFY(change.refusal == ModelRefusal::TooFar && !change.changes);
-    QVERIFY(apply(*mesh, Move{{0, 390, 0}})); // outside half of the working volume: another lattice
+    QVERIFY(apply(*mesh, Move{{0, 390, 0}})); // beyond half of the working volume, which needs a coarser lattice
     VERIFY_VALID(*mesh);
     QVERIFY(mesh->lattice().halfVolume() > 2 * 440);
 }
@@ -275,7 +275,7 @@ void TestTransform::tooLargeOrSmall_isRefused()
     QVERIFY(applyToCopy(*mesh, Scale{1e-9}).refusal == ModelRefusal::TooLarge);
 }
 
-/// A slab two lattice units thick cannot become thinner than one.
+/// A slab two lattice units thick cannot be scaled to less than one unit.
 void TestTransform::facesThatMeet_areRefusedWithTheirNumber()
 {
     const Lattice lattice(16);
@@ -288,7 +288,8 @@ void TestTransform::facesThatMeet_areRefusedWithTheirNumber()
     QCOMPARE(mesh->stateHash(), before);
 }
 
-/// Thin enough that a turn brings faces together on the lattice, thick enough that it can be helped.
+/// The slab is so thin that rotation can make faces meet on the lattice, but thick enough that neighbouring lattice
+/// points resolve it.
 void TestTransform::facesThatMeet_goToNeighbouringLatticePoints()
 {
     const Lattice lattice(16);
@@ -310,7 +311,7 @@ void TestTransform::facesThatMeet_goToNeighbouringLatticePoints()
     QVERIFY(done > 0);
 }
 
-/// Slot for slot; and what was not sculpted is not in the change.
+/// Reset restores every slot. Its delta contains only elements that were sculpted.
 void TestTransform::reset_bringsTheStartBack()
 {
     Sculptor sculptor(buildMesh(icosphere(5, 50)).mesh);

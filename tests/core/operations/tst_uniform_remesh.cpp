@@ -32,7 +32,8 @@ Remeshed remeshed(const TriangleMesh& shape, double timesDetail)
     return result;
 }
 
-/// How far the vertices, edges and faces of one mesh lie from the other's surface: their middles stand for them.
+/// Returns the largest distance of a mesh from the other surface, measured at vertices and at midpoints of edges and
+/// faces.
 double farthestFrom(const Mesh& other, const Mesh& mesh)
 {
     const FaceOctree octree(other);
@@ -52,14 +53,14 @@ double farthestFrom(const Mesh& other, const Mesh& mesh)
     return farthest;
 }
 
-/// Share of the volume that was lost or won.
+/// Returns the change of volume as a share, 0 to 1.
 double volumeChange(const Remeshed& result, const TriangleMesh& shape)
 {
     const double volume = checkMesh(shape).volume.value();
     return std::abs(volumeOf(*result.mesh) - volume) / volume;
 }
 
-/// How far the surfaces are apart, either way, in d.
+/// Returns the distance between the surfaces, measured both ways, in units of d.
 double distanceApart(const Remeshed& result, const TriangleMesh& shape)
 {
     const auto before = buildMesh(shape).mesh;
@@ -67,13 +68,13 @@ double distanceApart(const Remeshed& result, const TriangleMesh& shape)
     return apart / edgeBounds(result.detail).minimum;
 }
 
-/// With this d_detail.
+/// Returns the shape remeshed uniformly to this d_detail.
 TriangleMesh madeEven(const TriangleMesh& shape, double detail)
 {
     return extractMesh(*remeshed(shape, detail / buildMesh(shape).mesh->uniformDetail()).mesh);
 }
 
-/// Upright, with a sharp rim above and below.
+/// Returns a cylinder about the y axis with a sharp rim at its top and bottom.
 TriangleMesh cylinder()
 {
     std::vector<Vec3> profile = {{0, -1, 0}};
@@ -164,7 +165,7 @@ void TestUniformRemesh::roundShapes_becomeUniform()
     if (result.change.changes)
         QCOMPARE(result.mesh->uniformDetail(), result.detail);
     VERIFY_AT_MOST(volumeChange(result, shape), 0.01);
-    if (timesDetail > 0.5) // finer ones have so many faces to look at
+    if (timesDetail > 0.5) // smaller details have too many faces for this check
         VERIFY_AT_MOST(distanceApart(result, shape), 0.4);
 }
 
@@ -256,7 +257,7 @@ void TestUniformRemesh::undo_restoresTheState()
     }
 }
 
-/// Red above, blue below: so it stays but for a band of mixtures.
+/// A ball red above and blue below keeps its colours, except for a band of mixtures between them.
 void TestUniformRemesh::coloursAreCarriedThrough()
 {
     TriangleMesh ball = icosphere(4, 50);
@@ -311,7 +312,7 @@ void TestUniformRemesh::stopped_changesNothing()
                                          source.request_stop();
                                  }};
         const ModelChange change = applyToCopy(*mesh, RemeshUniformly{0.5 * mesh->uniformDetail()}, control);
-        QCOMPARE(calls, stopAt); // stops at once
+        QCOMPARE(calls, stopAt); // cancelling takes effect at once
         QVERIFY(!change.changes && change.delta.empty());
     }
 }
