@@ -12,7 +12,7 @@
 
 namespace
 {
-/// OpenGL's buffers in plain memory, and a note of each wrong use of them.
+/// A fake OpenGL with buffers in plain memory that records wrong use of them.
 class MemoryGl
 {
 public:
@@ -57,7 +57,7 @@ public:
     const Bytes& buffer(unsigned int id) const { return m_buffers.at(id); }
     std::size_t owned() const { return m_buffers.size() + m_vertexArrays; }
 
-    std::map<unsigned int, unsigned int> attributes; ///< where each is read
+    std::map<unsigned int, unsigned int> attributes; ///< buffer that each vertex attribute reads
     unsigned int elements = 0;
     int drawn = 0, writes = 0;
 
@@ -118,7 +118,8 @@ private:
     Buffer m_buffer;
 };
 
-/// A stroke that refines until the buffers must grow, and its undo, which shortens them.
+/// A stroke refines the mesh until the buffers must grow, and its undo shortens them. They must always equal the draw
+/// arrays in memory.
 void TestMeshBuffer::patches_makeWhatTheyMakeInMemory()
 {
     core::Sculptor sculptor(mesh_asserts::sculptable(core::icosphere(2, 1)));
@@ -151,11 +152,11 @@ void TestMeshBuffer::patches_makeWhatTheyMakeInMemory()
     QCOMPARE(m_gl.drawn, static_cast<int>(3 * arrays.faces.size()));
     QCOMPARE(m_buffer.counters().wholeUploads, std::uint64_t(1));
     const int writes = m_gl.writes;
-    QVERIFY(take(sculptor.takePatch())); // nothing has changed
+    QVERIFY(take(sculptor.takePatch())); // the patch is empty
     QCOMPARE(m_gl.writes, writes);
 }
 
-/// Where there is no footprint all weights are 0; slots that are not there, and a new mesh, are no trouble.
+/// All weights are 0 if there is no footprint. Slots that do not exist are ignored, and a new mesh resets all weights.
 void TestMeshBuffer::footprint_isMarkedAndTakenAway()
 {
     const core::MeshPatch whole = core::Sculptor(mesh_asserts::sculptable(core::icosphere(4, 1))).wholePatch();
@@ -188,7 +189,7 @@ void TestMeshBuffer::destroy_leavesNothing()
     QVERIFY(m_gl.owned() > 0);
     m_buffer.destroy();
     QCOMPARE(m_gl.owned(), std::size_t(0));
-    m_buffer.destroy(); // and once more
+    m_buffer.destroy(); // a second call is harmless
 }
 
 FETTLE_TEST(TestMeshBuffer, QCoreApplication)
