@@ -12,7 +12,7 @@ using repair::TriangleSoup;
 
 namespace
 {
-/// An octahedron, its vertices on the axes.
+/// Returns an octahedron with its vertices on the axes.
 TriangleSoup octahedron(int radius)
 {
     TriangleSoup surface;
@@ -26,7 +26,7 @@ TriangleSoup octahedron(int radius)
     return surface;
 }
 
-/// Splits an edge by a point, as many times as there are faces at it.
+/// Splits an edge at a point. Each face at the edge is divided into two.
 void split(TriangleSoup& surface, Slot from, Slot to, const LatticePoint& by)
 {
     const auto middle = static_cast<Slot>(surface.points.size());
@@ -78,7 +78,8 @@ private Q_SLOTS:
     void flatFaces_go();
 };
 
-/// Splits edges at random places: in the middle, or at an end, so that two corners of a face are equal but not one.
+/// Splits edges at random, in the middle or at an end. A split at an end gives a face with two corners at the same
+/// point.
 void TestCleanup::flatFaces_go()
 {
     for (unsigned seed = 1; seed <= 300; ++seed) {

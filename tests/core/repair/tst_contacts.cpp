@@ -43,7 +43,8 @@ std::array<Vec3, 3> cornersOf(const TriangleSoup& surface, Slot face)
 }
 } // namespace
 
-/// Two tetrahedra on both sides of an edge between which and whose other end there is no lattice point.
+/// The model has two tetrahedra on both sides of an edge of one lattice unit. The edge has no lattice point in its
+/// middle, so it cannot be halved.
 void TestContacts::edgesOfOneUnit_areNotHalved()
 {
     TriangleSoup surface;
@@ -61,7 +62,7 @@ void TestContacts::edgesOfOneUnit_areNotHalved()
         QVERIFY(!LatticePredicates::collinear(surface.points[a], surface.points[b], surface.points[c]));
 }
 
-/// Places where faces meet are within the solids that are added.
+/// Checks that the places where faces meet are inside the cover solids.
 void TestContacts::knots_lieInTheirCovers()
 {
     std::size_t all = 0;

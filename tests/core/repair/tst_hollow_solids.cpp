@@ -40,7 +40,7 @@ TriangleMesh turned(TriangleMesh mesh, StrokeFuzzer& random)
     return mesh;
 }
 
-/// Hangs a triangle on an edge of the cavity, into the hollow or into the wall.
+/// Adds a face at an edge of the cavity. Its third corner is in the hollow or in the wall.
 TriangleMesh withStrayFace(TriangleMesh mesh, const Vec3f& corner)
 {
     const Triangle last = mesh.triangles.back();
@@ -49,7 +49,7 @@ TriangleMesh withStrayFace(TriangleMesh mesh, const Vec3f& corner)
     return mesh;
 }
 
-/// Raises a needle from the middle of the first face, 0.0005 wide.
+/// Adds a needle, 0.0005 wide, in the middle of the first face.
 TriangleMesh withNeedle(TriangleMesh mesh, double length = 2)
 {
     const Triangle face = mesh.triangles[0];
@@ -69,7 +69,8 @@ TriangleMesh withNeedle(TriangleMesh mesh, double length = 2)
     return mesh;
 }
 
-/// A closed tube through rings of as many corners each, counter-clockwise as seen from behind the last.
+/// Returns a closed tube through rings with equal numbers of corners. Corners are counter-clockwise as seen from beyond
+/// the last ring.
 TriangleMesh tube(const std::vector<std::vector<Vec3f>>& rings)
 {
     TriangleMesh mesh;
@@ -100,7 +101,7 @@ std::vector<Vec3f> octagon(double radius, double z)
     return ring;
 }
 
-/// Draws the other diagonal of the first quadrangle of a tube.
+/// Replaces the diagonal of the tube's first quad by the other one.
 TriangleMesh cutOtherwise(TriangleMesh mesh)
 {
     const auto [a, b, c] = mesh.triangles[0];
@@ -110,7 +111,7 @@ TriangleMesh cutOtherwise(TriangleMesh mesh)
     return mesh;
 }
 
-/// A body with a cavity, most of whose faces are those of a thin vent that leads out of it.
+/// Returns a box with a cavity. Most faces of the cavity belong to a thin vent that leads outside.
 TriangleMesh withVent()
 {
     std::vector<std::vector<Vec3f>> rings{octagon(4, 1), octagon(4, 9)};
@@ -119,7 +120,7 @@ TriangleMesh withVent()
     return shapes::together(box(Vec3f::Zero(), Vec3f::Constant(10)), shapes::reversed(tube(rings)));
 }
 
-/// A block with a thin slot, cut by a part of which most lies beyond the block.
+/// Returns a block with a thin slot. Most of the part that cuts the slot is outside the block.
 TriangleMesh withSlotCutter()
 {
     const auto ring = [](float width, float z) {
@@ -129,7 +130,8 @@ TriangleMesh withSlotCutter()
                             shapes::reversed(tube({ring(0.1F, -18), ring(0.1F, 0), ring(2, 4)})));
 }
 
-/// A hollow of two halves with a sheet between them: all of its walls hang on edges of three faces.
+/// Returns a box with a cavity that a sheet divides into two halves. Every wall of the cavity has an edge with three
+/// faces.
 TriangleMesh hollowWithSheetAcross()
 {
     const TriangleMesh left = box(Vec3f(3, 3, 3), Vec3f(5, 7, 7)), right = box(Vec3f(5, 3, 3), Vec3f(7, 7, 7));
@@ -141,7 +143,7 @@ TriangleMesh hollowWithSheetAcross()
 }
 } // namespace
 
-/// Voids stay voids, however they were made and whichever way the model is turned.
+/// Tests that voids stay empty, for different ways of modelling them and for rotated models.
 class TestHollowSolids : public QObject
 {
     Q_OBJECT
@@ -184,7 +186,7 @@ void TestHollowSolids::volume_isKept_data()
     QTest::addRow("hole through two faces") << hollow({3, 3, 0}, {7, 7, 10}) << 840.0;
     QTest::addRow("pocket") << hollow({3, 3, 5}, {7, 7, 10}) << 920.0;
     QTest::addRow("pipe") << hollow({1, 1, 0}, {9, 9, 10}) << 360.0;
-    // Parts that face outwards within another one are no voids.
+    // The inner part faces outwards, so it is not a void.
     QTest::addRow("part in a part") << shapes::together(box(Vec3f::Zero(), Vec3f::Constant(10)),
                                                         box(Vec3f::Constant(3), Vec3f::Constant(7)))
                                     << 1000.0;
@@ -199,8 +201,8 @@ void TestHollowSolids::volume_isKept_data()
         << 1000.0 - 729 + 681.472 + 1;
     QTest::addRow("insert that stands proud of a pocket")
         << shapes::together(hollow({2, 2, 4}, {8, 8, 10.5F}), box({2.1F, 2.1F, 4.1F}, {7.9F, 7.9F, 10.3F}))
-        << 1000.0 - 216 + 5.8 * 5.8 * 5.9;       // above the wall nothing is wound around
-    const double area = 2 * std::numbers::sqrt2; // of an octagon of radius 1
+        << 1000.0 - 216 + 5.8 * 5.8 * 5.9;       // above the block, the winding number of the insert alone is 0
+    const double area = 2 * std::numbers::sqrt2; // area of an octagon of radius 1
     QTest::addRow("cavity with a fine vent") << withVent() << 1000.0 - area * (8 * 16 + 0.999 * 0.09) - 0.001 * 15;
     QTest::addRow("drain through a thin wall")
         << shapes::together(hollow(Vec3f::Constant(0.05F), Vec3f::Constant(9.95F)),
@@ -214,7 +216,7 @@ void TestHollowSolids::volume_isKept_data()
                                                                          shapes::reversed(tube({base, tip}))),
                                                         {5, 5, 0})
                                        << 1000.0 - 9.9 * 9.9 * 9.9 - 0.08144;
-    // The bore has .04 % of the cutter's area.
+    // The bore has 0.04 % of the cutter's area.
     QTest::addRow("drain with a fine bore")
         << shapes::together(
                hollow(Vec3f::Constant(0.05F), Vec3f::Constant(9.95F)),
@@ -226,7 +228,7 @@ void TestHollowSolids::volume_isKept_data()
     };
     QTest::addRow("cavity that is there twice, of other triangles")
         << shapes::together(shell, shapes::reversed(tube({ring(3), ring(5), ring(7)}))) << 936.0;
-    // A box whose sides are halved.
+    // Makes a box whose sides are divided at the middle.
     const auto halved = [](float from, float to) {
         std::vector<std::vector<Vec3f>> rings;
         for (const float z : {from, 5.0F, to})
@@ -275,7 +277,7 @@ void TestHollowSolids::volume_isKept()
     }
 }
 
-/// Cubes in a grid, which share many edges and corners; turned, their corners are rounded differently.
+/// A grid of cubes with many common edges and corners. After a rotation, equal corners are rounded differently.
 void TestHollowSolids::cubesThatTouch_areTakenApart()
 {
     constexpr int side = 12;

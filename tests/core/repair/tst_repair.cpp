@@ -1,5 +1,5 @@
-// FETTLE_EFFORT=soak: 20,000 strange models, some six hours of a core. FETTLE_SEED=n: from another seed on.
-// FETTLE_MODELS=n: another number of them.
+// FETTLE_EFFORT=soak: tests 20,000 random defective models, about six hours of one core. FETTLE_SEED=n: first seed.
+// FETTLE_MODELS=n: number of models.
 
 #include "core/geometry/face_geometry.h"
 #include "core/mesh/mesh_builder.h"
@@ -36,7 +36,7 @@ std::uint64_t hashOf(const TriangleMesh& mesh)
     return wholeHash(*buildMesh(mesh).mesh);
 }
 
-/// About the axis of y.
+/// Returns a prism about the y axis between the heights `from` and `to`.
 TriangleMesh prism(Slot sides, double radius, double from, double to)
 {
     TriangleMesh mesh{{{0, static_cast<float>(from), 0}, {0, static_cast<float>(to), 0}}, {}, {}};
@@ -57,8 +57,9 @@ double volumeOf(const TriangleMesh& mesh)
     return checkMesh(mesh).volume.value_or(0);
 }
 
-/// A strange model by its seed: triangles, tetrahedra or cubes on a coarse grid, where corners, edges and planes
-/// coincide, or a crumpled ball or torus with faces turned over, repeated, taken out, or led astray.
+/// Returns a random defective model. Either it consists of triangles, tetrahedra or cubes on a coarse grid, where
+/// corners, edges and planes coincide.
+/// Or it is a noisy ball or torus with faces reversed, repeated, removed or attached to wrong vertices.
 TriangleMesh strangeModel(unsigned seed)
 {
     std::mt19937 random(seed);
@@ -221,7 +222,7 @@ void TestRepair::innerParts_areFilledOrCavities()
     QCOMPARE(checkMesh(*hollow.mesh).components, std::size_t(3));
     const double inner = volumeOf(icosphere(3, 20)) + volumeOf(icosphere(2, 5));
     QVERIFY(std::abs(volumeOf(*filled.mesh) - volumeOf(*hollow.mesh) - inner) < 1);
-    const TriangleMesh right = shapes::scaled(shapes::nestedSpheres(true), 20); // a cavity stays one
+    const TriangleMesh right = shapes::scaled(shapes::nestedSpheres(true), 20); // a correct cavity stays a cavity
     QVERIFY(std::abs(volumeOf(*repairMesh(right).mesh) - volumeOf(right)) < 1);
 }
 
@@ -239,11 +240,11 @@ void TestRepair::touchingParts_partByMicrometres()
 void TestRepair::soup_isMadeAnewNearby()
 {
     const TriangleMesh& soup = badModel(QStringLiteral("soup")).mesh;
-    QVERIFY(!repairMesh(soup).mesh); // unasked
+    QVERIFY(!repairMesh(soup).mesh); // wrapping needs permission
     const RepairResult result = repairMesh(soup, {.canWrap = true});
     QVERIFY(result.report.remeshedAt);
     QVERIFY(!result.report.isFaithful());
-    QCOMPARE(result.report.joined, std::size_t(0)); // what happens to come near is no crack
+    QCOMPARE(result.report.joined, std::size_t(0)); // faces that are near by chance are not joined as cracks
     QVERIFY(result.report.hausdorff() < 2 * *result.report.remeshedAt);
     QVERIFY(result.report.fromOld.mean < 0.1);
     QCOMPARE(checkMesh(*result.mesh).genus, std::optional<std::int64_t>(0));
@@ -254,7 +255,8 @@ void TestRepair::cracks_areJoinedAndNothingElseMoves_data()
     QTest::addColumn<QString>("name");
     QTest::addColumn<double>("farthest");
     QTest::addColumn<qulonglong>("vertices");
-    QTest::newRow("everywhere") << u"cracked everywhere"_s << 0.0104 << qulonglong(642); // the cube's diagonal
+    // diagonal of the cube within which points were displaced, mm
+    QTest::newRow("everywhere") << u"cracked everywhere"_s << 0.0104 << qulonglong(642);
     QTest::newRow("seam") << u"cracked seam"_s << 0.0055 << qulonglong(2562);
     QTest::newRow("T junctions") << u"T junctions"_s << 0.02 << qulonglong(0);
 }
@@ -277,10 +279,10 @@ void TestRepair::cracks_areJoinedAndNothingElseMoves()
     QCOMPARE(report.genus, std::optional<std::int64_t>(0));
     if (vertices > 0)
         QCOMPARE(result.mesh->points.size(), std::size_t(vertices));
-    QVERIFY(!repairMesh(cracked, {.fillLargeHoles = false}).report.largeHoles); // there was none
+    QVERIFY(!repairMesh(cracked, {.fillLargeHoles = false}).report.largeHoles); // cracks are no large holes
 }
 
-/// Rims farther from each other than what counts as a crack, and points inside the surface, stay where they are.
+/// Rims farther apart than a crack, and points within the surface, must not be joined.
 void TestRepair::distantRims_areNotJoined()
 {
     TriangleMesh upper = icosphere(3, 50), lower = upper;
@@ -295,7 +297,7 @@ void TestRepair::distantRims_areNotJoined()
     QCOMPARE(checkMesh(*near.mesh).components, std::size_t(2));
 }
 
-/// Rounding made more and more faces of this one meet, for twenty minutes.
+/// Rounding used to create more intersections of this model in each round, for twenty minutes.
 void TestRepair::tangle_comesToAnEnd()
 {
     const RepairResult result = repairMesh(strangeModel(93));
@@ -304,7 +306,7 @@ void TestRepair::tangle_comesToAnEnd()
     QVERIFY(verdict && verdict->allWell());
 }
 
-/// Tetrahedra in one place, of whose faces each meets 130 others: cutting them apart would take minutes.
+/// Each face meets about 130 faces of other tetrahedra at the same place. Cutting them apart would take minutes.
 void TestRepair::denseTangle_isRefusedAtOnce()
 {
     StrokeFuzzer random(1);
@@ -335,7 +337,7 @@ void TestRepair::colors_stay()
     }
 }
 
-/// Each point of a ball with a hole and doubles keeps its own.
+/// Points of a ball with a hole and duplicate faces must keep their own masks.
 void TestRepair::masks_stayWherePointsDo()
 {
     TriangleMesh bad = icosphere(3, 50);
@@ -382,7 +384,7 @@ void TestRepair::nothingEnclosed_isRefused()
     }
 }
 
-/// A cube 1 mm above a floor.
+/// The model is a cube 1 mm above an open floor.
 void TestRepair::openSheets_areLeftOutAndNamed()
 {
     TriangleMesh floor{{{-50, -1, -50}, {150, -1, -50}, {150, -1, 100}, {-50, -1, 100}}, {}, {{0, 1, 2}, {0, 2, 3}}};
@@ -396,7 +398,7 @@ void TestRepair::openSheets_areLeftOutAndNamed()
     QVERIFY(std::abs(volumeOf(*result.mesh) - 64000) < 0.1);
     QCOMPARE(result.report.after.parts, std::size_t(1));
 
-    TriangleMesh scene = shapes::together(cube, floor); // and a strip, all turned
+    TriangleMesh scene = shapes::together(cube, floor); // adds a narrow strip and rotates everything
     for (const Vec3f& p : {Vec3f(60, 20, 0), Vec3f(160, 20, 0), Vec3f(160, 21, 0), Vec3f(60, 21, 0)})
         scene.points.push_back(p);
     const Slot last = static_cast<Slot>(scene.points.size() - 1);
@@ -415,7 +417,7 @@ void TestRepair::openSheets_areLeftOutAndNamed()
     QVERIFY(alone.refusal == RepairRefusal::EnclosesNothing);
     QCOMPARE(alone.report.sheets, std::size_t(1));
 
-    TriangleMesh withFin = cube; // on one of its edges
+    TriangleMesh withFin = cube; // a fin at one of the cube's edges
     Triangle fin = cube.triangles[0];
     const Vec3f onEdge = (cube.points[fin[0]] + cube.points[fin[1]]) / 2;
     const Vec3f middle = boxOf(cube).center().cast<float>();
@@ -428,12 +430,12 @@ void TestRepair::openSheets_areLeftOutAndNamed()
     QCOMPARE(trimmed.mesh->triangles.size(), cube.triangles.size());
 }
 
-/// The faces of a cube, which keep clear of each other.
+/// The model consists of the separated faces of a cube.
 void TestRepair::looseFaces_areNotLost()
 {
     const TriangleMesh mesh = shapes::takenApart(shapes::cube(40), 4);
     const RepairResult result = repairMesh(mesh);
-    QVERIFY(!result.mesh); // as it is, nothing is left
+    QVERIFY(!result.mesh); // without wrapping nothing encloses a volume
     QCOMPARE(result.report.sheets, std::size_t(0));
     QVERIFY(result.refusal == RepairRefusal::TooMuchLost || result.refusal == RepairRefusal::EnclosesNothing);
     const RepairResult anew = repairMesh(mesh, {.canWrap = true});
@@ -441,7 +443,7 @@ void TestRepair::looseFaces_areNotLost()
     QVERIFY(volumeOf(*anew.mesh) > 40 * 40 * 40);
 }
 
-/// Two plates of 1.2 mm that run into each other at a tenth of a degree: whichever way they face, none of them goes.
+/// Two plates of 1.2 mm cross at an angle of 0.1 degrees. Neither may be lost, even if both are inside out.
 void TestRepair::thinStrips_keepTheirVolume()
 {
     const auto strip = [](float tilt) {
@@ -460,8 +462,7 @@ void TestRepair::thinStrips_keepTheirVolume()
     }
 }
 
-/// Boxes on a coarse grid, which touch by faces, edges and corners and overlap in planes, turned by any angle: the
-/// coordinates are rounded, and nothing lies in one plane any more.
+/// Boxes on a coarse grid share faces, edges and corners. After a rotation, rounding moves common planes apart.
 void TestRepair::turnedParts_areRepairedAlike()
 {
     const unsigned parts = byEffort(4, 20, 20), turns = byEffort(5, 30, 30);
@@ -498,7 +499,7 @@ void TestRepair::turnedParts_areRepairedAlike()
     }
 }
 
-/// Three cylinders that stand on each other, turned by any angle: no crumbs are left where they touch.
+/// Three stacked cylinders, in any orientation, must become one part without small remains where they touch.
 void TestRepair::turnedCylinders_areOnePart()
 {
     const auto cylinder = [](double radius, double from, double to) { return prism(48, radius, from, to); };
@@ -520,11 +521,11 @@ void TestRepair::turnedCylinders_areOnePart()
     }
 }
 
-/// Two prisms on one axis, of 24 and 32 sides, whose ends lie in the same planes but for noise of several lattice
-/// units, and are fans of slivers about one corner: of some the cuts come to no end with the first tolerance.
+/// Two coaxial prisms of 24 and 32 sides have ends in the same plane, except for noise of several lattice units. The
+/// ends are fans of slivers. Some of these models cannot be cut with the first tolerance.
 void TestRepair::roughEnds_areOnePart()
 {
-    constexpr double noise = 2e-4; // some 20 units of the lattice
+    constexpr double noise = 2e-4; // about 20 lattice units
     const auto fans = [](Slot sides, double phase) {
         TriangleMesh mesh;
         for (Slot i = 0; i < sides; ++i) {
@@ -554,8 +555,8 @@ void TestRepair::roughEnds_areOnePart()
     }
 }
 
-/// A beam that faces inwards runs through a cube; its first face lies inside of that, or another one does. It could as
-/// well be a hole, so it is told.
+/// A beam that faces inwards passes through a cube. It may be meant as a hole, so the result is reported as not
+/// faithful, whichever face is first.
 void TestRepair::insideOutParts_areNotTakenAway()
 {
     TriangleMesh beam = shapes::cube(40);
@@ -574,7 +575,7 @@ void TestRepair::insideOutParts_areNotTakenAway()
     }
 }
 
-/// Holes of a plate that reach beyond it on one side or both are filled, or kept, but never filled untold.
+/// Holes of a plate that extend beyond it may be filled or kept, but filling must be reported.
 void TestRepair::filledHoles_areTold()
 {
     const auto block = [](float side, float from, float to) {
@@ -592,7 +593,8 @@ void TestRepair::filledHoles_areTold()
          {Hole{16, -5.1F, 5.1F}, Hole{16, -5.5F, 5.5F}, Hole{16, -6, 6}, Hole{16, -25, 25}, Hole{24, 4, 6},
           Hole{30, 4.3F, 6.3F}, Hole{34, 4.45F, 11}, Hole{50, 3, 30}, Hole{50, 3, 300}, Hole{6, -600, 600}})
         for (const bool isOpen : {false, true})
-            for (const float away : {0.0F, 3000.0F}) { // a part so far away that there is little in the box of both
+            // a distant part enlarges the bounding box, so the hole is a tiny share of it
+            for (const float away : {0.0F, 3000.0F}) {
                 TriangleMesh mesh = shapes::together(plate, shapes::reversed(block(side, from, to)));
                 if (isOpen)
                     mesh.triangles.erase(mesh.triangles.begin());
@@ -613,7 +615,7 @@ void TestRepair::filledHoles_areTold()
             }
 }
 
-/// A part that faces inwards within a cavity, as that does, is a body inside out or a second cavity.
+/// A part that faces inwards inside a cavity is either inside out or a second cavity, so a large one must be reported.
 void TestRepair::partsInHollows_areTold()
 {
     const TriangleMesh shell = shapes::together(shapes::cube(40), shapes::reversed(shapes::cube(30)));
@@ -625,7 +627,7 @@ void TestRepair::partsInHollows_areTold()
     }
 }
 
-/// Asks that the inner one of two cutters of a blind hole is turned, or stays where parts within others are hollow.
+/// The inner one of two nested cutters of a blind hole is reversed, or kept as a cavity with innerAreCavities.
 void TestRepair::cutterInACutter_isCounted()
 {
     const auto cutter = [](float side, float top) {
@@ -644,7 +646,7 @@ void TestRepair::cutterInACutter_isCounted()
     }
 }
 
-/// A tower on a broad open ground is flat for its area, but no sheet that nobody misses.
+/// A tower on a broad open ground is flat relative to its area, but must not be removed as a sheet without a report.
 void TestRepair::broadGround_isNotLostSilently()
 {
     TriangleMesh ground = shapes::cube(40);
@@ -675,7 +677,7 @@ void TestRepair::broadGround_isNotLostSilently()
     QVERIFY(!result.mesh || !result.report.isFaithful() || volumeOf(*result.mesh) > 64000);
 }
 
-/// Boxes around a void touch by faces, those of a checkerboard by edges: the space between them stays empty.
+/// Boxes around a void share faces, and those of a checkerboard share edges. The space between them must stay empty.
 void TestRepair::voidsBetweenParts_stay()
 {
     const auto boxes = [](int side, auto isThere) {
@@ -716,7 +718,8 @@ void TestRepair::lossOfVolume_isNotFaithful()
     QVERIFY(!report.isFaithful());
 }
 
-/// Balls without many of their faces, and a band with one side, become something else than what they stood around.
+/// Balls with many faces missing, and a Moebius strip, would enclose a different volume. Such results must not count as
+/// faithful.
 void TestRepair::otherSpace_isNotFaithful()
 {
     StrokeFuzzer random(5);
@@ -747,7 +750,7 @@ void TestRepair::otherSpace_isNotFaithful()
     QVERIFY(!band.mesh || !band.report.isFaithful());
 }
 
-/// Filling an end that is missing is what was asked for: a ball without its cap, a tube, a tilted bowl.
+/// Filling one missing end is intended, so a ball without its cap is repaired faithfully.
 void TestRepair::openEnds_areFaithful()
 {
     for (const float cut : {-5.0F, 0.0F, 5.0F, 9.0F}) {
@@ -809,7 +812,8 @@ void TestRepair::strangeModels_becomeSolidsOrAreRefused()
         const TriangleMesh mesh = strangeModel(seed);
         const RepairResult result = repairMesh(mesh);
         if (!result.mesh) {
-            QVERIFY2(seed % 4 == 0, qPrintable(QString::number(seed))); // the others enclose something
+            // every kind except loose triangles encloses a volume
+            QVERIFY2(seed % 4 == 0, qPrintable(QString::number(seed)));
             continue;
         }
         const auto verdict = judgedByCgal(*result.mesh);
