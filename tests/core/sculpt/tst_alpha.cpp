@@ -24,14 +24,14 @@ using clay::ball;
 using clay::ballRadius;
 using mesh_asserts::isSound;
 
-/// Bright on the right, black on the left.
+/// Returns an image whose right half is white and whose left half is black.
 std::shared_ptr<const Alpha> rightHalf()
 {
     return std::make_shared<Alpha>(
         4, 4, std::vector<std::uint8_t>{0, 0, 255, 255, 0, 0, 255, 255, 0, 0, 255, 255, 0, 0, 255, 255}, "right");
 }
 
-/// Bright above, black below.
+/// Returns an image whose upper half is white and whose lower half is black.
 std::shared_ptr<const Alpha> upperHalf()
 {
     return std::make_shared<Alpha>(2, 4, std::vector<std::uint8_t>{255, 255, 255, 255, 0, 0, 0, 0}, "upper");
@@ -63,7 +63,7 @@ Vec3 front(double x, double y)
     return ballRadius * Vec3(x, y, ballRadius).normalized();
 }
 
-/// How far the surface over (x, y) stands above the ball.
+/// Returns the height of the surface at (x, y) above the ball, mm.
 double raisedAt(const Sculptor& sculptor, double x, double y)
 {
     return sculptor.hit({{x, y, 200}, -Vec3::UnitZ()})->position.norm() - ballRadius;
@@ -96,13 +96,13 @@ private Q_SLOTS:
 void TestAlpha::at_isTheImage()
 {
     const Alpha alpha(2, 2, {0, 255, 51, 102}, "four");
-    QCOMPARE(alpha.at(-0.5, 0.5), 0.0); // the middles of the pixels
+    QCOMPARE(alpha.at(-0.5, 0.5), 0.0); // at pixel centres the value is the pixel's
     QCOMPARE(alpha.at(0.5, 0.5), 1.0);
     QCOMPARE(alpha.at(-0.5, -0.5), 0.2);
     QCOMPARE(alpha.at(0.5, -0.5), 0.4);
     QVERIFY(std::abs(alpha.at(0, 0.5) - 0.5) < 1e-12);
     QVERIFY(std::abs(alpha.at(0, 0) - 0.4) < 1e-12);
-    QCOMPARE(alpha.at(1, 1), 1.0); // as the pixel at the edge
+    QCOMPARE(alpha.at(1, 1), 1.0); // beyond the outermost pixel centres its value is repeated
 }
 
 void TestAlpha::at_isBlackBesideTheImage()
@@ -169,7 +169,7 @@ void TestAlpha::stroke_paintsWhereItIsBright()
     QVERIFY(sculptor->hit({{-8, 0, 200}, -Vec3::UnitZ()})->color == clay);
 }
 
-/// The image's up is the stroke's way.
+/// The top of the image points in the direction of the stroke.
 void TestAlpha::stroke_followsItsWay()
 {
     const auto sculptor = ball();
@@ -180,7 +180,7 @@ void TestAlpha::stroke_followsItsWay()
     QVERIFY(std::abs(raisedAt(*sculptor, -4, 0)) < 0.05);
 }
 
-/// The drag gives the image its up and its radius, and what was shown on the way is gone.
+/// The final drag vector sets direction and radius of the image. Images shown during the drag leave no trace.
 void TestAlpha::anchored_isDraggedOut()
 {
     const auto sculptor = ball(), once = ball();
@@ -204,7 +204,7 @@ void TestAlpha::stroke_standsUprightOnATurntable()
 {
     const auto sculptor = ball();
     sculptor->beginStroke(alphaSettings(Tool::Pull, upperHalf()));
-    core::StrokeSample sample; // the model lies on its right side: its x points up
+    core::StrokeSample sample; // rotates the model onto its side, so that its x axis points up
     sample.rotation = core::rotationBetween(Vec3::UnitX(), Vec3::UnitY());
     sample.position = front(0, 0);
     sculptor->addSample(sample);
@@ -246,7 +246,7 @@ void TestAlpha::painted_isSymmetric()
     VERIFY_SYMMETRIC(sculptor->mesh(), core::Symmetry::X);
 }
 
-/// On the hand's side the image is as it is, whichever side that is.
+/// The image is unmirrored on the side where the user sculpts, whichever side it is.
 void TestAlpha::mirrored_isSeenInAMirror()
 {
     for (const double side : {1.0, -1.0}) {
@@ -262,7 +262,7 @@ void TestAlpha::mirrored_isSeenInAMirror()
     }
 }
 
-/// A tool that keeps its selection has no alpha: its vertices move away from under the image.
+/// A drag tool ignores the alpha, because its vertices move away from under the image.
 void TestAlpha::grab_hasNone()
 {
     const auto with = ball(), without = ball();

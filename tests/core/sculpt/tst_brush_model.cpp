@@ -38,7 +38,7 @@ Model modelOf(const TriangleMesh& mesh)
     return BrushModel::of(mesh, {}).model;
 }
 
-/// An L on its back: not convex, and not its own mirror image.
+/// Returns a flat letter L whose front faces up (+y): neither convex nor mirror symmetric.
 TriangleMesh letterL(float thickness = 3)
 {
     const std::vector<std::array<float, 2>> outline{{-2, 3}, {-2, -3}, {2, -3}, {2, -1.5}, {-0.5, -1.5}, {-0.5, 3}};
@@ -69,7 +69,7 @@ StrokeSettings stampOf(Model model, bool raises = false)
     return settings;
 }
 
-/// `up`: of the hand.
+/// Sculpts one dab. `up`: up direction of the controller, if any.
 std::vector<DabReport> dab(Sculptor& sculptor, const StrokeSettings& settings, const Vec3& at,
                            const std::optional<Vec3>& up = {})
 {
@@ -172,7 +172,7 @@ void TestBrushModel::of_refuses()
         p = {1, 2, 3};
     QCOMPARE(faultOf(point), Fault::TooSmall);
     QCOMPARE(faultOf(TriangleMesh()), Fault::TooSmall);
-    TriangleMesh crossing = cube; // two cubes, one half in the other
+    TriangleMesh crossing = cube; // two cubes that overlap by half
     for (const Vec3f& p : cube.points)
         crossing.points.push_back(p + 0.5f * (cube.points[0].cwiseAbs()));
     const auto n = static_cast<core::Slot>(cube.points.size());
@@ -193,8 +193,8 @@ void TestBrushModel::spanAt_isTheSolid_data()
         QTest::newRow(models()[static_cast<std::size_t>(i)].first) << i;
 }
 
-/// On a grid that meets corners and edges: inside where the winding number says so, and the span's ends are the
-/// surface's.
+/// Compares spanAt() with the winding number on a grid that meets corners and edges: a span must exist exactly inside
+/// the solid, and must contain the point.
 void TestBrushModel::spanAt_isTheSolid()
 {
     QFETCH(int, which);
@@ -209,7 +209,7 @@ void TestBrushModel::spanAt_isTheSolid()
             for (double z = -1; z <= 1; z += 0.125) {
                 const double number = winding.at({x, y, z});
                 const auto span = model->spanAt({x, y, z});
-                if (std::abs(number - 0.5) < 0.3) // next to the surface
+                if (std::abs(number - 0.5) < 0.3) // too near the surface to decide
                     continue;
                 QCOMPARE(span.has_value(), number > 0.5);
                 inside += span ? 1 : 0;
@@ -231,7 +231,7 @@ void TestBrushModel::fingerprint_isOfTheShape()
     QVERIFY(modelOf(letterL())->fingerprint() != modelOf(letterL(2))->fingerprint());
 }
 
-/// Half of it deep: its half extent is the brush's radius by the root of 3.
+/// The cube is pressed in by half its height. Half of its height is the brush radius divided by the square root of 3.
 void TestBrushModel::cube_leavesAFlatFloor()
 {
     const auto sculptor = ball();
@@ -263,7 +263,7 @@ void TestBrushModel::cube_raisesAFlatTop()
     QVERIFY(isSound(*sculptor));
 }
 
-/// Its foot points to the right, as it lies on its back.
+/// The letter must be readable: seen from outside, the foot of the L points to the right.
 void TestBrushModel::letter_isReadable()
 {
     const auto sculptor = ball();
@@ -274,7 +274,8 @@ void TestBrushModel::letter_isReadable()
     QVERIFY(heightAt(*sculptor, 1 * scale, 1.5 * scale) < ballRadius + 0.1);
 }
 
-/// A quarter turn clockwise of a hand that does not point straight at the surface.
+/// The up direction of the sample turns the letter clockwise by 90 degrees, although it is not perpendicular to the
+/// surface normal.
 void TestBrushModel::letter_turnsWithTheHand()
 {
     const auto sculptor = ball();
@@ -316,7 +317,7 @@ void TestBrushModel::pressed_isSound_data()
     }
 }
 
-/// On a ball, and again over the rim of what is there; twice the same.
+/// Stamps a model on the ball and again across the rim of the first stamp. Repeating both gives the same bits.
 void TestBrushModel::pressed_isSound()
 {
     QFETCH(int, which);
@@ -343,7 +344,7 @@ void TestBrushModel::throughAWall_makesAHole()
     QVERIFY(sculptor.totals().fusions > 0);
 }
 
-/// However dense the dabs of other tools stand.
+/// Dabs of a stamp must not overlap, although the spacing is denser.
 void TestBrushModel::stroke_standsBeside()
 {
     const auto sculptor = ball();
@@ -407,7 +408,7 @@ void TestBrushModel::added_data()
     QTest::newRow("L") << 3 << 0;
 }
 
-/// Where nothing is, upright and of the brush's radius, with both tools that add.
+/// Adds a model in empty space with Pull and with Stamp. It must be upright and have the radius of the brush.
 void TestBrushModel::added()
 {
     QFETCH(int, which);
@@ -436,7 +437,7 @@ void TestBrushModel::added()
     }
 }
 
-/// Its y along the hand's up, which is x here; the hand points to -z, and its left is up.
+/// The added model's y axis follows the up direction of the controller, here x, and its -x axis points along y.
 void TestBrushModel::added_asItIsHeld()
 {
     const Model model = modelOf(letterL());
@@ -461,7 +462,8 @@ void TestBrushModel::added_isMirrored()
         QCOMPARE(dab(*sculptor, settings, {100 * side, 0, 0})[0].outcome, DabOutcome::Added);
         VERIFY_SYMMETRIC(sculptor->mesh(), core::Symmetry::X);
         QVERIFY(isSound(*sculptor));
-        const double scale = stampRadius / std::sqrt(4 + 9 + 2.25); // on the hand's side the L is an L, seen from above
+        // seen from above, the L is unmirrored on the side where the user sculpts
+        const double scale = stampRadius / std::sqrt(4 + 9 + 2.25);
         QVERIFY(sculptor->hit({{100 * side + 1.4 * scale, 200, 2.2 * scale}, -Vec3::UnitY()}));
         QVERIFY(!sculptor->hit({{100 * side + 1.4 * scale, 200, -2.2 * scale}, -Vec3::UnitY()}));
     }
@@ -481,7 +483,7 @@ void TestBrushModel::added_nearTheSurfaceIsRefused()
     QCOMPARE(sculptor->mesh().stateHash(), before);
 }
 
-/// A plate as thin as may be, in a brush so small that it lies within one layer of the lattice.
+/// The plate is so thin and the brush so small that all vertices would be in one layer of the lattice.
 void TestBrushModel::added_unfitIsRefused()
 {
     const auto sculptor = ball();

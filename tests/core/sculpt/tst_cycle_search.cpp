@@ -57,7 +57,8 @@ private Q_SLOTS:
     void cutCycle_fillsTheHole();
 };
 
-/// The cycle runs around the hole, and never around the tube, although that is shorter: within it is the solid.
+/// The tunnel cycle is around the hole of the ring. The shorter cycle around the tube does not count, because it
+/// encloses the solid.
 void TestCycleSearch::find_theHoleOfARing()
 {
     const auto mesh = sculptable(shapes::torus(size));
@@ -77,7 +78,8 @@ void TestCycleSearch::find_theHoleOfARing()
     }
 }
 
-/// The tube's cycle is found from anywhere on it, also where the hole's is no longer.
+/// The handle cycle is around the tube. It is found from any vertex of the ring, even where the cycle around the hole
+/// is equally short.
 void TestCycleSearch::find_theTubeOfARing()
 {
     const auto mesh = sculptable(shapes::torus(size));
@@ -94,7 +96,7 @@ void TestCycleSearch::find_theTubeOfARing()
     }
 }
 
-/// Half of a ring has no way around its hole; its tube is whole.
+/// Half of a ring has no cycle around its hole, but it has one around its tube.
 void TestCycleSearch::find_onlyAmongWhatIsGiven()
 {
     const auto mesh = sculptable(shapes::torus(size));

@@ -39,7 +39,7 @@ template <class Visit> void forEachVertex(const Mesh& mesh, Visit visit)
 }
 } // namespace
 
-/// The tools and modes of a dab, seen from outside.
+/// Tests tools and modes of a dab by its results.
 class TestDabPipeline : public QObject
 {
     Q_OBJECT
@@ -74,7 +74,8 @@ void TestDabPipeline::flatten_leavesAPlatform()
             highest = std::max(highest, p.z());
         }
     });
-    QVERIFY2(highest - lowest < 0.002, qPrintable(QString::number(highest - lowest))); // the ball's: 0.02
+    // the ball's height would vary by 0.02 there
+    QVERIFY2(highest - lowest < 0.002, qPrintable(QString::number(highest - lowest)));
     QVERIFY(isSound(*sculptor));
 }
 
@@ -117,7 +118,7 @@ void TestDabPipeline::colours_areCarriedThroughRemeshing()
     settings.color = {10, 20, 30};
     settings.falloff = 0;
     dabOnce(*sculptor, settings, {0, 0, 1});
-    dabOnce(*sculptor, settingsFor(Tool::Pull, 0.1), {0, 0, 1}); // refines inside the painted part
+    dabOnce(*sculptor, settingsFor(Tool::Pull, 0.1), {0, 0, 1}); // refines the mesh inside the painted area
     forEachVertex(sculptor->mesh(), [&](Slot v, const Vec3& p) {
         if (p.normalized().z() > 0.95)
             QVERIFY(sculptor->mesh().color(v) == settings.color);
@@ -169,7 +170,8 @@ void TestDabPipeline::uniformTopology_keepsItsLength()
 {
     const auto sculptor = unitBall();
     const double before = static_cast<double>(sculptor->mesh().live().vertices);
-    StrokeSettings settings = settingsFor(Tool::Smooth, 0.1); // adaptive, this radius would refine; 0.8 would coarsen
+    // with adaptive topology, radius 0.1 would refine and 0.8 would coarsen
+    StrokeSettings settings = settingsFor(Tool::Smooth, 0.1);
     settings.topology = core::Topology::Uniform;
     dabOnce(*sculptor, settings, {0, 0, 1});
     settings.radius = 0.8;
@@ -202,10 +204,11 @@ void TestDabPipeline::addedSphere_isPartOfTheModel()
     sample.position = {0, 0, 1.6};
     QCOMPARE(core::name(sculptor->addSample(sample).at(0).outcome), core::name(DabOutcome::Added));
     sample.radius = 0.1;
-    QCOMPARE(core::name(sculptor->addSample(sample).at(0).outcome), core::name(DabOutcome::Empty)); // no second one
+    // a stroke adds only one sphere
+    QCOMPARE(core::name(sculptor->addSample(sample).at(0).outcome), core::name(DabOutcome::Empty));
     sample.radius.reset();
     sample.position = {0, 0, 1.9};
-    QVERIFY(sculptor->addSample(sample).at(0).touchedVertices > 20); // pulls the new one
+    QVERIFY(sculptor->addSample(sample).at(0).touchedVertices > 20); // pulls the new sphere
     core::MeshDelta delta = sculptor->endStroke();
     QCOMPARE(mesh_asserts::eulerNumber(sculptor->mesh()), 4);
     QVERIFY(isSound(*sculptor));
@@ -237,7 +240,7 @@ void TestDabPipeline::addedSphere_tooCloseIsRefused()
     QVERIFY(isSound(*sculptor));
 }
 
-/// The second dab would press the stamp into what the first has added.
+/// After adding a model, a stamp stroke must end: a second dab would press the stamp into the new part.
 void TestDabPipeline::addedStamp_endsTheStroke()
 {
     std::vector<std::uint64_t> states;
@@ -260,8 +263,8 @@ void TestDabPipeline::addedStamp_endsTheStroke()
     QCOMPARE(states[0], states[1]);
 }
 
-/// A stroke may begin too close for a ball and too far for a pull, or inside. It goes on until it meets the surface,
-/// and is the pull that it would have been from there.
+/// A stroke may start too close to add a sphere but too far to pull, or inside the model. It then continues as the pull
+/// that would start where it meets the surface.
 void TestDabPipeline::addedSphere_refusedIsAPull()
 {
     for (const double start : {1.32, 1.31, 0.3}) {
@@ -280,7 +283,7 @@ void TestDabPipeline::addedSphere_refusedIsAPull()
             sculptor->endStroke();
             QCOMPARE(outcomes.front(), adds ? DabOutcome::Refused : DabOutcome::Empty);
             QCOMPARE(outcomes.at(1), DabOutcome::Committed);
-            QCOMPARE(outcomes.at(3), DabOutcome::Empty); // in the air it adds nothing any more
+            QCOMPARE(outcomes.at(3), DabOutcome::Empty); // away from the surface it no longer adds a sphere
             QVERIFY(isSound(*sculptor));
             states.push_back(sculptor->mesh().stateHash());
         }

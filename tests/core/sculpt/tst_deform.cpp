@@ -17,7 +17,7 @@ using mesh_asserts::sculptable;
 
 namespace
 {
-/// A mesh with the vertices of a ball selected and planned.
+/// A mesh whose vertices in a ball are selected and have a planned displacement.
 struct Planned
 {
     std::unique_ptr<Mesh> mesh;

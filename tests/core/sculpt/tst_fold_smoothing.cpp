@@ -26,7 +26,7 @@ StrokeSettings strong(Tool tool, double radius, double strength, double detail)
     return settings;
 }
 
-/// Along the equator of the unit ball, the dabs 0.126 radii apart.
+/// Sculpts along the equator of the unit ball, with a dab every 0.126 radii.
 std::vector<DabReport> strokeAround(Sculptor& sculptor, const StrokeSettings& settings, int dabs)
 {
     std::vector<DabReport> reports;
@@ -43,7 +43,7 @@ std::vector<DabReport> strokeAround(Sculptor& sculptor, const StrokeSettings& se
 }
 } // namespace
 
-/// What a dab does where the surface folds up.
+/// Tests dabs where the surface folds.
 class TestFoldSmoothing : public QObject
 {
     Q_OBJECT
@@ -66,8 +66,8 @@ void TestFoldSmoothing::strongStrokes_reachWhatIsAsked_data()
     QTest::newRow("pull, widest") << int(Tool::Pull) << 0.5 << 8.0 << 0.8;
 }
 
-/// Creases form where the flanks of a bulge, or of a pit, move towards each other: they must close, not jam, and not be
-/// riddled with holes.
+/// Creases form where opposite flanks of a bulge or a pit approach each other. They must close without blocking the
+/// motion and without making holes.
 void TestFoldSmoothing::strongStrokes_reachWhatIsAsked()
 {
     QFETCH(int, tool);
@@ -83,7 +83,8 @@ void TestFoldSmoothing::strongStrokes_reachWhatIsAsked()
     QCOMPARE(sculptor.mesh().live().vertices + sculptor.mesh().live().faces, sculptor.mesh().live().edges + 2);
 }
 
-/// Without fusion a bulge grows towards a plate until it touches it. What smoothing takes back there was not reached.
+/// A bulge grows without fusion towards a plate until it touches it. Displacement that smoothing takes back must not
+/// count as reached.
 void TestFoldSmoothing::motionStoppedAtContact_isNotCalledReached()
 {
     const double gap = 0.2;
@@ -101,7 +102,7 @@ void TestFoldSmoothing::motionStoppedAtContact_isNotCalledReached()
         for (const DabReport& report : sculptor.addSample(sample)) {
             reached += report.reached;
             contact = contact || report.contact;
-            QVERIFY(!report.contact || reached > 0.3 * gap); // not before they are near
+            QVERIFY(!report.contact || reached > 0.3 * gap); // no contact before the surfaces are near
         }
     }
     sculptor.endStroke();

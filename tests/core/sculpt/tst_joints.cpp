@@ -1,4 +1,4 @@
-// Tests the joints that fusion makes where surfaces meet: one seam, with no handle, tunnel or void beside it.
+// Tests the joints that fusion makes where surfaces meet: one seam without additional handles, tunnels or voids.
 #include "core/analysis/mesh_check.h"
 #include "core/mesh/mesh_builder.h"
 #include "tests/support/clay.h"
@@ -31,7 +31,7 @@ core::TriangleMesh movedBy(core::TriangleMesh mesh, const core::Vec3f& way)
     return mesh;
 }
 
-/// Drags the brush in even steps, with one dab each.
+/// Sculpts one dab at each place of the path.
 void drag(Sculptor& sculptor, const StrokeSettings& settings, const std::vector<Vec3>& path)
 {
     sculptor.beginStroke(settings);
@@ -62,7 +62,7 @@ std::vector<Vec3> line(const Vec3& from, const Vec3& to, double step)
     return path;
 }
 
-/// Returns places on an arc about the z axis through `center`, from one angle to another, in radians.
+/// Returns points on an arc about an axis parallel to z through `center`, between two angles in radians.
 std::vector<Vec3> arc(const Vec3& center, double radius, double from, double to, double step)
 {
     const int count = static_cast<int>(std::ceil(std::abs(to - from) * radius / step));
@@ -74,8 +74,8 @@ std::vector<Vec3> arc(const Vec3& center, double radius, double from, double to,
     return path;
 }
 
-/// Returns the points where edges cross the half plane at an angle about the z axis through `center`, no farther than
-/// `within` from a place.
+/// Returns the points where edges cross a half plane, at most `within` from `place`. The half plane is at `angle` about
+/// an axis parallel to z through `center`.
 std::vector<Vec3> sectionAt(const Sculptor& sculptor, const Vec3& center, double angle, const Vec3& place,
                             double within)
 {
@@ -93,7 +93,7 @@ std::vector<Vec3> sectionAt(const Sculptor& sculptor, const Vec3& center, double
     return section;
 }
 
-/// The distances from the x axis at which the surface crosses the plane at x, one for each edge.
+/// Returns the distances from the x axis at which edges cross the plane at x.
 std::vector<double> section(const Sculptor& sculptor, double x)
 {
     const core::Mesh& mesh = sculptor.mesh();
@@ -135,7 +135,8 @@ private Q_SLOTS:
     void strongDabs_leaveFewHandles();
 };
 
-/// Over five radii its section has at least ten corners, and its radius falls by a third at most.
+/// A tentacle five radii long has at least ten corners in each cross-section, and its radius shrinks by at most a
+/// third.
 void TestJoints::snakeHook_isRound()
 {
     constexpr double radius = 0.2;
@@ -144,7 +145,7 @@ void TestJoints::snakeHook_isRound()
     double first = 0;
     for (double way = 0.5; way <= 5.5; way += 0.5) {
         const std::vector<double> distances = section(sculptor, 1 + way * radius);
-        QVERIFY(distances.size() >= 20); // each corner has two edges or more
+        QVERIFY(distances.size() >= 20); // each corner of the section has at least two edges
         const auto [least, most] = std::ranges::minmax(distances);
         QVERIFY2(least > 0.85 * most, qPrintable(QStringLiteral("%1 to %2").arg(least).arg(most)));
         first = std::max(first, most);
@@ -160,7 +161,7 @@ void TestJoints::snakeHook_isRoundInABend_data()
         QTest::addRow("%g radii", bend) << bend;
 }
 
-/// A tentacle that is led round half a turn keeps round sections, instead of becoming a ribbon.
+/// A tentacle drawn in a half circle must keep round cross-sections and not flatten to a ribbon.
 void TestJoints::snakeHook_isRoundInABend()
 {
     QFETCH(double, bend);
@@ -175,7 +176,7 @@ void TestJoints::snakeHook_isRoundInABend()
     for (double angle = -1.2; angle < 1.2; angle += 0.3) {
         const Vec3 place = center + curve * Vec3(std::cos(angle), std::sin(angle), 0);
         const std::vector<Vec3> section = sectionAt(sculptor, center, angle, place, 1.2 * radius);
-        QVERIFY(section.size() >= 20); // at least ten corners
+        QVERIFY(section.size() >= 20); // each of at least ten corners has at least two edges
         Vec3 middle = Vec3::Zero();
         for (const Vec3& p : section)
             middle += p / static_cast<double>(section.size());
@@ -207,7 +208,7 @@ void TestJoints::snakeHookLedBack_isAHandle_data()
         QTest::addRow("slab, radius %g", radius) << clay::slab(1, 1, 20) << radius << 2.0 << 0.1;
 }
 
-/// A half turn that begins and ends at the model's side makes one handle, in one piece, and nothing else.
+/// A half circle that starts and ends at the model's side must form exactly one handle in one part.
 void TestJoints::snakeHookLedBack_isAHandle()
 {
     QFETCH(core::TriangleMesh, model);
@@ -225,7 +226,8 @@ void TestJoints::snakeHookLedBack_isAHandle()
     QVERIFY2(report.genus.value() == 1 && report.components == 1,
              qPrintable(QStringLiteral("genus %1, components %2").arg(report.genus.value()).arg(report.components)));
     const double inner = center.x() + half - 0.7 * radius;
-    QVERIFY(!sculptor.hit({{0.5 * (front->position.x() + inner), 0, 10}, {0, 0, -1}})); // one sees through it
+    // a ray passes through the hole of the handle
+    QVERIFY(!sculptor.hit({{0.5 * (front->position.x() + inner), 0, 10}, {0, 0, -1}}));
 }
 
 void TestJoints::snakeHookToAWall_staysInIt_data()
@@ -235,7 +237,7 @@ void TestJoints::snakeHookToAWall_staysInIt_data()
         QTest::addRow("%g", thickness) << thickness;
 }
 
-/// A tentacle from a ball to a plate above it: both become one part, and the far side of the plate stays flat.
+/// A tentacle from a ball to a plate above it joins both, and must not bulge the far side of the plate.
 void TestJoints::snakeHookToAWall_staysInIt()
 {
     QFETCH(double, thickness);
@@ -254,7 +256,7 @@ void TestJoints::snakeHookToAWall_staysInIt()
         QVERIFY(!sculptor.mesh().isVertex(v) || sculptor.mesh().point(v).y() < top + 0.01 * radius);
 }
 
-/// The mirror image of a handle joins, too.
+/// The mirror image of the handle must join as well.
 void TestJoints::snakeHookLedBack_isSymmetric()
 {
     constexpr double radius = 0.2, half = 2 * radius;
@@ -286,17 +288,17 @@ void TestJoints::joints_areQuasiUniform_data()
     for (const Tool tool : {Tool::Pull, Tool::Grab, Tool::Inflate, Tool::SnakeHook}) {
         for (const double radius : {0.15, 0.22, 0.32, 0.45}) {
             const std::string_view name = core::name(tool);
-            if (tool != Tool::Inflate || radius > 0.2) // which would take far more dabs to get there
+            if (tool != Tool::Inflate || radius > 0.2) // with a small radius Inflate would need many more dabs to join
                 QTest::addRow("balls, %s, %g", name.data(), radius) << balls << 0.3 << tool << radius;
             QTest::addRow("fingers, %s, %g", name.data(), radius) << clay::twoFingers(0.2) << 0.2 << tool << radius;
-            if (tool != Tool::Inflate || radius > 0.4) // a smaller one would take far more dabs to get there
+            if (tool != Tool::Inflate || radius > 0.4) // with a small radius Inflate would need many more dabs to join
                 QTest::addRow("plates, %s, %g", name.data(), radius) << plates << 0.4 << tool << radius;
         }
     }
 }
 
-/// Each dab leaves its selection d_detail-tight, also the one that joins (paper, section 3.4), except for a split that
-/// is refused since its faces would be too narrow.
+/// After each dab, including the joining one, the selection must be d_detail-tight (paper, section 3.4). Exception: a
+/// split that is refused because its faces would be too narrow.
 void TestJoints::joints_areQuasiUniform()
 {
     QFETCH(core::TriangleMesh, model);
@@ -310,7 +312,7 @@ void TestJoints::joints_areQuasiUniform()
             longest = std::max(longest, quality->longestEdge);
     });
     const Vec3 left(-0.5 * gap, 0, 0), right(0.5 * gap, 0, 0), inwards(0.3 * radius, 0, 0);
-    if (core::isDragTool(tool)) { // from within the left one, to hold that alone
+    if (core::isDragTool(tool)) { // starts inside the left model to move only that one
         drag(sculptor, tool, radius, line(left - inwards, right + 2 * inwards, 0.1 * radius));
     } else {
         drag(sculptor, tool, radius, line(left, right, 0.1 * radius));
@@ -334,7 +336,7 @@ void TestJoints::eggThroughAPlate_isOneSeam_data()
     }
 }
 
-/// An egg that is dragged through a plate becomes part of it, or leaves one hole.
+/// An egg dragged through a plate must fuse with it or leave at most one hole.
 void TestJoints::eggThroughAPlate_isOneSeam()
 {
     QFETCH(double, radius);
@@ -361,7 +363,7 @@ void TestJoints::fineForkIntoAPlate_joins_data()
     }
 }
 
-/// The mesh is far finer than the brush, and a dab joins it all the same, before it would be too much work.
+/// The mesh is far finer than the brush. A dab must still join it before the work limit of a dab is reached.
 void TestJoints::fineForkIntoAPlate_joins()
 {
     QFETCH(Tool, tool);
@@ -396,7 +398,7 @@ void TestJoints::grabAlongTheSurface_staysInOnePiece_data()
             << clay::slab(4, 0.5, 40) << Vec3(0.1, 0.25, 0.5) << Vec3(0, 0, -0.46 * radii);
 }
 
-/// A Grab along the surface leaves one part, however thin, with no edge longer than 1.5 d_detail.
+/// Dragging along the surface must leave one part, however thin, without an edge longer than 1.5 d_detail.
 void TestJoints::grabAlongTheSurface_staysInOnePiece()
 {
     QFETCH(core::TriangleMesh, model);
@@ -444,7 +446,7 @@ void TestJoints::endsOfARing_joinInOneSeam()
              qPrintable(QStringLiteral("genus %1, components %2").arg(report.genus.value()).arg(report.components)));
 }
 
-/// Dabs at random places, each of 0.4 to 1 radii, raise horns that meet.
+/// Random dabs with a displacement of 0.4 to 1 radii raise horns that meet. Few handles may remain.
 void TestJoints::strongDabs_leaveFewHandles()
 {
     Sculptor sculptor(mesh_asserts::sculptable(core::icosphere(4, 1)));

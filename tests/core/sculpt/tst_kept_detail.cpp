@@ -1,4 +1,5 @@
-// A dab on a surface that is finer than its brush moves each vertex as its field says, and leaves the rest as it was.
+// Tests dabs on a surface finer than the brush: each vertex must move as the tool's field says, and the others must
+// stay.
 #include "core/sculpt/deform/deform.h"
 #include "core/stroke/stroke_anchor.h"
 #include "core/stroke/stroke_path.h"
@@ -24,7 +25,7 @@ namespace
 {
 using clay::ballRadius;
 
-/// A ball with waves of eight edges in all directions.
+/// Returns a ball with waves eight edges long in all directions.
 core::TriangleMesh wavyBall()
 {
     core::TriangleMesh ball = core::icosphere(6, ballRadius);
@@ -33,8 +34,8 @@ core::TriangleMesh wavyBall()
     return ball;
 }
 
-/// A stroke of one dab that moves something: a drag tool holds the surface with the first sample, and moves it with the
-/// second one.
+/// Returns a stroke of one effective dab. A drag tool has two samples: it grabs with the first and moves with the
+/// second.
 Stroke strokeOf(Tool tool, double radius)
 {
     Stroke stroke;
@@ -52,7 +53,7 @@ Stroke strokeOf(Tool tool, double radius)
     return stroke;
 }
 
-/// Returns the last dab of a stroke whose samples are its dabs.
+/// Returns the last dab of a stroke with one dab per sample.
 Dab lastDab(const Stroke& stroke)
 {
     core::StrokePath path(stroke.settings);
@@ -66,11 +67,11 @@ Dab lastDab(const Stroke& stroke)
     return dab;
 }
 
-/// The vertices under the brush, where they were and where the tool's field takes them.
+/// The vertices under the brush, with their positions before and after the tool's field.
 struct Expected
 {
     core::Region region;
-    std::vector<Vec3> before; ///< by slot
+    std::vector<Vec3> before; ///< positions before the dab; index: vertex slot
 
     Expected(const Mesh& mesh, const Stroke& stroke)
     {
@@ -131,8 +132,8 @@ private Q_SLOTS:
     void adaptive_losesDetail();
 };
 
-/// 95 % of the places to which the field takes vertices lie within a tenth of an edge of the surface, all within one.
-/// The brush does not have fewer vertices.
+/// 95 % of the target positions must be within a tenth of an edge of the new surface, and all within one edge. The area
+/// must not lose vertices.
 void TestKeptDetail::refine_movesEachVertexByTheField()
 {
     QFETCH(Tool, tool);
@@ -194,7 +195,7 @@ void TestKeptDetail::refine_isAdaptiveWhereTheBrushIsFiner()
     QVERIFY(mesh_asserts::surfaceOf(refined.mesh()).points == mesh_asserts::surfaceOf(adapted.mesh()).points);
 }
 
-/// Pinched again and again the surface does not become ever finer.
+/// Repeated pinching must not refine the surface without limit: squeezed edges are collapsed.
 void TestKeptDetail::refine_collapsesWhatTheStrokeSqueezed()
 {
     Sculptor sculptor(mesh_asserts::sculptable(core::icosphere(6, ballRadius)));
@@ -210,7 +211,7 @@ void TestKeptDetail::refine_collapsesWhatTheStrokeSqueezed()
     QVERIFY(mesh_asserts::badFaces(sculptor.mesh()).empty());
 }
 
-/// The paper's topology, which this is compared with.
+/// Proves the contrast: the paper's adaptive topology does lose detail.
 void TestKeptDetail::adaptive_losesDetail()
 {
     Sculptor sculptor(mesh_asserts::sculptable(wavyBall()));

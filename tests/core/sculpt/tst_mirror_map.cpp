@@ -1,7 +1,6 @@
-// Sculpting about a plane of symmetry: what was symmetric stays so, bit for bit, whatever was stroked, across the plane
-// too.
+// Tests mirrored sculpting: a symmetric model stays symmetric bit for bit under any stroke, even one across the plane.
 //
-// FETTLE_SEED=n: another seed. FETTLE_DABS=n: another number of dabs of each shape and plane.
+// FETTLE_SEED=n: another seed. FETTLE_DABS=n: number of dabs for each shape and plane.
 
 #include "core/operations/model_command.h"
 #include "core/sculpt/sculptor.h"
@@ -36,7 +35,7 @@ using mirror_asserts::asymmetry;
 
 namespace
 {
-constexpr Slot minFaces = 12, maxFaces = 10'000; ///< a run whose mesh is smaller or larger ends
+constexpr Slot minFaces = 12, maxFaces = 10'000; ///< a run ends if its mesh is smaller or larger
 
 core::TriangleMesh symmetrized(const core::TriangleMesh& shape, Symmetry plane)
 {
@@ -67,7 +66,8 @@ struct Tally
     }
 };
 
-/// A symmetric mesh, sculpted at random about its plane until it has grown large, judged, undone and redone.
+/// Sculpts a symmetric mesh at random about its plane until it has grown large, checks it, undoes and redoes
+/// everything.
 class MirrorRun
 {
 public:
@@ -183,7 +183,7 @@ void TestMirrorMap::randomStrokes_keepTheSymmetry_data()
             return QTest::newRow((std::string(shape) + " at " + std::string(name(plane)) + " = 0").c_str());
         };
         row("sphere") << core::icosphere(3, 1) << plane;
-        row("icosahedron") << core::icosphere(0, 1) << plane; // with edges across the plane
+        row("icosahedron") << core::icosphere(0, 1) << plane; // has edges across the plane
         row("two fingers") << clay::twoFingers(0.01) << plane;
         row("torus") << symmetrized(shapes::torus(), plane) << plane;
         row("slab") << symmetrized(clay::slab(2, 0.05, 12), plane) << plane;
@@ -216,7 +216,8 @@ StrokeSettings mirroredSettings(Tool tool, double radius = 0.3)
     return settings;
 }
 
-/// The farthest vertex from the origin within a quarter of the direction.
+/// Returns the largest distance from the origin of vertices whose unit direction differs from `direction` by less than
+/// 0.25.
 double reachIn(const Mesh& mesh, const Vec3& direction)
 {
     double farthest = 0;
@@ -235,7 +236,7 @@ void TestMirrorMap::eitherSide_givesTheSameBits()
 {
     for (const Tool tool : {Tool::Pull, Tool::Push, Tool::Flatten, Tool::Smooth, Tool::Paint}) {
         const auto left = unitBall(), right = unitBall();
-        const Vec3 near(0.1, 0.6, 0.8); // the ball reaches across the plane
+        const Vec3 near(0.1, 0.6, 0.8); // the brush sphere crosses the plane
         dabOnce(*right, mirroredSettings(tool), near);
         dabOnce(*left, mirroredSettings(tool), {-near.x(), near.y(), near.z()});
         QCOMPARE(left->mesh().stateHash(), right->mesh().stateHash());
@@ -248,7 +249,7 @@ void TestMirrorMap::dabAcrossThePlane_movesNothingOffIt()
     const DabReport report = dabOnce(*sculptor, mirroredSettings(Tool::Pull), {0.1, 0, 1});
     QCOMPARE(core::name(report.outcome), core::name(DabOutcome::Committed));
     QVERIFY(!report.asymmetric);
-    QVERIFY(report.asked > 0.01 && report.asked < 0.031); // two dabs that overlap are no more than one
+    QVERIFY(report.asked > 0.01 && report.asked < 0.031); // the two overlapping dabs must not move the surface twice
     const Mesh& mesh = sculptor->mesh();
     Slot lifted = 0;
     for (Slot v = 0; v < mesh.slots().vertices; ++v)
@@ -371,7 +372,7 @@ void TestMirrorMap::addedSphere_touchingItsImageIsRefused()
 
 namespace
 {
-/// Dabs until the genus or the number of parts has changed, but not more than `most`. Returns the Euler number.
+/// Repeats dabs, at most `most`, until the Euler number has changed. Returns the Euler number.
 std::int64_t sculptUntilChanged(Sculptor& sculptor, const StrokeSettings& settings, const std::vector<Vec3>& path,
                                 int most)
 {
@@ -384,10 +385,10 @@ std::int64_t sculptUntilChanged(Sculptor& sculptor, const StrokeSettings& settin
 
 void TestMirrorMap::fingers_joinAcrossThePlane()
 {
-    Sculptor sculptor(sculptable(clay::twoFingers(0.1))); // side by side in x
+    Sculptor sculptor(sculptable(clay::twoFingers(0.1))); // the fingers are side by side in x
     StrokeSettings settings = mirroredSettings(Tool::Pull, 0.15);
     settings.place = core::Placement::Nearest;
-    QCOMPARE(sculptUntilChanged(sculptor, settings, {{0.05, 0, 0}}, 40), 2); // two balls are one
+    QCOMPARE(sculptUntilChanged(sculptor, settings, {{0.05, 0, 0}}, 40), 2); // one part instead of two
     VERIFY_SYMMETRIC(sculptor.mesh(), Symmetry::X);
     VERIFY_VALID(sculptor.mesh());
     QVERIFY(sculptor.totals().fusions > 0);
@@ -397,7 +398,7 @@ void TestMirrorMap::fingers_joinAlongThePlane()
 {
     Sculptor sculptor(sculptable(clay::twoFingers(0.1)));
     StrokeSettings settings = mirroredSettings(Tool::Pull, 0.15);
-    settings.symmetry = Symmetry::Z; // through both
+    settings.symmetry = Symmetry::Z; // the plane goes through both fingers
     settings.place = core::Placement::Nearest;
     QCOMPARE(sculptUntilChanged(sculptor, settings, {{-0.05, 0, 0}, {0.05, 0, 0}}, 40), 2);
     VERIFY_SYMMETRIC(sculptor.mesh(), Symmetry::Z);
@@ -406,7 +407,8 @@ void TestMirrorMap::fingers_joinAlongThePlane()
 
 void TestMirrorMap::wall_isPiercedAtThePlane()
 {
-    Sculptor sculptor(sculptable(symmetrized(clay::slab(1, 0.1, 16), Symmetry::Y))); // lies in the plane
+    // the slab is parallel to the plane and centred on it
+    Sculptor sculptor(sculptable(symmetrized(clay::slab(1, 0.1, 16), Symmetry::Y)));
     StrokeSettings settings = mirroredSettings(Tool::Push, 0.2);
     settings.symmetry = Symmetry::Y;
     settings.place = core::Placement::Nearest;

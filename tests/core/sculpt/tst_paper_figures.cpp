@@ -1,5 +1,4 @@
-// What the figures of the paper show. Of those that are shown elsewhere: Figures 5 and 6 in tst_remesh, 16 in
-// tst_dab_pipeline.
+// Tests what the figures of the paper show. Figures 5 and 6 are tested in tst_remesh, Figure 16 in tst_dab_pipeline.
 
 #include "core/analysis/mesh_check.h"
 #include "core/sculpt/remesh/remesh.h"
@@ -25,9 +24,9 @@ using mesh_asserts::volumeOf;
 
 namespace
 {
-constexpr double gap = 0.06; ///< between the ends of the cut ring, the ear and the neck of Figure 4
+constexpr double gap = 0.06; ///< gap between the ends of the cut ring, which represent the ear and the neck in Figure 4
 
-/// One dab from above `target`, along -direction, whichever the brush.
+/// Sculpts one dab at `target`, seen from outside, with either brush shape.
 DabReport dabAt(Sculptor& sculptor, const StrokeSettings& settings, const Vec3& target, const Vec3& outward)
 {
     core::StrokeSample sample;
@@ -50,13 +49,13 @@ std::vector<Vec3> pointsWhere(const Mesh& mesh, const std::function<bool(const V
     return points;
 }
 
-/// Handles, summed over the components: V - E + F = 2 a component, less 2 a handle.
+/// Returns the genus summed over all components. For each, V - E + F = 2 - 2 x handles.
 std::int64_t genus(const Mesh& mesh)
 {
     return core::checkMesh(mesh_asserts::surfaceOf(mesh)).genus.value_or(-1);
 }
 
-/// The mean distance of the vertices in the ball from the mean of their neighbours.
+/// Returns the mean distance of the vertices in a ball from the mean of their neighbours.
 double roughness(const Mesh& mesh, const core::Sphere& ball)
 {
     double sum = 0;
@@ -72,7 +71,7 @@ double roughness(const Mesh& mesh, const core::Sphere& ball)
     return sum / count;
 }
 
-/// How far apart along z the vertices in the ball lie.
+/// Returns the extent in z of the vertices in a ball.
 double relief(const Mesh& mesh, const core::Sphere& ball)
 {
     const std::vector<Vec3> points =
@@ -106,8 +105,8 @@ private Q_SLOTS:
     void pinch_cutsANeck();
 };
 
-/// (a, b, c): the back of the dog. A path along edges may be longer than the straight way, so the ray brush's rim lies
-/// inside.
+/// Figure 4 (a, b, c), the back of the dog. A path along edges can be longer than the straight line, so the ray brush
+/// reaches slightly less far.
 void TestPaperFigures::figure4_onASimpleSurfaceBothBrushesDoTheSame()
 {
     const Vec3 top(0, 0, 1);
@@ -130,10 +129,10 @@ void TestPaperFigures::figure4_onASimpleSurfaceBothBrushesDoTheSame()
     QVERIFY(std::abs(ray.reached / sphere.reached - 1) < 0.05);
 }
 
-/// (d, e, f): the collar beside the ear. Both ends of the ring are one connected surface, but only the long way round.
+/// Figure 4 (d, e, f), the collar beside the ear. The ends of the ring are connected only the long way around.
 void TestPaperFigures::figure4_nextToAFoldTheRayBrushTakesTheNearSheet()
 {
-    const Vec3 neck(1, gap / 2, 0), outward(0, -1, 0); // the pole of one end, facing the other
+    const Vec3 neck(1, gap / 2, 0), outward(0, -1, 0); // pole of one end, which faces the other end
     const auto ear = [](const Vec3& p) { return p.x() > 0.5 && p.y() < 0; };
     const auto neckSide = [](const Vec3& p) { return p.x() > 0.5 && p.y() > 0; };
     const TriangleMesh ring = clay::cutRing(gap);
@@ -142,7 +141,7 @@ void TestPaperFigures::figure4_nextToAFoldTheRayBrushTakesTheNearSheet()
         const std::vector<Vec3> earBefore = pointsWhere(sculptor.mesh(), ear),
                                 neckBefore = pointsWhere(sculptor.mesh(), neckSide);
         StrokeSettings settings;
-        settings.tool = Tool::Push; // away from the other sheet
+        settings.tool = Tool::Push; // moves the surface away from the other end
         settings.radius = 0.15;
         settings.strength = 0.5;
         settings.brush = brush;
@@ -154,11 +153,12 @@ void TestPaperFigures::figure4_nextToAFoldTheRayBrushTakesTheNearSheet()
     }
 }
 
-/// A flat star of two vertices p and q, 0.3 apart, on top of a solid; only they are selected. It is its own image when
-/// turned by half a turn, so what forbids to move p towards q forbids to move q towards p.
+/// Two adjacent vertices p and q, 0.3 apart, are selected on top of a solid. Their flat star is symmetric under a half
+/// turn, so a collapse of p to q is illegal exactly if that of q to p is.
 void TestPaperFigures::figure7_illegalCollapsesAreRefused_data()
 {
-    QTest::addColumn<double>("ax"); // a common neighbour of p and q; its edge to b points past p or between them
+    // x of a common neighbour of p and q, whose edge to b points past p or between p and q
+    QTest::addColumn<double>("ax");
     QTest::addColumn<double>("detail");
     QTest::addColumn<int>("collapses");
     QTest::newRow("legal") << 0.25 << 2.0 << 1;
@@ -171,7 +171,7 @@ void TestPaperFigures::figure7_illegalCollapsesAreRefused()
     QFETCH(double, ax);
     QFETCH(double, detail);
     enum { P, Q, A, B, C, D, E, F, Apex };
-    // Below 0.15 the line from b through a passes between p and the middle of p and q.
+    // If ax is below 0.15, the line from b through a passes between p and the midpoint of p and q.
     const float x = static_cast<float>(ax), far = ax < 0.15 ? 1.0f : 0.7f;
     TriangleMesh shape;
     shape.points = {{0, 0, 0},        {0.3f, 0, 0},    {x, -0.35f, 0},
@@ -191,7 +191,7 @@ void TestPaperFigures::figure7_illegalCollapsesAreRefused()
     VERIFY_VALID(*mesh);
 }
 
-/// Three edges around a neck bound no face: to collapse one would pinch the surface to an edge of four faces.
+/// The three edges around a neck are not a face. Collapsing one of them would leave an edge with four faces.
 void TestPaperFigures::figure7_neckIsNotCollapsed()
 {
     std::vector<Vec3> hourglass = {{0, -1, 0}, {0.6, -0.8, 0}, {0.1, 0, 0}, {0.6, 0.8, 0}, {0, 1, 0}};
@@ -218,8 +218,8 @@ void TestPaperFigures::figure11_fourToolsOnOnePart_data()
     QTest::newRow("smooth") << Tool::Smooth;
 }
 
-/// Each is gradual, "can be halted at any time": the surface is valid between sub-steps and goes one way from dab to
-/// dab.
+/// The paper says that tools "can be halted at any time": the mesh is valid between sub-steps, and each dab continues
+/// the change of the previous one.
 void TestPaperFigures::figure11_fourToolsOnOnePart()
 {
     QFETCH(Tool, tool);
@@ -256,7 +256,7 @@ void TestPaperFigures::figure11_fourToolsOnOnePart()
     if (tool == Tool::Flatten || tool == Tool::Smooth)
         QVERIFY2(before < 0.6 * start, qPrintable(QStringLiteral("%1 of %2").arg(before).arg(start)));
     else
-        QVERIFY(std::abs(before - start) > 0.01); // of 4.19
+        QVERIFY(std::abs(before - start) > 0.01); // of a total volume of 4.19
     QVERIFY2(unsound.empty(), unsound.c_str());
     VERIFY_VALID(sculptor.mesh());
 }
@@ -268,7 +268,8 @@ void TestPaperFigures::figure12_fingersPulledIntoEachOtherJoin_data()
     QTest::newRow("without") << false;
 }
 
-/// Both facing sides are pulled until they have met. Two shells are one then, or they stop at contact.
+/// Pulls the facing sides of both fingers until they meet. They join to one part, or they stop at contact without
+/// fusion.
 void TestPaperFigures::figure12_fingersPulledIntoEachOtherJoin()
 {
     QFETCH(bool, fusion);
@@ -289,7 +290,7 @@ void TestPaperFigures::figure12_fingersPulledIntoEachOtherJoin()
     QCOMPARE(sculptor.totals().fusions > 0, fusion);
 }
 
-/// Two stars of one surface: it gains a handle.
+/// Joining two places of one part adds a handle.
 void TestPaperFigures::figure13_theEndsOfARingJoin()
 {
     Sculptor sculptor(sculptable(clay::cutRing(gap)));
@@ -304,7 +305,7 @@ void TestPaperFigures::figure13_theEndsOfARingJoin()
     QVERIFY(sculptor.totals().fusions > 0);
 }
 
-/// One finger is dragged across the other. Without fusion the paper's mesh intersects itself; ours stops.
+/// Drags one finger across the other. Without fusion the paper's mesh intersects itself; Fettle's stops at contact.
 void TestPaperFigures::figure15_withAndWithoutFusion()
 {
     QFETCH(bool, fusion);
@@ -334,7 +335,7 @@ void TestPaperFigures::figure21_aBridgeIsOneTube_data()
     QTest::newRow("with its image") << core::Symmetry::Y << Vec3(0, 0.3, 0) << 2;
 }
 
-/// Pulled out of one ball against another, and on where it has arrived: no holes stay in the joint.
+/// Pulls a bridge from one ball to another and continues in it. The joint must not have holes.
 void TestPaperFigures::figure21_aBridgeIsOneTube()
 {
     QFETCH(core::Symmetry, symmetry);
@@ -370,7 +371,7 @@ void TestPaperFigures::pushThroughASlab_piercesIt()
     for (int i = 0; i < 12; ++i) {
         const auto above = sculptor.hit({{0.03, 1, 0.02}, {0, -1, 0}});
         if (!above)
-            break; // one sees through
+            break; // the slab is pierced
         dabAt(sculptor, settings, above->position, {0, 1, 0});
         VERIFY_VALID(sculptor.mesh());
     }
@@ -378,7 +379,7 @@ void TestPaperFigures::pushThroughASlab_piercesIt()
     QCOMPARE(genus(sculptor.mesh()), 1);
 }
 
-/// Pull, flatten and smooth with a brush much larger than the wall is thick: nobody pushed through it.
+/// Pull, flatten and smooth must not pierce a wall, even if the brush is much larger than the wall is thick.
 void TestPaperFigures::largeBrush_doesNotPierceAWall()
 {
     for (Tool tool : {Tool::Pull, Tool::Flatten, Tool::Smooth}) {
@@ -395,7 +396,7 @@ void TestPaperFigures::largeBrush_doesNotPierceAWall()
     }
 }
 
-/// A dumbbell, pushed in all around its thin handle.
+/// Pushes in a dumbbell all around its thin handle.
 void TestPaperFigures::pinch_cutsANeck()
 {
     std::vector<Vec3> dumbbell = {{0, -1, 0}};
@@ -412,7 +413,7 @@ void TestPaperFigures::pinch_cutsANeck()
         dabAt(sculptor, settings, Vec3::Zero(), {1, 0, 0});
         VERIFY_VALID(sculptor.mesh());
     }
-    QCOMPARE(mesh_asserts::eulerNumber(sculptor.mesh()), 4); // two shells
+    QCOMPARE(mesh_asserts::eulerNumber(sculptor.mesh()), 4); // two parts
     QVERIFY(sculptor.totals().separations > 0);
 }
 

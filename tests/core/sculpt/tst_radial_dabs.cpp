@@ -1,5 +1,5 @@
-// Sculpting in several sectors about y: bit for bit alike by half and quarter turns, as alike as the lattice allows by
-// others; every result is judged.
+// Tests radial strokes about y. Sectors related by half and quarter turns must be equal bit for bit, others as far as
+// the lattice allows. Every result must be a valid solid.
 #include "core/sculpt/deform/deform.h"
 #include "core/sculpt/sculptor.h"
 #include "core/stroke/radial_symmetry.h"
@@ -32,7 +32,7 @@ namespace
 using clay::ballRadius;
 using std::numbers::pi;
 
-/// A ball from an octahedron: its own image by quarter turns about y. 100 mm across.
+/// Returns a ball of 100 mm, subdivided from an octahedron, so that quarter turns about y map it to itself.
 core::TriangleMesh octasphere(int subdivisions)
 {
     core::TriangleMesh mesh;
@@ -57,7 +57,8 @@ core::TriangleMesh octasphere(int subdivisions)
         }
         mesh.triangles = std::move(finer);
     }
-    for (core::Vec3f& p : mesh.points) { // |x| and |z| in one order, for the sums of images to have the same bits
+    // computes with |x| and |z| in a fixed order, so that images have the same bits
+    for (core::Vec3f& p : mesh.points) {
         const float x = std::max(std::abs(p.x()), std::abs(p.z())), z = std::min(std::abs(p.x()), std::abs(p.z()));
         p *= float(ballRadius) / std::sqrt(x * x + z * z + p.y() * p.y());
     }
@@ -103,7 +104,7 @@ Vec3 onBall(double longitude, double latitude)
     return ballRadius * Vec3(std::sin(l) * std::cos(b), std::sin(b), std::cos(l) * std::cos(b));
 }
 
-/// Between the planes x = 0 and x = z, away from both.
+/// Returns a path between the planes x = 0 and x = z, away from both.
 std::vector<Vec3> path()
 {
     std::vector<Vec3> path;
@@ -112,7 +113,7 @@ std::vector<Vec3> path()
     return path;
 }
 
-/// Of the points no farther than `within` from the line from the origin through `at`, the farthest out.
+/// Returns the largest distance from the origin of vertices at most `within` from the ray from the origin through `at`.
 double heightAlong(const Mesh& mesh, const Vec3& at, double within = 3)
 {
     double most = 0;
@@ -193,7 +194,7 @@ void TestRadialDabs::turns_areExactByQuarters()
     }
 }
 
-/// Also: undone it is as before, and done again it has the same bits.
+/// Tests undo and redo as well: each must restore the same bits.
 void TestRadialDabs::exact()
 {
     QFETCH(Tool, tool);
@@ -218,7 +219,7 @@ void TestRadialDabs::exact()
     QCOMPARE(sculptor->mesh().stateHash(), end);
 }
 
-/// One stroke after the other, each across what was done before.
+/// Each tool makes a stroke across the results of earlier tools.
 void TestRadialDabs::exactTwofold_onTheStarterBall()
 {
     Sculptor sculptor(mesh_asserts::sculptable(core::icosphere(5, ballRadius)));
@@ -235,7 +236,7 @@ void TestRadialDabs::sixfold_isExactByHalfTurns()
 {
     const auto sculptor = octaball();
     for (const DabReport& report : radialStroke(*sculptor, radialSettings(Tool::Crease, 6), path()))
-        QVERIFY(!report.sequential); // it is no promise with this count
+        QVERIFY(!report.sequential); // with six sectors, sequential dabs would be allowed
     QCOMPARE(mirror_asserts::turnedAsymmetry(sculptor->mesh(), 2), std::string());
     QVERIFY(isSound(*sculptor));
 }
@@ -271,7 +272,7 @@ void TestRadialDabs::everyTool_staysSound_data()
         QTest::newRow(core::toolNames()[i].data()) << static_cast<Tool>(i);
 }
 
-/// Five sectors, which overlap near the pole.
+/// Five sectors overlap near the pole.
 void TestRadialDabs::everyTool_staysSound()
 {
     QFETCH(Tool, tool);
@@ -316,9 +317,10 @@ void TestRadialDabs::onTheAxis_isOneDab()
     radialStroke(*once, radialSettings(Tool::Pull, 1), {pole});
     const std::vector<DabReport> reports = radialStroke(*often, radialSettings(Tool::Pull, radial), {pole});
     QCOMPARE(often->mesh().stateHash(), once->mesh().stateHash());
-    QCOMPARE(reports.at(0).sequential, radial == 2 || radial == 4); // no promise, but with these
+    // exact sectors are guaranteed only for 2 and 4, where the dab at the pole counts as sequential
+    QCOMPARE(reports.at(0).sequential, radial == 2 || radial == 4);
     radialStroke(*beside, radialSettings(Tool::Pull, radial),
-                 {pole + Vec3(0.02, 0, 0.01)}); // nor is it another a little beside
+                 {pole + Vec3(0.02, 0, 0.01)}); // a dab slightly beside the pole must not add up either
     QVERIFY(std::abs(heightAlong(beside->mesh(), pole) - heightAlong(once->mesh(), pole)) < 0.1);
     QVERIFY(isSound(*often) && isSound(*beside));
 }
@@ -354,7 +356,7 @@ void TestRadialDabs::noisyModel_isDoneOneAfterTheOther()
     QVERIFY(isSound(sculptor));
 }
 
-/// What one sector has been painted with does not come to the others.
+/// Paint in one sector must not be copied to other sectors.
 void TestRadialDabs::paintedModel_keepsItsColours()
 {
     const auto sculptor = octaball();
@@ -402,8 +404,8 @@ void TestRadialDabs::heldClay_isHeldInEachSector_data()
     }
 }
 
-/// Drawn outwards; in one sector perhaps against a ball that stands there, from where on each sector goes on by itself:
-/// what each holds comes along as far but that one, and with a plane its image, which stops when it does.
+/// Drags clay outwards in each sector, in some rows against a ball in one sector. From contact on, each sector moves by
+/// itself. All reach the same height except the blocked one and, with a mirror plane, its image.
 void TestRadialDabs::heldClay_isHeldInEachSector()
 {
     QFETCH(Tool, tool);
@@ -450,8 +452,8 @@ void TestRadialDabs::heldHalf_staysOne_data()
     }
 }
 
-/// Balls stand before another sector, alike on both sides of the plane: it goes on by itself there, and yet as exactly
-/// on both sides.
+/// Balls on both sides of the mirror plane block another sector. Its two halves continue by themselves, but must remain
+/// exact mirror images.
 void TestRadialDabs::heldHalf_staysOne()
 {
     QFETCH(Symmetry, plane);
@@ -490,7 +492,7 @@ void TestRadialDabs::spheres_areAddedInEachSector()
         if (radial == 4)
             QCOMPARE(mirror_asserts::turnedAsymmetry(sculptor->mesh(), 4), std::string());
         const std::vector<DabReport> more =
-            radialStroke(*sculptor, settings, {Vec3(4, 70, 0)}); // they would be in each other
+            radialStroke(*sculptor, settings, {Vec3(4, 70, 0)}); // spheres in different sectors would overlap
         QVERIFY(more.at(0).outcome == DabOutcome::Refused && more.at(0).refusal == core::Refusal::TooClose);
         QVERIFY(isSound(*sculptor));
     }
@@ -515,7 +517,7 @@ void TestRadialDabs::hook_seesSoundMeshes()
     QCOMPARE(broken, std::string());
 }
 
-/// hash(A, undo, B) = hash(B): what the sectors held or raised is no more.
+/// hash(A, undo, B) = hash(B): an undone stroke leaves no state of held or raised clay in any sector.
 void TestRadialDabs::undone()
 {
     QFETCH(Tool, tool);

@@ -48,12 +48,12 @@ void TestRegion::selectSphere_takesTheVerticesInTheBall()
             if ((mesh->point(v).cast<double>() - ball.center).squaredNorm() <= ball.radius * ball.radius)
                 expected.push_back(v);
         }
-        QCOMPARE(region.slots(), expected); // ascending
+        QCOMPARE(region.slots(), expected); // in ascending order
         QCOMPARE(region.size(), static_cast<Slot>(expected.size()));
     }
 }
 
-/// However far from all else the point is, and where there is none.
+/// Tests points at any distance from the surface, and limits within which there is no surface.
 void TestRegion::nearestPoint_isWithinReach()
 {
     const auto mesh = sculptable(clay::slab(1, 0.05, 40));
@@ -68,7 +68,7 @@ void TestRegion::nearestPoint_isWithinReach()
     QVERIFY(!nearestPoint(*mesh, octree, {nan, 0, 0}));
 }
 
-/// Figure 4 of the paper: next to a fold the ray brush takes the near sheet, the spherical brush takes both.
+/// Figure 4 of the paper: beside a fold the ray brush selects only the near side, the spherical brush both sides.
 void TestRegion::selectGeodesic_takesTheNearSheetOnly()
 {
     const auto mesh = sculptable(clay::slab(1, 0.05, 40));
@@ -100,7 +100,7 @@ void TestRegion::selectGeodesic_isTheShortestPathAlongEdges()
         const Sphere ball = {start->position, random.uniform(0.1, 3)};
         std::vector<Slot> candidates = {start->face};
         selectGeodesic(region, candidates, *mesh, ball);
-        // Bellman and Ford: no edge shortens a path any more, and every vertex in reach is there.
+        // Bellman-Ford condition: no edge shortens a path, and every vertex within reach is selected.
         for (Slot v = 0; v < mesh->slots().vertices; ++v) {
             const Vec3 p = mesh->point(v).cast<double>();
             double best = std::ranges::count(mesh->corners(start->face), v) ? (p - ball.center).norm() : 1e9;
@@ -139,7 +139,7 @@ void TestRegion::addAndRemove_keepPositions()
     region.remove(9);
     QVERIFY(!region.contains(9) && region.contains(4));
     QCOMPARE(region.size(), 1u);
-    region.add(9, 0, {3, 0, 0}); // the slot was taken again
+    region.add(9, 0, {3, 0, 0}); // the slot was reused by another vertex
     QCOMPARE(region.size(), 2u);
     QVERIFY(region.plan(9) == Vec3(3, 0, 0) && region.plan(4) == Vec3(2, 0, 0));
     QCOMPARE(region.position(9), 0u);
@@ -171,7 +171,7 @@ void TestRegion::restore_goesBack()
     QVERIFY(!region.contains(100) && !region.contains(6) && region.contains(9));
     QVERIFY(region.plan(0) == Vec3::Zero() && region.plan(9) == Vec3(3, 0, 0));
 
-    // The ray brush selects anew after refining: then even the order of the slots is another.
+    // After refinement the ray brush selects again, possibly with another order of slots.
     region.clear();
     for (Slot v = 200; v > 100; --v)
         region.add(v, 1);

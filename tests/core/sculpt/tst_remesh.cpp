@@ -85,7 +85,7 @@ double smallestAngle(const Mesh& mesh, Slot f)
 
 const core::Sphere brush = {{0, 0, 1}, 0.6};
 
-/// The mean edge of icosphere(4, 1) is 0.07.
+/// The noise of 0.008 compares with a mean edge length of 0.07.
 core::TriangleMesh noisyBall()
 {
     return shapes::noisy(core::icosphere(4, 1), 0.008f, 11);
@@ -164,7 +164,7 @@ void TestRemesh::eachOperation_isLegal()
             if (!mesh.isVertex(v))
                 continue;
             legal = legal && mesh.valence(v) >= 3;
-            mesh.forEachOutgoing(v, [&](Slot h) { // a ball: no face may turn to look inwards
+            mesh.forEachOutgoing(v, [&](Slot h) { // the model is a ball, so no face may turn inwards
                 const core::Triangle& t = mesh.corners(mesh.face(h));
                 const Vec3 center = (mesh.point(t[0]) + mesh.point(t[1]) + mesh.point(t[2])).cast<double>() / 3;
                 legal = legal && areaVector(mesh, mesh.face(h)).dot(center) > 0;
@@ -208,7 +208,8 @@ void TestRemesh::optimise_keepsTheShape()
     optimise(s.edit, s.region, {detail, detail / 2});
     QVERIFY(std::abs(volumeOf(*s.mesh) - before) < 0.01 * before);
     for (Slot v = 0; v < s.mesh->slots().vertices; ++v) {
-        if (s.mesh->isVertex(v)) // midpoints of chords lie detail^2 / 8 inside, several times over
+        // midpoints of chords are detail^2 / 8 inside the sphere, and errors of repeated splits add up
+        if (s.mesh->isVertex(v))
             QVERIFY(std::abs(s.mesh->point(v).cast<double>().norm() - 1) < detail * detail + 0.004);
     }
 }
@@ -299,7 +300,7 @@ void TestRemesh::refine_makesFacesUnderTheBrushFine()
     QVERIFY(counts.splits > 0 && !counts.capped);
     for (Slot e : s.innerEdges())
         QVERIFY(s.length(e) <= detail);
-    for (Slot v = 0; v < s.mesh->slots().vertices; ++v) { // what lies in the ball is selected
+    for (Slot v = 0; v < s.mesh->slots().vertices; ++v) { // every vertex in the ball must be selected
         const bool inside =
             s.mesh->isVertex(v) && (s.mesh->point(v).cast<double>() - brush.center).norm() <= brush.radius;
         QCOMPARE(s.mesh->isVertex(v) && s.region.contains(v), inside);
@@ -309,7 +310,7 @@ void TestRemesh::refine_makesFacesUnderTheBrushFine()
 
 void TestRemesh::refine_reachesABrushInsideOneFace()
 {
-    SelectedMesh s(shapes::cube(20), {{3, 2, 10}, 1}); // no vertex near
+    SelectedMesh s(shapes::cube(20), {{3, 2, 10}, 1}); // no vertex is near the brush
     QVERIFY(s.region.empty());
     const EdgeBounds bounds = core::edgeBounds(1, 1);
     refine(s.edit, s.region, s.candidates, s.ball, bounds);

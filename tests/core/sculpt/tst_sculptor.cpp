@@ -1,9 +1,9 @@
-// The promise under random and under meant strokes: after every dab the mesh is valid and the index right, undo and
-// redo give the same bits, and what can be done is done.
+// Tests the engine's guarantees under random and specific strokes: after every dab the mesh is valid and the octree
+// consistent, undo and redo restore the same bits, and dabs reach the requested displacement if that is possible.
 //
 // FETTLE_EFFORT=soak: a million dabs. FETTLE_SEED=n: another seed. FETTLE_DABS=n: another number of dabs.
-// FETTLE_TRACE=1: says what each dab did. FETTLE_START=file, FETTLE_PLANE=x|y|z: the first run begins with that mesh,
-// symmetric about that plane.
+// FETTLE_TRACE=1: prints the report of each dab. FETTLE_START=file, FETTLE_PLANE=x|y|z: the first run starts with this
+// mesh, which is symmetric about this plane.
 
 #include "core/io/mesh_io.h"
 #include "core/sculpt/sculptor.h"
@@ -83,7 +83,7 @@ struct OneDab
     bool fusion = true;
 };
 
-/// A stroke of one dab.
+/// Sculpts a stroke of one dab.
 DabReport dabOnce(Sculptor& sculptor, const OneDab& dab)
 {
     core::StrokeSettings settings;
@@ -115,11 +115,10 @@ namespace
 {
 constexpr std::uint64_t dabsPerLine = 10'000, seedsPerPart = 1'000'000;
 constexpr int fuzzParts = 4;
-/// Of a soak, beyond what each test run does: to do a run again takes as long as the run, and finds only what is not
-/// the same twice.
+/// One in four runs of a soak is replayed. Replaying takes as long as the run and finds only non-determinism.
 constexpr std::uint64_t runsPerReplay = 4;
 
-/// What the runs of a fuzzer begin with: in turn two shapes as they are, one made symmetric, one that grew in an
+/// Start meshes of the fuzzer's runs. The sequence repeats: two plain shapes, a symmetric one, and one grown in an
 /// earlier run.
 class FuzzStarts
 {
@@ -167,7 +166,7 @@ private:
 };
 } // namespace
 
-/// A part alone stays within the time that QtTest gives a function.
+/// Splits the runs into parts, because QtTest limits the time of a test function.
 void TestSculptor::randomStrokes_keepThePromise_data()
 {
     QTest::addColumn<int>("part");
@@ -202,7 +201,8 @@ void TestSculptor::randomStrokes_keepThePromise()
     tally.printClasses(std::cout);
 }
 
-/// Shrunk from a run that failed: what the octree finds beyond the brush once decided where a mirrored dab refines.
+/// Minimised from a failed run: faces that the octree found beyond the brush used to influence where a mirrored dab
+/// refines.
 void TestSculptor::undoneStrokes_leaveNoTraceInMirroredOnes()
 {
     Sculptor used(sculptable(clay::twoFingers(0.01))), fresh(sculptable(clay::twoFingers(0.01)));
@@ -237,8 +237,8 @@ void TestSculptor::undoneStrokes_leaveNoTraceInMirroredOnes()
     }
 }
 
-/// Shrunk from a run that hung: a dab that met nothing came after an undo, and the quality of what was there before was
-/// asked for.
+/// Minimised from a run that hung: after an undo, a dab that met nothing was asked for the quality of the earlier
+/// selection.
 void TestSculptor::afterUndo_theSelectionHasNoQuality()
 {
     Sculptor sculptor(sculptable(core::icosphere(3, 1)));
@@ -269,7 +269,7 @@ void TestSculptor::pushesThroughASlab_leaveNoSpecksToJoin_data()
     QTest::newRow("thicker, stronger") << 0.1 << 2.0 << 0.5 << 0;
 }
 
-/// A vertex that vanished with a speck was once joined all the same, without end.
+/// Joining used to loop forever on a vertex that had been removed with a speck.
 void TestSculptor::pushesThroughASlab_leaveNoSpecksToJoin()
 {
     QFETCH(double, thickness);
@@ -304,14 +304,14 @@ void TestSculptor::pushThroughASlab_withoutFusion_stopsAtContact()
         const DabReport report = dabOnce(
             sculptor, {.tool = Tool::Push, .position = above->position, .radius = 0.4, .strength = 2, .fusion = false});
         const bool stops = report.outcome == DabOutcome::EndedEarly || report.reached < 0.95 * report.asked;
-        QVERIFY(report.contact || !stops); // it says why
+        QVERIFY(report.contact || !stops); // the report must give the reason
         QCOMPARE(core::shortfallOf(report), stops ? core::Shortfall::Contact : core::Shortfall::None);
         stopped = stopped || stops;
         VERIFY_VALID(sculptor.mesh());
         QVERIFY(sculptor.indexIsConsistent());
         QCOMPARE(mesh_asserts::eulerNumber(sculptor.mesh()), 2);
     }
-    QVERIFY(stopped); // 20 x 0.08 would go through 0.1 many times over
+    QVERIFY(stopped); // 20 dabs of 0.08 would pierce a slab of 0.1 several times
 }
 
 void TestSculptor::fingersPulledTogether_withoutFusion_stopAtContact()
@@ -321,7 +321,7 @@ void TestSculptor::fingersPulledTogether_withoutFusion_stopAtContact()
         for (double side : {-1.0, 1.0}) {
             const auto facing = sculptor.hit({{0, 0.01, 0.02}, {side, 0, 0}});
             if (!facing)
-                continue; // the point between them has been grown over
+                continue; // the surface has grown over the point between the fingers
             dabOnce(sculptor, {.tool = Tool::Pull, .position = facing->position, .radius = 0.3, .fusion = false});
             VERIFY_VALID(sculptor.mesh());
             QCOMPARE(mesh_asserts::eulerNumber(sculptor.mesh()), 4);
@@ -329,7 +329,8 @@ void TestSculptor::fingersPulledTogether_withoutFusion_stopAtContact()
     }
     const auto left = sculptor.hit({{-0.1, 0.01, 0.02}, {1, 0, 0}}),
                right = sculptor.hit({{0.1, 0.01, 0.02}, {-1, 0, 0}});
-    QVERIFY(!left || !right || (left->position - right->position).norm() < 0.1); // they came near before they stopped
+    // they stop only after coming near each other
+    QVERIFY(!left || !right || (left->position - right->position).norm() < 0.1);
 }
 
 void TestSculptor::surfaceAtContact_withoutFusion_followsAPullAway()
@@ -351,7 +352,7 @@ void TestSculptor::surfaceAtContact_withoutFusion_followsAPullAway()
     VERIFY_VALID(sculptor.mesh());
 }
 
-/// Large dabs of each tool, and one that crumples, so that each step of a dab has work for several threads.
+/// Large dabs of each tool, one of which folds the surface, so that each phase of a dab uses several threads.
 void TestSculptor::threads_doNotChangeABit()
 {
     const TriangleMesh ball = core::icosphere(6, 1);
@@ -377,7 +378,7 @@ void TestSculptor::threads_doNotChangeABit()
 
 void TestSculptor::wallOfTheVolume_endsTheDab()
 {
-    const core::Lattice tight(23); // the working volume is the sphere's own box
+    const core::Lattice tight(23); // the working volume is just the bounding box of the sphere
     Sculptor sculptor(sculptable(core::icosphere(3, 1), tight));
     const DabReport report = dabOnce(sculptor, {Tool::Pull, {0, 0, 1}, 0.3, 3});
     QVERIFY(report.outcome == DabOutcome::EndedEarly && report.reached < report.asked);
@@ -522,7 +523,7 @@ void TestSculptor::unusableSamples_areEmptyDabs()
     QVERIFY(sculptor.endStroke().empty());
     QCOMPARE(sculptor.mesh().stateHash(), start);
 
-    core::StrokeSettings sound; // the next stroke is none the worse
+    core::StrokeSettings sound; // the next stroke works normally
     sound.radius = 0.4;
     sculptor.beginStroke(sound);
     core::StrokeSample next;
@@ -602,7 +603,7 @@ void TestSculptor::manySamples_inOneStroke()
     settings.strength = 0.01;
     sculptor.beginStroke(settings);
     core::StrokeSample sample;
-    for (int i = 0; i < 1'000'000; ++i) { // a hand that waves in the air and touches the surface now and then
+    for (int i = 0; i < 1'000'000; ++i) { // the pointer moves in empty space and touches the surface occasionally
         sample.position = {0, 1e-6 * i, i % 10'000 == 0 ? 1.0 : 3.0};
         QCOMPARE(sculptor.addSample(sample).size(), std::size_t(1));
     }
@@ -613,7 +614,7 @@ void TestSculptor::manySamples_inOneStroke()
     QCOMPARE(sculptor.mesh().stateHash(), start);
 }
 
-/// A fine brush over a coarse model: the operations of a sub-step are capped.
+/// A fine brush on a coarse model reaches the limit of operations per sub-step.
 void TestSculptor::tooManyOperations_endTheDab()
 {
     Sculptor sculptor(sculptable(core::icosphere(1, 1)));
@@ -623,11 +624,11 @@ void TestSculptor::tooManyOperations_endTheDab()
     VERIFY_VALID(sculptor.mesh());
 }
 
-/// Fine, wide and strong at once: hundreds of sub-steps of tens of thousands of vertices.
+/// A brush that is fine, large and strong needs hundreds of sub-steps of tens of thousands of vertices.
 void TestSculptor::tooManyMoves_endTheDab()
 {
     Sculptor sculptor(sculptable(core::icosphere(4, 1)));
-    sculptor.setVerification(false); // it would only take longer
+    sculptor.setVerification(false); // verification would only take time here
     const DabReport report = dabOnce(sculptor, {Tool::Pull, {0, 0, 1}, 2, 10, 0.05});
     QVERIFY(report.outcome == DabOutcome::EndedEarly && report.substeps > 10);
     QVERIFY(report.reached > 0 && report.reached < report.asked);
@@ -635,7 +636,7 @@ void TestSculptor::tooManyMoves_endTheDab()
     VERIFY_LINKED(sculptor.mesh());
 }
 
-/// The strokes of the speed comparison: along a great circle, 0.02 radius a dab.
+/// The strokes of the speed comparison: along a great circle, with a displacement of 0.02 radii per dab.
 void TestSculptor::peersStroke_commitsOnTheStraightPath()
 {
     Sculptor sculptor(sculptable(core::icosphere(4, 1)));
@@ -664,7 +665,8 @@ void TestSculptor::reports_tellWhatTheDabDid()
     const double before = boundsOf(sculptor.mesh()).max().z();
     const DabReport report = dabOnce(sculptor, {Tool::Pull, {0, 0, 1}, 0.25, 1});
     QVERIFY(report.outcome == DabOutcome::Committed);
-    QVERIFY(report.asked > 0.0249 && report.asked <= 0.025); // 0.1 radius, at a vertex in the centre
+    // 0.1 radii, nearly reached because a vertex is at the centre
+    QVERIFY(report.asked > 0.0249 && report.asked <= 0.025);
     QVERIFY(std::abs(report.reached - report.asked) < 1e-3 * report.asked);
     QVERIFY(std::abs(boundsOf(sculptor.mesh()).max().z() - before - report.reached) < 0.1 * report.reached);
     QVERIFY(report.touchedVertices > 20 && report.touchedFaces > report.touchedVertices && report.substeps >= 1);
@@ -682,7 +684,7 @@ void TestSculptor::hook_runsBetweenSubsteps()
     });
     const DabReport report = dabOnce(sculptor, {Tool::Pull, {0, 0, 1}, 0.3, 5});
     QVERIFY(report.substeps > 1);
-    QVERIFY(valid && calls > 1 && calls <= report.substeps); // several may be one transaction
+    QVERIFY(valid && calls > 1 && calls <= report.substeps); // a transaction may contain several sub-steps
 }
 
 void TestSculptor::rehearsal_leavesNoTrace()

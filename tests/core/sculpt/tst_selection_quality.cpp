@@ -53,7 +53,7 @@ private Q_SLOTS:
 
 void TestSelectionQuality::tetrahedron_isMeasuredByHand()
 {
-    core::TriangleMesh mesh; // regular, edges of 2 sqrt 2
+    core::TriangleMesh mesh; // a regular tetrahedron with edges of 2 sqrt(2)
     mesh.points = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
     mesh.triangles = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
     const auto built = sculptable(std::move(mesh));
@@ -62,38 +62,38 @@ void TestSelectionQuality::tetrahedron_isMeasuredByHand()
     QVERIFY(quality);
     QVERIFY(near(quality->longestEdge, 0.5));
     QVERIFY(near(quality->conformingShare, 1));
-    QVERIFY(near(quality->smallestAngleSine, std::sqrt(3.0) / 2)); // 60 degrees
+    QVERIFY(near(quality->smallestAngleSine, std::sqrt(3.0) / 2)); // angle of 60 degrees
 }
 
-/// A cube of 12 edges of 2 and 6 diagonals.
+/// The cube has 12 edges of length 2 and 6 face diagonals.
 void TestSelectionQuality::shareCountsTheLongEdges()
 {
     const auto mesh = sculptable(shapes::cube(2));
     const Region region = regionOf(*mesh, always);
     const auto share = [&](double least) { return selectionQuality(*mesh, region, {10, least})->conformingShare; };
-    QVERIFY(near(share(2), 1)); // exactly d is long enough
+    QVERIFY(near(share(2), 1)); // edges of length exactly d conform
     QVERIFY(near(share(2.1), 6.0 / 18));
     QVERIFY(near(share(3), 0));
     QVERIFY(near(selectionQuality(*mesh, region, {1, 1})->longestEdge, std::sqrt(8.0)));
-    QVERIFY(near(selectionQuality(*mesh, region, {1, 1})->smallestAngleSine, std::sqrt(0.5))); // 45 degrees
+    QVERIFY(near(selectionQuality(*mesh, region, {1, 1})->smallestAngleSine, std::sqrt(0.5))); // angle of 45 degrees
 }
 
 void TestSelectionQuality::onlyWhatIsSelectedCounts()
 {
-    const auto mesh = sculptable(clay::slab(8, 1, 8)); // squares of side 1, cut once
+    const auto mesh = sculptable(clay::slab(8, 1, 8)); // unit squares, each divided into two triangles
     const auto quality =
         selectionQuality(*mesh, regionOf(*mesh, [](const Vec3& p) { return p.y() > 0 && p.norm() < 2.5; }), {1, 1});
     QVERIFY(quality);
     QVERIFY(near(quality->longestEdge, std::sqrt(2.0)));
     const auto edge =
         selectionQuality(*mesh, regionOf(*mesh, [](const Vec3& p) { return p.y() > 0 && p.z() == 0; }), {1, 1});
-    QVERIFY(!edge); // a row of vertices has edges and no face
+    QVERIFY(!edge); // a row of vertices contains no face
 }
 
 void TestSelectionQuality::onePercentOfTheFacesIsExcused()
 {
     core::TriangleMesh mesh = clay::slab(20, 1, 20);
-    for (core::Vec3f& p : mesh.points) { // the faces around one vertex of each side become slivers: 12 of 1760
+    for (core::Vec3f& p : mesh.points) { // makes the faces around one vertex of each side slivers: 12 of 1760
         if (p.x() == 0 && p.z() == 0)
             p.x() = 0.95f;
     }
@@ -125,9 +125,9 @@ void TestSelectionQuality::sculptor_measuresWhatTheLastDabSelected()
         const core::DabReport report = sculptor.addSample(sample).at(0);
         const auto quality = sculptor.selectionQuality();
         QVERIFY(quality);
-        QVERIFY(quality->longestEdge > 0.5 && quality->longestEdge <= 1); // d_detail-tight
+        QVERIFY(quality->longestEdge > 0.5 && quality->longestEdge <= 1); // upper bound: d_detail
         QVERIFY(quality->conformingShare >= 0.95);
-        QVERIFY(quality->smallestAngleSine >= 0.342); // 20 degrees
+        QVERIFY(quality->smallestAngleSine >= 0.342); // sine of 20 degrees
         QCOMPARE(heard.size(), std::size_t(dab + 1));
         QCOMPARE(heard.back().touchedVertices, report.touchedVertices);
     }

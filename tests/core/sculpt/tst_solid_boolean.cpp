@@ -1,4 +1,4 @@
-// Tests the union with a solid and its difference, and what strokes make of them.
+// Tests union and difference with a solid, and the strokes that use them.
 #include "core/analysis/mesh_check.h"
 #include "core/mesh/mesh_builder.h"
 #include "core/operations/starter_models.h"
@@ -34,7 +34,7 @@ TriangleMesh ballAt(const core::Mesh& mesh, const Vec3& center, double radius)
     return ball;
 }
 
-/// Returns the mesh after the operation, or null if that was refused.
+/// Returns the mesh after the operation, or null if the operation was refused.
 std::unique_ptr<core::Mesh> after(BooleanOperation operation, const TriangleMesh& model, const Vec3& center,
                                   double radius)
 {
@@ -92,7 +92,7 @@ void TestSolidBoolean::volumesAddUp_data()
     QTest::addRow("ring") << clay::cutRing(0.3);
 }
 
-/// The union of two solids has the volume of their difference and of the second.
+/// Checks volumes: union of A and B = (A without B) + B.
 void TestSolidBoolean::volumesAddUp()
 {
     QFETCH(TriangleMesh, model);
@@ -108,7 +108,8 @@ void TestSolidBoolean::volumesAddUp()
         const double radius = between(0.12, 0.6);
         const auto joined = after(BooleanOperation::Unite, model, center, radius);
         const auto cut = after(BooleanOperation::Subtract, model, center, radius);
-        if (!joined || !cut) // touches on the lattice: applyBoolean() shifts the solid then
+        // refused because the solids touch on the lattice, in which case applyBoolean() would shift the solid
+        if (!joined || !cut)
             continue;
         ++done;
         const double ball = volumeOf(*mesh_asserts::sculptable(core::icosphere(3, radius)));
@@ -183,7 +184,8 @@ void TestSolidBoolean::withoutFusion_isRefused()
 
 void TestSolidBoolean::joinedBall_isSymmetric()
 {
-    for (const double x : {20.0, 7.0, 3.0, 0.5, 0.0}) { // clear of its image, just clear, meeting it, and itself
+    // apart from its image, barely apart, overlapping it, and identical with it
+    for (const double x : {20.0, 7.0, 3.0, 0.5, 0.0}) {
         const auto sculptor = clay::ball();
         StrokeSettings settings = joining(8);
         settings.symmetry = core::Symmetry::X;
@@ -256,7 +258,7 @@ void TestSolidBoolean::radialBalls_joinInAllSectors()
     }
 }
 
-/// Half of it inside, with four of its faces' planes the model's own.
+/// Adds a cube that is half inside the model. Four of its sides are coplanar with sides of the model.
 void TestSolidBoolean::flushCube_joinsOnEverySide()
 {
     const TriangleMesh cube = core::starterModel(core::Starter::Cube);

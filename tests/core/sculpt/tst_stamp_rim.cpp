@@ -1,4 +1,4 @@
-// Tests the rim of what Stamp presses in or raises: it follows the curve in which the stamp's surface meets the model.
+// Tests the rim of a stamped area: it follows the curve in which the stamp's surface intersects the model.
 #include "core/mesh/surface_query.h"
 #include "core/operations/starter_models.h"
 #include "core/sculpt/dab_bounds.h"
@@ -24,11 +24,11 @@ constexpr double radius = 12;
 
 struct Rim
 {
-    std::map<Slot, std::vector<Slot>> neighbours; ///< along the rim
+    std::map<Slot, std::vector<Slot>> neighbours; ///< neighbours of each vertex along the rim
     double length = 0;
 };
 
-/// Returns the edges between faces that the stamp has made and others.
+/// Returns the edges between faces made by the stamp and other faces.
 template <class Test> Rim rimOf(const core::Mesh& mesh, const Vec3& center, Test isOld)
 {
     Rim rim;
@@ -104,7 +104,8 @@ void TestStampRim::followsTheCurve()
 
     const core::Mesh& mesh = sculptor.mesh();
     const double edge = core::dabBounds(settings, mesh, radius).detail, half = radius / std::sqrt(3.0);
-    const int up = center.y() == 0 ? 1 : 2; // of the stamp, along the surface: y on the ball's front, z on the slab
+    // axis of the stamp's up direction along the surface: y on the front of the ball, z on the slab
+    const int up = center.y() == 0 ? 1 : 2;
     const auto off = [&](const Vec3& p) {
         const Vec3 r = p - center;
         return isCube ? std::max(std::abs(r.x()), std::abs(r[up])) - half : r.norm() - radius;
@@ -130,7 +131,7 @@ void TestStampRim::followsTheCurve()
     QVERIFY2(std::abs(rim.length - expected) < 0.05 * expected, qPrintable(QString::number(rim.length)));
 }
 
-/// A second stamp where one has been finds hardly anything to do, and no outline.
+/// A second stamp at the same place must change almost nothing and must not leave an outline.
 void TestStampRim::again_changesLittle()
 {
     core::Sculptor sculptor(mesh_asserts::sculptable(clay::slab(120, 40, 40)));
@@ -156,7 +157,7 @@ void TestStampRim::onFolds_isDoneWhole_data()
     QTest::addRow("fingers") << clay::twoFingers(0.05);
 }
 
-/// A stamp that holds several folds of the surface has the outcome that of a solid that is cut out or added.
+/// A stamp over several folds of the surface must have the same result as cutting out or adding its solid.
 void TestStampRim::onFolds_isDoneWhole()
 {
     QFETCH(core::TriangleMesh, model);
@@ -170,7 +171,7 @@ void TestStampRim::onFolds_isDoneWhole()
         const Vec3 center = model.points[i * model.points.size() / 12].cast<double>();
         QCOMPARE(clay::dabOnce(sculptor, settings, center).outcome, core::DabOutcome::Committed);
         QVERIFY(mesh_asserts::isSound(sculptor));
-        if (!settings.inverted) // nothing is left inside
+        if (!settings.inverted) // nothing may remain inside the stamp
             QVERIFY(sculptor.nearest(center, 0.75 * settings.radius) == std::nullopt);
     }
 }

@@ -1,4 +1,4 @@
-// Tests where the dabs of a stroke stand that is drawn by rays, as with a mouse.
+// Tests where the dabs of a stroke are placed that is drawn by rays, as with a mouse.
 #include "core/mesh/normals.h"
 #include "tests/support/clay.h"
 #include "tests/support/mesh_asserts.h"
@@ -22,7 +22,7 @@ using clay::ballRadius;
 
 const Vec3 eye(0, 0, 4 * ballRadius);
 
-/// A sample through a point of the plane z = 0, seen from the eye.
+/// Returns a sample whose ray goes from the eye through a point of the plane z = 0.
 StrokeSample through(double x, double y)
 {
     StrokeSample sample;
@@ -31,7 +31,7 @@ StrokeSample through(double x, double y)
     return sample;
 }
 
-/// Samples on an arc of 120 degrees in the left half of the view.
+/// Returns samples on an arc of 120 degrees in the left half of the view.
 std::vector<StrokeSample> leftArc(double radius, int samples)
 {
     std::vector<StrokeSample> path;
@@ -71,7 +71,8 @@ template <class Visit> void forEachPlace(const Sculptor& sculptor, Visit visit)
     }
 }
 
-/// Returns the ridge's height around each fifth degree about the z axis, from 150 to 210: without its ends.
+/// Returns the height of the ridge every five degrees around the z axis, from 150 to 210 degrees, without the stroke's
+/// ends.
 std::vector<double> heights(const Sculptor& sculptor)
 {
     std::map<int, double> highest;
@@ -105,7 +106,8 @@ private Q_SLOTS:
     void strokeTakenBack_leavesTheMeshAsItWas();
 };
 
-/// Rows lead from the middle of the view to its outline, where the stroke stands in front of what it raises.
+/// Radii of the arc range from the middle of the view to the outline, where raised clay is in front of the stroke's
+/// path.
 void TestStrokeOnSurface::ridge_isAsHighEverywhere_data()
 {
     QTest::addColumn<Tool>("tool");
@@ -144,7 +146,7 @@ void TestStrokeOnSurface::strokeOverTheOutline_endsThere_data()
         QTest::newRow(std::string(name(tool)).c_str()) << tool;
 }
 
-/// The ridge is as high at the outline as before it, and nothing else rises where the pointer goes on beside the ball.
+/// The ridge must be as high at the outline as elsewhere. Nothing may rise where the pointer continues beside the ball.
 void TestStrokeOnSurface::strokeOverTheOutline_endsThere()
 {
     QFETCH(Tool, tool);
@@ -153,7 +155,7 @@ void TestStrokeOnSurface::strokeOverTheOutline_endsThere()
         path.push_back(through((-0.3 + 0.04 * i) * ballRadius, (0.2 + 0.5 * std::sin(M_PI * 0.02 * i)) * ballRadius));
     const StrokeSettings settings = brush(tool);
     const auto sculptor = draw(settings, path), untouched = clay::ball();
-    std::vector<Vec3> way; // in steps shorter than a tenth of the radius
+    std::vector<Vec3> way; // surface points of the path, in steps shorter than 0.1 radii
     for (std::size_t i = 1; i < path.size(); ++i) {
         for (int k = 0; k < 50; ++k) {
             const Vec3 direction = path[i - 1].direction + k / 50.0 * (path[i].direction - path[i - 1].direction);
@@ -191,7 +193,7 @@ void TestStrokeOnSurface::strokeOverTheOutline_endsThere()
     QVERIFY(mesh_asserts::badFaces(sculptor->mesh()).empty());
 }
 
-/// The top of a layer is at one height, and its faces turn by little more than those of the ball.
+/// The top of a layer must have constant height, with angles between faces little larger than on the ball.
 void TestStrokeOnSurface::layer_isAsSmoothAsWhatItRaises()
 {
     const StrokeSettings settings = brush(Tool::Layer);
@@ -226,7 +228,7 @@ void TestStrokeOnSurface::layerThatCrossesItself_isRaisedOnce_data()
 {
     QTest::addColumn<core::Topology>("topology");
     QTest::addColumn<core::Symmetry>("symmetry");
-    QTest::addColumn<double>("most"); // in steps
+    QTest::addColumn<double>("most"); // largest allowed height, as a multiple of the layer's height
     using core::Topology, core::Symmetry;
     for (const Symmetry symmetry : {Symmetry::None, Symmetry::X}) {
         for (const auto& [topology, most] :
@@ -237,7 +239,8 @@ void TestStrokeOnSurface::layerThatCrossesItself_isRaisedOnce_data()
     }
 }
 
-/// A figure eight, over the mirror's plane: only single vertices that remeshing has moved are higher than one step.
+/// Draws a figure eight across the mirror plane. The crossing must be raised once, so only vertices moved by remeshing
+/// may be higher than one layer.
 void TestStrokeOnSurface::layerThatCrossesItself_isRaisedOnce()
 {
     QFETCH(core::Topology, topology);
@@ -256,7 +259,7 @@ void TestStrokeOnSurface::layerThatCrossesItself_isRaisedOnce()
     QVERIFY2(steps > 0.9 && steps < most, qPrintable(QString::number(steps)));
 }
 
-/// The ridge deviates from the circle by less than 2 % of its radius.
+/// The ridge must deviate from a circle by less than 2 % of the radius.
 void TestStrokeOnSurface::twelveSamplesOfACircle_makeACircle()
 {
     constexpr double radius = 0.5 * ballRadius;
@@ -268,7 +271,7 @@ void TestStrokeOnSurface::twelveSamplesOfACircle_makeACircle()
     const auto sculptor = draw(settings, path);
     const double onBall = clay::ball()->hit({eye, path[0].direction})->position.head<2>().norm();
     std::map<int, std::pair<double, double>>
-        ridge; // by sector of 6 degrees: sums of heights, and of distances from the axis
+        ridge; // key: sector of 6 degrees; value: sums of the weights and of the weighted distances from the axis
     forEachPlace(*sculptor, [&](const Vec3& p) {
         const double height = p.norm() - ballRadius;
         if (p.z() < 0 || height < 0.01 * settings.radius)
@@ -290,7 +293,7 @@ void TestStrokeOnSurface::airbrush_goesOnWhereTheHandRests_data()
     QTest::addColumn<Tool>("tool");
     QTest::addColumn<core::Placement>("place");
     QTest::addColumn<double>("strength");
-    QTest::addColumn<double>("tremor"); ///< radii
+    QTest::addColumn<double>("tremor"); ///< amplitude of the pointer's tremor, in radii
     using core::Placement;
     for (const Tool tool :
          {Tool::Pull, Tool::Push, Tool::Inflate, Tool::Clay, Tool::Smooth, Tool::Pinch, Tool::Paint}) {
@@ -305,7 +308,8 @@ void TestStrokeOnSurface::airbrush_goesOnWhereTheHandRests_data()
     }
 }
 
-/// Ten dabs a second for two seconds at 90 samples a second, whatever the brush raises under the hand.
+/// An airbrush gives ten dabs per second, for two seconds of 90 samples each, whatever the brush raises under the
+/// pointer.
 void TestStrokeOnSurface::airbrush_goesOnWhereTheHandRests()
 {
     QFETCH(Tool, tool);
@@ -331,7 +335,7 @@ void TestStrokeOnSurface::airbrush_goesOnWhereTheHandRests()
     QVERIFY(mesh_asserts::badFaces(sculptor->mesh()).empty());
 }
 
-/// Dabs that wait for another sample are not applied.
+/// Dabs that still wait for a further sample must not be applied.
 void TestStrokeOnSurface::strokeTakenBack_leavesTheMeshAsItWas()
 {
     auto sculptor = clay::ball();

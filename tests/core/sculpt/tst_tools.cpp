@@ -1,4 +1,4 @@
-// Tests each tool beyond the paper's by what can be measured of it; every result is judged.
+// Tests each tool that the paper does not have by measurable properties. Every result must be a valid solid.
 #include "core/mesh/normals.h"
 #include "core/sculpt/sculptor.h"
 #include "tests/support/clay.h"
@@ -37,7 +37,7 @@ StrokeSettings settingsOf(Tool tool, double radius = 12)
     return settings;
 }
 
-/// On the ball about y, at such angles from the z axis.
+/// Returns points of the ball in the plane y = 0, between two angles in degrees from the z axis.
 std::vector<Vec3> arc(double from, double to, int samples)
 {
     std::vector<Vec3> path;
@@ -90,7 +90,8 @@ double lowest(const Mesh& mesh)
     return least;
 }
 
-/// For each few degrees of a stroke about y, the sharpest edge that runs along it: 180 is flat.
+/// Returns the sharpest edge along a stroke about y, for each five degrees of it: the angle between the edge's faces,
+/// where 180 degrees is flat.
 std::vector<double> sharpestAlong(const Mesh& mesh, double halfWidth, double from, double to)
 {
     constexpr double perBin = 5;
@@ -196,7 +197,7 @@ void TestTools::layer_risesToOneHeight()
     const double height = 0.1 * settings.radius;
     QVERIFY2(std::abs(highest(sculptor->mesh()) - ballRadius - height) < 0.15 * height,
              qPrintable(QString::number(highest(sculptor->mesh()))));
-    stroke(*sculptor, settings, arc(0, 30, 10)); // another stroke lays another layer
+    stroke(*sculptor, settings, arc(0, 30, 10)); // a second stroke adds a second layer
     QVERIFY(highest(sculptor->mesh()) > ballRadius + 1.8 * height);
     QVERIFY(isSound(*sculptor));
 }
@@ -221,7 +222,7 @@ void TestTools::scrape_takesHeightsAlone()
 void TestTools::pinch_drawsTogether()
 {
     const auto countNear = [](const Sculptor& sculptor) {
-        double area = 0; // of what is painted, seen from the front
+        double area = 0; // painted area, seen from the front
         const Mesh& mesh = sculptor.mesh();
         for (Slot f = 0; f < mesh.slots().faces; ++f) {
             if (mesh.isFace(f) && mesh.color(mesh.corners(f)[0]) == core::Rgb{1, 2, 3})
@@ -255,7 +256,7 @@ void TestTools::crease_isSharp_data()
     QTest::newRow("ridge") << 10.0 << 100 << true;
 }
 
-/// Under 60 degrees along its line.
+/// The crease must be sharper than 60 degrees along its line.
 void TestTools::crease_isSharp()
 {
     QFETCH(double, radius);
@@ -271,7 +272,7 @@ void TestTools::crease_isSharp()
     QVERIFY(isSound(*sculptor));
 }
 
-/// Other tools three radii away, and across its ends, leave it as it is.
+/// Strokes of other tools three radii away, and across the ends of the crease, must not blunt it.
 void TestTools::crease_staysSharp()
 {
     const auto sculptor = ball();
@@ -297,7 +298,7 @@ void TestTools::grab_movesWhatItHeld()
         QCOMPARE(report.outcome, DabOutcome::Committed);
     QVERIFY2(std::abs(highest(sculptor->mesh()) - 90) < 0.5, qPrintable(QString::number(highest(sculptor->mesh()))));
     QVERIFY(isSound(*sculptor));
-    // what is held stays the same: the way back leads back, but for what was remeshed
+    // The held vertices stay the same, so moving back restores the surface, except for remeshing.
     const auto there = ball();
     std::vector<Vec3> path = straight({0, 0, 50}, {0, 0, 60}, 6);
     const std::vector<Vec3> back = straight({0, 0, 58}, {0, 0, 50}, 5);
@@ -307,19 +308,19 @@ void TestTools::grab_movesWhatItHeld()
              qPrintable(QStringLiteral("%1 %2").arg(highest(there->mesh())).arg(lowest(there->mesh()))));
 }
 
-/// Once it was made as coarse as the brush: a smooth lump came out in facets.
+/// Grab used to coarsen the mesh to the detail of the brush, which left facets on a smooth bump.
 void TestTools::grab_keepsTheMeshAsFineAsItWas()
 {
     const auto sculptor = ball();
     const Slot before = sculptor->mesh().live().vertices;
     const std::vector<DabReport> reports =
         stroke(*sculptor, settingsOf(Tool::Grab, 25), straight({0, 0, 50}, {0, 0, 65}, 9));
-    QVERIFY(reports.back().touchedVertices > before / 32); // what is held could have been collapsed
+    QVERIFY(reports.back().touchedVertices > before / 32); // the held area is large enough to be coarsened
     QVERIFY2(sculptor->mesh().live().vertices >= before, qPrintable(QString::number(sculptor->mesh().live().vertices)));
     QVERIFY(isSound(*sculptor));
 }
 
-/// A mouse drags over the plane across its first ray.
+/// Grab along rays, as with a mouse, moves in the plane perpendicular to the first ray.
 void TestTools::grab_alongRaysKeepsToThePlane()
 {
     const auto sculptor = ball();
@@ -335,15 +336,15 @@ void TestTools::grab_alongRaysKeepsToThePlane()
     double farthest = 0;
     forEachPoint(sculptor->mesh(),
                  [&](const Vec3& p) { farthest = p.z() > 49 ? std::max(farthest, p.x()) : farthest; });
-    double field = 0; // a little before its centre it takes a vertex farthest
+    double field = 0; // the foremost vertex was slightly before the centre of the brush
     for (double x = 0; x < 20; x += 0.1)
         field = std::max(field, x + 30 * core::falloff(x / 20, settings.falloff));
     QVERIFY2(std::abs(farthest - field) < 1, qPrintable(QStringLiteral("%1 for %2").arg(farthest).arg(field)));
     QVERIFY(isSound(*sculptor));
 }
 
-/// A grab over two radii of its own front folds it up. That holds little back, and nothing on the way back; behind it
-/// the mesh stays as fine as the brush asks for.
+/// A grab along the surface by more than two radii folds the surface in front of it. It must still reach at least 95 %
+/// of its way, and 99 % on the way back. Behind it the mesh stays as fine as the brush requires.
 void TestTools::grab_farAlongTheSurfaceGoesAllTheWay()
 {
     const auto sculptor = ball();
@@ -375,7 +376,7 @@ void TestTools::grab_ofNothingIsEmpty()
     QCOMPARE(sculptor->mesh().stateHash(), before);
 }
 
-/// Ten metres in one sample.
+/// One sample moves the pointer by ten metres.
 void TestTools::grab_farIsStoppedByTheWall()
 {
     const auto sculptor = ball(4);
@@ -395,11 +396,12 @@ void TestTools::snake_followsItsTip()
     stroke(*sculptor, settingsOf(Tool::SnakeHook, 12), path);
     double tip = 0;
     forEachPoint(sculptor->mesh(), [&](const Vec3& p) { tip = p.z() > 80 ? std::max(tip, p.y()) : tip; });
-    QVERIFY2(std::abs(tip - 40) < 0.5, qPrintable(QString::number(tip))); // the tip is where the hand is
+    QVERIFY2(std::abs(tip - 40) < 0.5, qPrintable(QString::number(tip))); // the tip follows the pointer
     QVERIFY(isSound(*sculptor));
 }
 
-/// A drag to the right turns anticlockwise, by one radian a radius; the rim stays.
+/// A drag to the right turns the surface counter-clockwise, by one radian per radius. The rim of the brush does not
+/// move.
 void TestTools::twist_turns()
 {
     for (const bool inverted : {false, true}) {
@@ -450,7 +452,7 @@ void TestTools::dragged_throughAnotherPart_data()
     }
 }
 
-/// One finger through the other: 79 to 162 pairs of faces meet after that in other programs.
+/// Drags one finger through the other. In other programs, 79 to 162 pairs of faces then intersect.
 void TestTools::dragged_throughAnotherPart()
 {
     QFETCH(Tool, tool);
@@ -472,7 +474,7 @@ void TestTools::symmetric_data()
     QTest::addColumn<Tool>("tool");
     QTest::addColumn<double>("angle");
     for (std::size_t i = 0; i < core::toolNames().size(); ++i) {
-        for (const double angle : {3.0, -40.0}) // across the plane, and beside it
+        for (const double angle : {3.0, -40.0}) // across the mirror plane, and beside it
             QTest::addRow("%s, %g", core::toolNames()[i].data(), angle) << static_cast<Tool>(i) << angle;
     }
 }
@@ -500,7 +502,7 @@ void TestTools::undone_data()
         QTest::newRow(core::toolNames()[i].data()) << static_cast<Tool>(i);
 }
 
-/// hash(A, undo, B) = hash(B): what a stroke held or raised is no more.
+/// hash(A, undo, B) = hash(B): an undone stroke leaves no state of held or raised clay.
 void TestTools::undone()
 {
     QFETCH(Tool, tool);

@@ -1,4 +1,4 @@
-// Model rotation while sculpting (paper, section 3.5.4): a resting hand makes a groove around the model.
+// Tests sculpting a rotating model (paper, section 3.5.4): a brush at rest makes a groove around it.
 #include "core/io/stroke/stroke_file.h"
 #include "core/sculpt/sculptor.h"
 #include "tests/support/clay.h"
@@ -18,7 +18,7 @@ namespace
 constexpr double drumRadius = 1;
 constexpr int degreesAround = 360;
 
-/// A drum about the y axis.
+/// Returns a cylinder about the y axis.
 core::TriangleMesh drum()
 {
     std::vector<Vec3> profile = {{0, -1, 0}};
@@ -38,7 +38,7 @@ struct TurntableRun
     double dabsPerSecond = 6;
 };
 
-/// What a file says in which a pushing hand rests at x, at height 0, pointing inwards.
+/// Returns a stroke file in which a push brush rests at a point on the x axis and points inwards.
 std::vector<core::FileEntry> groove(const TurntableRun& turn)
 {
     std::string text =
@@ -69,7 +69,7 @@ std::unique_ptr<Sculptor> turned(const TurntableRun& turn)
     return sculptor;
 }
 
-/// How deep the surface lies below the drum's at that height, each degree around from x towards z.
+/// Returns the depth below the original cylinder at this height, for each degree around from x towards z.
 std::vector<double> depths(const Sculptor& sculptor, double height)
 {
     std::vector<double> result;
@@ -120,7 +120,7 @@ void TestTurntable::groove_isEvenAllAround()
     const auto [least, most] = std::ranges::minmax(floor);
     QVERIFY(depth > 0.03);
     QVERIFY2(most - least < 0.1 * depth, qPrintable(QStringLiteral("%1 to %2").arg(least).arg(most)));
-    for (double beside : {-0.5, 0.5}) // out of the brush's reach
+    for (double beside : {-0.5, 0.5}) // beyond the reach of the brush
         QVERIFY(std::ranges::max(depths(*sculptor, beside)) < 0.1 * depth);
 }
 
@@ -134,7 +134,8 @@ void TestTurntable::bothDirections_mirrorEachOther()
     QVERIFY2(worst < 0.05 * mean(one), qPrintable(QString::number(worst)));
 }
 
-/// A quarter of a turn at 30 degrees a second: the model turns from z towards x, so the hand goes from x towards z.
+/// A quarter turn at 30 degrees per second. The model turns from z towards x, so the brush moves from x towards z on
+/// it.
 void TestTurntable::partOfATurn_leavesTheRestAlone()
 {
     const std::vector<double> floor = depths(*turned({.degreesPerSecond = 30, .seconds = 3}), 0);

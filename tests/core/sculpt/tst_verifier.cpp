@@ -1,5 +1,5 @@
-// The local check against exhaustive exact tests of all pairs and against CGAL, on random changes; certificates against
-// exact pairs; and the errors that no pair of faces shows.
+// Tests the local check on random changes against exact tests of all pairs and against CGAL, and certificates against
+// exact tests of pairs. Tests also defects that no pair of faces shows.
 
 #include "core/geometry/triangle_intersection.h"
 #include "core/sculpt/verify/verifier.h"
@@ -32,7 +32,7 @@ namespace
 {
 constexpr std::uint64_t seed = 20240812;
 
-/// A mesh, its octree and its check, as the engine holds them.
+/// A mesh with its octree and its verifier, as the engine combines them.
 struct Subject
 {
     std::unique_ptr<Mesh> mesh;
@@ -64,7 +64,8 @@ Slot randomVertex(StrokeFuzzer& random, const Mesh& mesh)
     }
 }
 
-/// A change that may be sound or not: a dent, a fold, a sheet pushed through, a patch made flat, edits that ask nobody.
+/// Makes a random change that may be sound or not: a dent, a fold, a layer pushed through another, a flattened patch,
+/// unchecked edits.
 void changeAtRandom(StrokeFuzzer& random, Mesh& mesh)
 {
     const Lattice& lattice = mesh.lattice();
@@ -81,7 +82,7 @@ void changeAtRandom(StrokeFuzzer& random, Mesh& mesh)
         mesh.setPoint(start, clamped(lattice, center + step));
         return;
     }
-    if (kind == 1) { // edits
+    if (kind == 1) { // topological edits
         for (std::uint64_t i = 1 + random.below(6); i > 0; --i) {
             const Slot h = mesh.outgoing(randomVertex(random, mesh));
             const Vec3 middle = 0.5 * (mesh.point(mesh.to(h)) + mesh.point(mesh.from(h))).cast<double>();
@@ -101,11 +102,11 @@ void changeAtRandom(StrokeFuzzer& random, Mesh& mesh)
         const double share = 1 - (p - center).norm() / radius;
         if (share <= 0)
             continue;
-        if (kind == 2) // made flat
+        if (kind == 2) // flattened
             mesh.setPoint(v, clamped(lattice, {p.x(), center.y(), p.z()}));
-        else if (kind == 3) // torn along as a block
+        else if (kind == 3) // moved rigidly
             mesh.setPoint(v, clamped(lattice, p + by));
-        else if (kind == 4) // each its own way
+        else if (kind == 4) // each vertex displaced independently
             mesh.setPoint(v, clamped(lattice, p + 0.3 * edge * random.uniform() * random.direction()));
         else // a dent or a bump
             mesh.setPoint(v, clamped(lattice, p + share * by));
@@ -129,7 +130,7 @@ bool meet(const PatchFace& s, const PatchFace& t)
     return core::trianglesIntersect<LatticePredicates>({s.corners, s.points}, {t.corners, t.points});
 }
 
-/// Whether faces are degenerate or meet: what a certificate must rule out.
+/// Returns whether no face is degenerate and no two faces meet, which a certificate must guarantee.
 bool isEmbedded(const std::vector<PatchFace>& faces)
 {
     for (std::size_t i = 0; i < faces.size(); ++i) {
@@ -143,7 +144,7 @@ bool isEmbedded(const std::vector<PatchFace>& faces)
     return true;
 }
 
-/// A sheet of 5 x 5 vertices, each near its place in the plane z = 0, by `noise` lattice units.
+/// Returns a surface of 5 x 5 vertices near the plane z = 0, each displaced by up to `noise` lattice units.
 std::vector<PatchFace> noisySheet(StrokeFuzzer& random, int step, int noise)
 {
     constexpr int side = 5;
@@ -168,7 +169,7 @@ std::vector<PatchFace> noisySheet(StrokeFuzzer& random, int step, int noise)
     return faces;
 }
 
-/// Grows a connected set of the faces.
+/// Returns a random connected subset of the faces.
 std::vector<PatchFace> partOf(const std::vector<PatchFace>& sheet, StrokeFuzzer& random, std::size_t size)
 {
     std::vector<PatchFace> part = {sheet[random.below(sheet.size())]};
@@ -215,8 +216,8 @@ TriangleMesh ballAndSpeck(const Vec3f& speckAt, float speckRadius, bool inwards)
     return shapes::together(core::icosphere(3, 1), inwards ? shapes::reversed(speck) : speck);
 }
 
-/// Moves the vertices of the ball (not of the speck) within `reach` of the pole (0, 1, 0) by `by` at the pole, less
-/// around.
+/// Moves vertices of the ball, but not of the speck, within `reach` of the pole (0, 1, 0): by `by` at the pole, less
+/// around it.
 void moveCap(Mesh& mesh, double reach, double by)
 {
     for (Slot v = 0; v < core::icosphere(3, 1).points.size(); ++v) {
@@ -316,8 +317,8 @@ void TestVerifier::randomChanges_agreeWithAllPairsAndCgal()
     QVERIFY(sound[0] + sound[1] + sound[2] > 100 && meeting > 100);
 }
 
-/// Of a motion that was not sound some vertices go back a part of their way: what the short look finds at them is what
-/// the whole one finds.
+/// After an unsound motion, some vertices go back part of the way. The short check of these vertices must find the same
+/// bad faces as the full check.
 void TestVerifier::recheck_findsWhatIsBadThere()
 {
     StrokeFuzzer random(seed);
@@ -416,7 +417,7 @@ void TestVerifier::certifiedStar_neverMeetsItself()
             const Mesh::Mark mark = mesh->mark();
             const Slot v = static_cast<Slot>(random.below(mesh->slots().vertices));
             mesh->setPoint(v, Vec3f::Zero());
-            mesh->forEachOutgoing(v, [&](Slot h) { // around in the plane, more or less
+            mesh->forEachOutgoing(v, [&](Slot h) { // places the neighbours around the vertex, approximately in a plane
                 const Vec3 p = mesh->point(mesh->to(h)).cast<double>();
                 const Vec3 flat = random.below(3) == 0 ? Vec3::Zero() : Vec3(p.normalized());
                 mesh->setPoint(mesh->to(h),
@@ -451,7 +452,7 @@ void TestVerifier::invertedTetrahedron_isBad()
 {
     Subject subject(sculptable(shapes::tetrahedron()));
     const Mesh::Mark mark = subject.mesh->mark();
-    subject.mesh->setPoint(0, {-1, -1, -1}); // through the plane of the other three
+    subject.mesh->setPoint(0, {-1, -1, -1}); // moves the vertex through the plane of the other three
     QCOMPARE(subject.verify(mark).badFaces, (std::vector<Slot>{0, 1, 2, 3}));
 }
 
@@ -466,17 +467,17 @@ void TestVerifier::shellSwallowedWhole_isBad()
     QVERIFY(!subject.verify(mark).ok());
 }
 
-/// The bottom of a dent rises past a speck that floats in it: the speck lies below every face that moved.
+/// The bottom of a dent rises past a speck that floats in it. The speck is then below every face that moved.
 void TestVerifier::shellSweptOverFromBelow_isBad()
 {
     Subject subject(sculptable(ballAndSpeck({0, 0.6f, 0}, 0.02f, true)));
     Mesh& mesh = *subject.mesh;
     Mesh::Mark mark = mesh.mark();
-    moveCap(mesh, 0.8, -0.6); // the dent; the cavity becomes a speck outside
+    moveCap(mesh, 0.8, -0.6); // makes the dent, so that the cavity becomes an inside-out speck outside the ball
     for (Slot f = 0; f < mesh.slots().faces; ++f)
         QVERIFY(mesh.isFace(f));
     mesh.commit(mark);
-    // Turn the speck over, so that all is sound: outwards, and outside.
+    // The speck now faces outwards, which makes the model sound.
     Subject dented(sculptable(shapes::together(
         [&] {
             TriangleMesh ball = mesh_asserts::surfaceOf(mesh);
@@ -509,7 +510,8 @@ void TestVerifier::cavityLetOut_isBad()
     QVERIFY(!subject.verify(mark).ok());
 }
 
-/// As before, with the cavity so near the pole that it lies above every face that moved, where they are now.
+/// Variant of cavityLetOut_isBad(): the cavity is so near the pole that it is above the new position of every moved
+/// face.
 void TestVerifier::cavityLetOutBehindThePush_isBad()
 {
     Subject subject(sculptable(ballAndSpeck({0, 0.96f, 0}, 0.01f, true)));
@@ -521,7 +523,7 @@ void TestVerifier::cavityLetOutBehindThePush_isBad()
     QVERIFY(!subject.verify(mark).ok());
 }
 
-/// A spike goes whose tip is far from all that there is afterwards.
+/// A collapse removes a spike that contains a cavity. The cavity is far from all remaining faces.
 void TestVerifier::cavityLetOutOfASpike_isBad()
 {
     TriangleMesh spiked = core::icosphere(3, 1);
@@ -556,9 +558,8 @@ void TestVerifier::nestedShellTurnedOver_isBad()
     QVERIFY(result.badFaces.front() >= core::icosphere(2, 3).triangles.size());
 }
 
-/// Only the gate can write links, and it writes them rightly; so the damage comes in by a delta.
-/// As on both sides of a plane of symmetry: what lies between is not looked at, and the most that is asked of each is
-/// its own certificate.
+/// Two separate changes, as on both sides of a mirror plane, must each be proved by a certificate. The area between
+/// them is not checked.
 void TestVerifier::changesApart_areCertifiedApart()
 {
     Subject subject(sculptable(core::icosphere(4, 1)));
@@ -576,6 +577,7 @@ void TestVerifier::changesApart_areCertifiedApart()
     QVERIFY(result.tier == core::VerifyTier::Patch);
 }
 
+/// Links can only be damaged by a forged delta, because the functions of Mesh keep them consistent.
 void TestVerifier::brokenLink_isBad()
 {
     Subject subject(sculptable(core::icosphere(1, 1)));
@@ -585,7 +587,7 @@ void TestVerifier::brokenLink_isBad()
     const core::TouchedSlots touched = mesh.touchedSince(mark);
     QVERIFY(subject.verifier.verify(mesh, subject.octree, touched).ok());
     core::MeshDelta delta = mesh.endStroke();
-    mesh.swap(delta); // undone; the delta now holds the flipped state
+    mesh.swap(delta); // undone; the delta now contains the flipped state
     QVERIFY(delta.edges.size() >= 2);
     std::swap(delta.edges[0].item, delta.edges[1].item);
     mesh.swap(delta);
