@@ -94,7 +94,7 @@ void TestStrokePath::spacingZero_isOneDabASample()
         QCOMPARE(dabs.size(), std::size_t(1));
         QVERIFY(dabs.front().position == Vec3(i % 2, 0, 0));
     }
-    QCOMPARE(dabsOf(path, at({0, 0, 0})).size(), std::size_t(1)); // where the last one was
+    QCOMPARE(dabsOf(path, at({0, 0, 0})).size(), std::size_t(1)); // at the position of the last sample
 }
 
 void TestStrokePath::firstSample_isADab()
@@ -108,7 +108,7 @@ void TestStrokePath::firstSample_isADab()
 void TestStrokePath::straightLine_hasEvenDabsWhereverSamplesFall()
 {
     for (double sampleStep : {0.01, 0.1, 0.37, 1.0, 7.3, 20.0}) {
-        StrokePath path(spaced(0.25, 2)); // every 0.5
+        StrokePath path(spaced(0.25, 2)); // a dab every 0.5
         std::vector<core::Dab> dabs;
         for (double x = 0; x <= 20; x += sampleStep) {
             for (const core::Dab& dab : dabsOf(path, at({x, 0, 0})))
@@ -129,13 +129,13 @@ void TestStrokePath::corner_isMeasuredAlongThePath()
     dabsOf(path, at({0, 0, 0}));
     QVERIFY(dabsOf(path, at({2.4, 0, 0})).empty());
     const auto dabs = dabsOf(path, at({2.4, 3, 0}));
-    QCOMPARE(dabs.size(), std::size_t(5)); // at 1 and 2, then 0.4 remain
+    QCOMPARE(dabs.size(), std::size_t(5)); // two dabs before the corner, at 1 and 2, and 0.4 remain to the corner
     QVERIFY((dabs[1].position - Vec3(2, 0, 0)).norm() < 1e-12);
     QVERIFY((dabs[2].position - Vec3(2.4, 0.6, 0)).norm() < 1e-12);
     QVERIFY((dabs[4].position - Vec3(2.4, 2.6, 0)).norm() < 1e-12);
 }
 
-/// The dabs lie within 2 % of the circle's radius, from the first sample on.
+/// The distances of dabs from the centre must be within 2 % of the radius, from the first sample on.
 void TestStrokePath::circleOfTwelveSamples_isACircle()
 {
     StrokePath path(spaced(0.05));
@@ -162,7 +162,7 @@ void TestStrokePath::unevenSamples_doNotSwingOut()
         QVERIFY(std::abs(dab.position.y() - 0.02 * dab.position.x() * dab.position.x()) < 0.15);
 }
 
-/// The path waits for a third sample only until it is finished.
+/// A path holds dabs back until a third sample comes or it is finished.
 void TestStrokePath::twoSamples_areStraight()
 {
     StrokePath path(spaced(0.5));
@@ -195,11 +195,12 @@ void TestStrokePath::rotation_turnsBack()
     sample.direction = {0, 0, -1};
     sample.rotation = Eigen::Quaterniond(std::sqrt(0.5), 0, std::sqrt(0.5), 0); // a quarter turn about y
     const auto dabs = dabsOf(path, sample);
-    QVERIFY((dabs.front().position - Vec3(0, 0, 1)).norm() < 1e-12); // the model's point that is there now
+    // the point of the model that is now under the brush
+    QVERIFY((dabs.front().position - Vec3(0, 0, 1)).norm() < 1e-12);
     QVERIFY((dabs.front().direction - Vec3(1, 0, 0)).norm() < 1e-12);
 }
 
-/// A brush that rests beside a model that turns, by 15 degrees from one sample to the next.
+/// The brush rests beside a rotating model, which turns by 15 degrees per sample.
 void TestStrokePath::turntable_hasEvenDabsHoweverFewTheSamples()
 {
     StrokePath path(spaced(0.25));
@@ -218,7 +219,8 @@ void TestStrokePath::turntable_hasEvenDabsHoweverFewTheSamples()
     }
 }
 
-/// The hand's up is turned into the model's space, and the way ahead is across it; without it nothing changes.
+/// A sample's up direction is rotated into model space, and `ahead` is perpendicular to it. Position and direction of
+/// the dab do not depend on it.
 void TestStrokePath::up_isTheHands()
 {
     StrokeSample sample = at({1, 2, 3});
@@ -236,7 +238,7 @@ void TestStrokePath::up_isTheHands()
     QVERIFY(dab.position == before.position && dab.direction == before.direction);
 }
 
-/// Which no hand can do, but a file.
+/// A stroke file may have an up direction parallel to the direction of the sample.
 void TestStrokePath::up_alongTheDirection()
 {
     for (const Vec3& direction : {Vec3(0, 0, 1), Vec3(0, 0, -4), Vec3(0, 0, 0)}) {
@@ -249,8 +251,8 @@ void TestStrokePath::up_alongTheDirection()
     }
 }
 
-/// An anchored stroke is one dab, where the hand pressed and as large as its way to the last sample. It waits for the
-/// end of the stroke.
+/// An anchored stroke is one dab at the first sample, with the distance to the last sample as its radius. It is made at
+/// the end of the stroke.
 void TestStrokePath::anchored_isOneDabThatTheHandDragsOut()
 {
     StrokeSettings settings = spaced(0.1);
@@ -259,7 +261,7 @@ void TestStrokePath::anchored_isOneDabThatTheHandDragsOut()
     StrokePath path(settings);
     QVERIFY(dabsOf(path, at({1, 2, 3})).empty() && dabsOf(path, at({9, 2, 3})).empty());
     StrokeSample last = at({1, 6, 0});
-    last.pressure = 0.1; // the pen is lifted
+    last.pressure = 0.1; // lifting a pen ends with a low pressure
     const auto dabs = dabsOfLast(path, last);
     QCOMPARE(dabs.size(), std::size_t(1));
     QCOMPARE(dabs.front().position, Vec3(1, 2, 3));
@@ -267,7 +269,7 @@ void TestStrokePath::anchored_isOneDabThatTheHandDragsOut()
     QVERIFY(dabs.front().up.isApprox(Vec3(0, 0.8, -0.6), 1e-12));
 }
 
-/// A ray leads the hand over the plane across the first ray, and not on the surface.
+/// A drag by rays is measured in the plane perpendicular to the first ray, not on the surface.
 void TestStrokePath::anchored_byRaysIsDraggedAcrossTheFirst()
 {
     const StrokePath::CenterOf onPlane = [](const Vec3& p, const Vec3& way) {
@@ -288,7 +290,7 @@ void TestStrokePath::anchored_byRaysIsDraggedAcrossTheFirst()
     QVERIFY(dabs.front().up.isApprox(Vec3(0.6, 0.8, 0), 1e-12));
 }
 
-/// A click, or a hand that trembles, gives a dab of the brush's own radius.
+/// A click, even with a slight tremor, gives a dab with the radius of the brush.
 void TestStrokePath::anchored_clickIsAsLargeAsTheBrush()
 {
     StrokeSettings settings = spaced(0.1, 2);
@@ -303,7 +305,7 @@ void TestStrokePath::anchored_clickIsAsLargeAsTheBrush()
     }
 }
 
-/// A tool that follows the hand is not anchored, whatever the settings say.
+/// Drag tools ignore the anchored setting.
 void TestStrokePath::anchored_isNothingToADragTool()
 {
     StrokeSettings settings = spaced(0);
@@ -326,10 +328,11 @@ void TestStrokePath::miss_isEmptyAndStartsAnew()
 
     StrokePath path(spaced(1));
     QCOMPARE(dabsOf(path, at({-5, 0, 0}), onlyRight).size(), std::size_t(0));
-    QCOMPARE(dabsOf(path, at({0, 0, 0}), onlyRight).size(), std::size_t(1)); // meets the surface
+    QCOMPARE(dabsOf(path, at({0, 0, 0}), onlyRight).size(), std::size_t(1)); // the sample meets the surface
     QCOMPARE(dabsOf(path, at({2.5, 0, 0}), onlyRight).size(), std::size_t(0));
     QCOMPARE(dabsOf(path, at({-2, 0, 0}), onlyRight).size(), std::size_t(2));
-    QCOMPARE(dabsOf(path, at({3, 0, 0}), onlyRight).size(), std::size_t(1)); // not drawn across the gap
+    // the path does not continue across the gap
+    QCOMPARE(dabsOf(path, at({3, 0, 0}), onlyRight).size(), std::size_t(1));
 }
 
 void TestStrokePath::rest_makesNoDabs()
@@ -340,7 +343,7 @@ void TestStrokePath::rest_makesNoDabs()
         QVERIFY(dabsOf(path, at({1, 1, 1})).empty());
 }
 
-/// Ten dabs a second, the first a quarter of a second after the press.
+/// An airbrush gives ten dabs per second, beginning a quarter of a second after the press.
 void TestStrokePath::airbrush_goesOnAtItsRateHoweverManyTheSamples()
 {
     for (const double samplesPerSecond : {5.0, 60.0, 250.0}) {
@@ -358,7 +361,7 @@ void TestStrokePath::airbrush_goesOnAtItsRateHoweverManyTheSamples()
     }
 }
 
-/// A ring on a turntable stays even: a hand that moves does not rest, however slowly.
+/// A slow motion must not count as rest, so that a ring on a turntable stays even.
 void TestStrokePath::airbrush_leavesASlowPathAlone()
 {
     StrokeSettings settings = spaced(0.25);
@@ -396,13 +399,14 @@ void TestStrokePath::longJump_ends()
 {
     StrokePath path(spaced(0.05, 0.01));
     dabsOf(path, at({0, 0, 0}));
-    QCOMPARE(dabsOfLast(path, at({1e7, 0, 0})).size(), std::size_t(StrokePath::maxDabsPerSample)); // 10 km
-    const auto dabs = dabsOf(path, at({1e7 + 0.01, 0, 0})); // goes on where the sample was
+    // 10 km away if the unit is mm
+    QCOMPARE(dabsOfLast(path, at({1e7, 0, 0})).size(), std::size_t(StrokePath::maxDabsPerSample));
+    const auto dabs = dabsOf(path, at({1e7 + 0.01, 0, 0})); // continues from the last sample
     QVERIFY(dabs.size() > 10 && dabs.size() < 30);
     QVERIFY(dabs.front().position.x() >= 1e7 - 1e-3);
 }
 
-/// Each dab raises the surface by fifty times the way between two dabs.
+/// Each dab raises the surface by fifty times the distance between dabs.
 void TestStrokePath::surfaceThatRises_ends()
 {
     StrokePath path(spaced(0.1));
@@ -418,7 +422,8 @@ void TestStrokePath::surfaceThatRises_ends()
     };
     QCOMPARE(dabsTo({0, 0, 0}), 1);
     path.finish();
-    const int dabs = dabsTo({10, 0, 0}); // 112 would do when the sample comes, for the first dab has raised its end
+    // 112 dabs suffice for the path as it is when the sample arrives, because the first dab has raised its end
+    const int dabs = dabsTo({10, 0, 0});
     QVERIFY(dabs >= 100 && dabs <= StrokePath::maxLengthRatio * 112);
 }
 

@@ -24,7 +24,7 @@ private Q_SLOTS:
 
 void TestTool::falloff_isThePapersCurve()
 {
-    // b(x) = (n-1) x^n - n x^(n-1) + 1, by hand for n = 4: 3 x^4 - 4 x^3 + 1
+    // Formula: b(x) = (n-1) x^n - n x^(n-1) + 1; for n = 4: 3 x^4 - 4 x^3 + 1.
     QCOMPARE(falloff(0.5, 4), 3.0 / 16 - 4.0 / 8 + 1);
     QCOMPARE(falloff(0.25, 3), 2.0 / 64 - 3.0 / 16 + 1);
 }
@@ -48,12 +48,12 @@ void TestTool::falloff_fallsFromOneToZero()
     QVERIFY(isFalloff(n));
     QCOMPARE(falloff(0, n), 1.0);
     QVERIFY(falloff(1, n) <= 1e-14);
-    QCOMPARE(falloff(1.5, n), falloff(1, n)); // outside the ball it stays at its rim's value
+    QCOMPARE(falloff(1.5, n), falloff(1, n)); // constant outside the ball
     for (int i = 0; i < 1000; ++i) {
         const double here = falloff(i / 1000.0, n), next = falloff((i + 1) / 1000.0, n);
         QVERIFY(here >= 0 && here <= 1 && next <= here + 1e-14);
     }
-    // flat at both ends
+    // The slope is 0 at both ends.
     QVERIFY(1 - falloff(1e-4, n) < 1e-7);
     QVERIFY(falloff(1 - 1e-4, n) < 2e-6);
 }
