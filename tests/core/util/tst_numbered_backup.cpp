@@ -74,7 +74,7 @@ void TestNumberedBackup::without_nothingStays()
     QVERIFY(names(home) == std::vector<std::string>({"vase.glb"}));
 }
 
-/// The rotation waits until the file is there.
+/// Backups are rotated only after the new file is complete.
 void TestNumberedBackup::savingThatFails_changesNothing()
 {
     const QTemporaryDir home;

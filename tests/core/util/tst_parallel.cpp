@@ -28,7 +28,7 @@ private Q_SLOTS:
     void helpersAsleepOrAwake_doAll();
 };
 
-/// More than most test machines have.
+/// Uses more threads than most test machines have cores.
 void TestParallel::init()
 {
     core::WorkerPool::shared().setThreads(8);
@@ -99,7 +99,7 @@ void TestParallel::exception_isPassedOn()
     QVERIFY_EXCEPTION_THROWN(fails(), std::runtime_error);
 }
 
-/// Some of the pauses are longer than helpers stay awake.
+/// Some pauses are longer than idle helper threads stay awake.
 void TestParallel::helpersAsleepOrAwake_doAll()
 {
     std::mt19937 engine(20240812);

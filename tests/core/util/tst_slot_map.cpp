@@ -55,7 +55,7 @@ void TestSlotMap::take_growsWhileFewSlotsAreFree()
     map.resize(100'000);
     for (Slot i = 0; i < map.size(); ++i)
         map.setFree(i, false);
-    map.setFree(99'999, true); // far from the hint, and far from an eighth
+    map.setFree(99'999, true); // far from the hint, and far fewer than an eighth of the slots
     QCOMPARE(map.take(0), 100'000u);
     QCOMPARE(map.size(), 100'001u);
     QCOMPARE(map.take(99'990), 99'999u);
@@ -112,7 +112,7 @@ void TestSlotMap::randomUse_agreesWithASet()
     }
 }
 
-/// One map has a long history, the other was set to the same free slots directly.
+/// One map has a long history. The other has only the same free slots.
 void TestSlotMap::take_dependsOnFreeSlotsAndHintOnly()
 {
     std::mt19937 engine(seed);
