@@ -249,7 +249,7 @@ void TestJournal::words_areReadWithoutTheMesh()
     QVERIFY(words && !words->mesh && words->history == found->history && words->isUnsaved() == found->isUnsaved());
 }
 
-/// The same strokes on the recovered mesh must give the same bits, and every step can be undone and redone.
+/// Equal strokes on the recovered mesh must give the same bits, and every step can be undone and redone.
 void TestJournal::recovery_goesOnAsIfNothingHadBeen()
 {
     Session session(m_home.path().toStdString(), icosphere(3, 20), 2);
