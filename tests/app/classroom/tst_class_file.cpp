@@ -24,7 +24,7 @@ QByteArray whole()
            pinLine;
 }
 
-/// A class file with these bytes.
+/// A temporary class file with the given content.
 struct File
 {
     explicit File(const QByteArray& bytes)
@@ -48,7 +48,7 @@ struct File
 };
 } // namespace
 
-/// What a teacher wrote is taken whole, or refused with file, line and reason.
+/// Tests that each class file of a teacher is either read completely, or refused with file, line and reason.
 class TestClassFile : public QObject
 {
     Q_OBJECT
@@ -109,7 +109,8 @@ private Q_SLOTS:
         }
     }
 
-    /// Names one of ours by its name, another by its path from the file; the class needs no starters then.
+    /// A class file refers to a bundled lesson by name and to another lesson by a relative path. With a lesson,
+    /// starters are optional.
     void theLessonIsRead()
     {
         const QByteArray tools =

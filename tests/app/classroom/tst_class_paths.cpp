@@ -16,7 +16,7 @@ using namespace app;
 
 namespace
 {
-/// A computer with its own places, and a class's folder on it.
+/// A simulated computer with its own data folders and a class folder.
 struct Computer
 {
     Computer()
@@ -31,14 +31,14 @@ struct Computer
     QString file(const char* name) const { return root.filePath(QLatin1StringView(name)); }
     QString classes() const { return root.filePath(QStringLiteral("data/fettle/classes")); }
     ClassPaths prepared(const QString& folder) const { return ClassPaths::prepare(file("5b.ini"), folder); }
-    /// Returns the folder in which older versions kept the works of a class file.
+    /// Returns the folder in which older versions kept the undelivered works of a class file.
     QString outboxBefore(const char* classFile) const
     {
         const QByteArray path = QFileInfo(file(classFile)).canonicalFilePath().toUtf8();
         const QByteArray key = QCryptographicHash::hash(path, QCryptographicHash::Sha256).toHex().left(16);
         return classes() + u'/' + QString::fromLatin1(key) + QStringLiteral("/waiting");
     }
-    /// Lets a work wait there.
+    /// Adds an undelivered work to the outbox.
     static void add(const QString& outbox, const QString& pupil)
     {
         static int count = 0;
@@ -62,7 +62,8 @@ struct Computer
 };
 } // namespace
 
-/// Works wait in one place for one folder, whatever it or the class's file is called.
+/// Tests that each class folder has one outbox for undelivered works, whatever names the folder and the class file
+/// have.
 class TestClassPaths : public QObject
 {
     Q_OBJECT
@@ -99,10 +100,10 @@ private Q_SLOTS:
         const Computer computer;
         const QString byLink = computer.prepared(computer.link).outbox,
                       byName = computer.prepared(computer.works).outbox;
-        QVERIFY(byLink != byName); // the link leads nowhere yet
+        QVERIFY(byLink != byName); // the link's target does not exist yet
         Computer::add(byLink, QStringLiteral("Anna"));
         Computer::add(byName, QStringLiteral("Ben"));
-        Computer::add(byName, QStringLiteral("Anna")); // another one, in the same minute
+        Computer::add(byName, QStringLiteral("Anna")); // a second work of Anna in the same minute
         QVERIFY(QFile::link(computer.works, computer.link));
         const QString both = computer.prepared(computer.link).outbox;
         QCOMPARE(Computer::pupilsIn(both), QStringList({"Anna", "Anna", "Ben"}));
@@ -119,7 +120,7 @@ private Q_SLOTS:
         const QString outbox = ClassPaths::prepare(computer.file("5b.fettleclass"), computer.works).outbox;
         QCOMPARE(Computer::pupilsIn(outbox), QStringList({"Anna", "Ben"}));
         QVERIFY(computer.prepared(computer.root.filePath(QStringLiteral("others"))).outbox !=
-                outbox); // the file names another folder by now
+                outbox); // the class file now names a different folder
     }
 
     void journals_areNotLeftBehind()

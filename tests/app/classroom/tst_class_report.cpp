@@ -29,7 +29,7 @@ struct Answer
     QByteArray out, err;
 };
 
-/// The program as a script sees it: no display.
+/// Runs the program as a script does, without a display.
 Answer fettle(const QStringList& arguments, const QString& folder)
 {
     QProcess process;
@@ -73,7 +73,7 @@ core::WriteOptions with(const core::WorkDone& work)
 
 constexpr qsizetype models = 30, unreadable = 3, unsound = 2;
 
-/// What thirty pupils leave in a folder.
+/// Fills a folder with the models of thirty pupils.
 void fillClass(const fs::path& folder)
 {
     const core::TriangleMesh ball = core::icosphere(2, 20);
@@ -105,7 +105,7 @@ QStringList captured(const QByteArray& page, const char* pattern)
     return all;
 }
 
-/// The row in which the name stands.
+/// Returns the table row that contains the name.
 QString rowOf(const QByteArray& page, const QString& name)
 {
     for (const QString& row : QString::fromUtf8(page).split(QStringLiteral("<tr>")))
@@ -121,7 +121,8 @@ class TestClassReport : public QObject
 
 private Q_SLOTS:
     void initTestCase();
-    void cleanupTestCase() { fs::remove_all(at("class")); } // Qt finds no name that is no UTF-8
+    // deletes with std::filesystem, because Qt does not find names that are not valid UTF-8
+    void cleanupTestCase() { fs::remove_all(at("class")); }
     void page_hasARowForEach();
     void page_isAloneAndNamesAreHarmless();
     void page_linksLeadToTheModels();
@@ -169,7 +170,7 @@ void TestClassReport::page_hasARowForEach()
     QCOMPARE(m_page.count("class=\"not\""), unreadable + unsound);
 }
 
-/// Nothing is fetched from anywhere, and only our script runs: its hash is what the page allows.
+/// The page must load nothing from elsewhere. Its policy allows only the hash of Fettle's own script.
 void TestClassReport::page_isAloneAndNamesAreHarmless()
 {
     QVERIFY(!m_page.contains("http:") && !m_page.contains("https:") && !m_page.contains("//www"));
@@ -224,7 +225,8 @@ void TestClassReport::rows_sayWhatIsKnown()
     QVERIFY2(cube.contains(QStringLiteral(">10.0 × 10.0 × 10.0<")) &&
                  cube.contains(QStringLiteral("data-key=\"1000\"")),
              qPrintable(cube.right(600)));
-    QCOMPARE(cube.count(QStringLiteral("<td class=\"figure\"></td>")), 2); // an STL knows neither
+    // an STL file contains neither strokes nor time
+    QCOMPARE(cube.count(QStringLiteral("<td class=\"figure\"></td>")), 2);
     QVERIFY(rowOf(m_page, QStringLiteral("open.ply")).contains(QStringLiteral("open edges: 12")));
     QVERIFY(rowOf(m_page, QStringLiteral("crossing.off")).contains(QStringLiteral("pairs of faces that intersect")));
     QVERIFY(rowOf(m_page, QStringLiteral("empty.stl")).contains(QStringLiteral("<small>empty.stl is empty.</small>")));
@@ -241,7 +243,7 @@ void TestClassReport::pdf_hasPagesAndLinks()
     const QByteArray pdf = read(at("report.PDF"));
     QVERIFY(pdf.startsWith("%PDF-") && pdf.trimmed().endsWith("%%EOF"));
     QVERIFY(pdf.count("/Type /Page\n") >= 3);
-    QVERIFY(pdf.count("/URI (class/") >= models); // a name of several lines has one for each
+    QVERIFY(pdf.count("/URI (class/") >= models); // a name of several lines has a link on each line
     QVERIFY(pdf.contains("/URI (class/m%FCller.stl)"));
 }
 
@@ -310,7 +312,7 @@ void TestClassReport::sheets_areAPageEach()
                m_folder.path());
     QCOMPARE(answer.status, 1);
     QVERIFY(answer.out.isEmpty());
-    QCOMPARE(answer.err.count('\n'), unreadable + 1); // and the one that is open
+    QCOMPARE(answer.err.count('\n'), unreadable + 1); // one message more for the open model
     QVERIFY(answer.err.contains("empty.stl is empty") && answer.err.contains("open.ply has no sheet"));
     QCOMPARE(read(at("sheets.pdf")).count("/Type /Page\n"), models - unreadable - 1);
 
@@ -342,7 +344,7 @@ void TestClassReport::durations_areWhatAPersonWouldSay()
             is(26 * 3600, "26 h 00 min"));
 }
 
-/// By the menu and two dialogs; once more and stopped, there is no second one.
+/// Writes a report from the menu with two dialogs. A second, cancelled report must not be written.
 void TestClassReport::window_writesAReport()
 {
     Program program;
@@ -358,7 +360,7 @@ void TestClassReport::window_writesAReport()
     QTRY_VERIFY(!program.document.job().isBusy());
     QTRY_VERIFY(notice(program).contains(QStringLiteral("by hand.html.")));
     QCOMPARE(captured(read(at("by hand.html")), "<bdi>([^<]*)</bdi>").size(), models);
-    QVERIFY(program.document.savedState().isModified()); // the model that is open has nothing to do with it
+    QVERIFY(program.document.savedState().isModified()); // the open model is not affected
 
     ask(QString::fromStdString(at("on paper.pdf").string()));
     QTRY_VERIFY(notice(program).contains(QStringLiteral("on paper.pdf.")));

@@ -71,7 +71,7 @@ struct ClassFolder
     QTemporaryDir root;
 };
 
-/// Three pupils; Ben's turn was resumed, and his first work is the ball.
+/// Adds the works of three pupils. Ben's turn was resumed; his first work is the ball.
 void fillWorks(const ClassFolder& works)
 {
     works.add(QStringLiteral("2026-11-24-1000-Cem"), QStringLiteral("Cem"), QStringLiteral("3"), core::Starter::Torus);
@@ -81,7 +81,7 @@ void fillWorks(const ClassFolder& works)
 }
 } // namespace
 
-/// Reports and commands know whose works a class's folder holds.
+/// Tests that reports and commands assign the works in a class folder to pupils.
 class TestClassWorks : public QObject
 {
     Q_OBJECT
@@ -116,7 +116,7 @@ void TestClassWorks::works_areByPupilAndOnceATurn()
     QVERIFY_THROWS_EXCEPTION(core::FileError, modelsAndWorks(toPath(works.root.filePath(QStringLiteral("no work")))));
 }
 
-/// Asks for the time without pauses, and of works of older versions for that from beginning to end.
+/// The time of a turn excludes pauses. For works of older versions it is the time from beginning to end.
 void TestClassWorks::theTimeIsWhatWasUsed()
 {
     const ClassFolder works;
@@ -140,7 +140,7 @@ void TestClassWorks::sameNames_areToldApart()
     QCOMPARE(found.size(), 3);
     QVERIFY(found[0].title().startsWith(QStringLiteral("Anna (")) && found[0].title().contains(QStringLiteral("15")));
     QCOMPARE(found[0].turn.pupil, QStringLiteral("Anna"));
-    QCOMPARE(found[2].title(), QStringLiteral("c")); // nobody's name: the folder's
+    QCOMPARE(found[2].title(), QStringLiteral("c")); // a work without a pupil has the name of its folder as its title
 }
 
 void TestClassWorks::aWorkAlone_isOneToo()
@@ -193,7 +193,7 @@ void TestClassWorks::sheets_areAPageAPupil()
     QCOMPARE(contentOf(pdf).count("/Type /Page\n"), 3);
 }
 
-/// The last step asks for a model that stands; all of these do. The first asks for a pit, which none has.
+/// None of the works meets the goals of this step of the lesson.
 void TestClassWorks::theLesson_judgesEachPupil()
 {
     const ClassFolder works;
@@ -219,8 +219,7 @@ void TestClassWorks::theLesson_judgesEachPupil()
     QVERIFY(!ben[QStringLiteral("met")].toBool(true));
 }
 
-/// A row and a sentence each, and no answer of yes.
-/// In the reader's words, whatever the class spoke, and without what a stranger wrote there.
+/// The report uses the language of the reader, whatever language the class had. Unknown goals in the file are left out.
 void TestClassWorks::theReport_saysHowFarALessonCame()
 {
     const ClassFolder works;

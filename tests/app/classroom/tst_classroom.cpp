@@ -88,7 +88,7 @@ std::uint64_t hashOf(const QString& path)
     return model.sculptor ? model.sculptor->mesh().meshHash() : 0;
 }
 
-/// What a record makes of a starter.
+/// Returns the mesh hash after replaying a record on a starter.
 std::uint64_t replayed(core::Starter starter, const QString& record)
 {
     const LoadedModel model = ModelLoader::starter(starter);
@@ -102,7 +102,7 @@ std::uint64_t replayed(core::Starter starter, const QString& record)
     return model.sculptor->mesh().meshHash();
 }
 
-/// Where a class and its computer keep things.
+/// Folders of a class and of its computer.
 struct Home
 {
     explicit Home(const QString& path) : root(path)
@@ -136,7 +136,7 @@ struct Home
     ClassPaths places;
 };
 
-/// The program in a class, as main() puts it together.
+/// The program in class mode, as main() assembles it.
 struct Class
 {
     explicit Class(const Home& home) : Class(home, home.classroom()) {}
@@ -225,14 +225,14 @@ struct Class
     ClassroomMode mode;
 };
 
-/// Returns what the dialog for the PIN asks; empty: it is not open.
+/// Returns the question in the PIN dialog, or an empty text if the dialog is closed.
 QString pinQuestion(const Class& c)
 {
     const auto* dialog = c.part<QDialog>("pinDialog");
     return dialog ? dialog->findChild<QLabel*>()->text() : QString();
 }
 
-/// The class with a lesson and the tools of it.
+/// Returns the class with a lesson and the lesson's tools.
 ui::Classroom withLesson(ui::Classroom classroom, bool hasStarters)
 {
     classroom.lesson = QStringLiteral("first-clay");
@@ -257,7 +257,7 @@ protected:
     }
 };
 
-/// What must be the same at the beginning of each turn.
+/// State that must be equal at the beginning of each turn.
 struct Beginning
 {
     explicit Beginning(const Class& c)
@@ -288,7 +288,7 @@ struct Beginning
     core::SavedView view;
 };
 
-/// Whatever a person could leave behind.
+/// Changes every setting that a pupil could leave changed.
 void leaveTraces(Class& c)
 {
     ui::MainWindow& window = c.program.window;
@@ -306,7 +306,8 @@ void leaveTraces(Class& c)
     window.findChild<ui::ColorPanel*>()->reset({{9, 9, 9}});
 }
 
-/// All other panels lead to files, printers or steps of others.
+/// Returns whether a panel is only for sculpting. All other panels give access to files, printers or steps of other
+/// pupils.
 bool isForTheHand(const ui::SidePanel* panel)
 {
     const QStringList names{QStringLiteral("brushPanel"),     QStringLiteral("topologyPanel"),
@@ -316,7 +317,7 @@ bool isForTheHand(const ui::SidePanel* panel)
     return names.contains(panel->objectName());
 }
 
-/// The class's own windows that are open beside the main one.
+/// Returns the open windows other than the main window.
 QList<QWidget*> otherWindows(const Class& c)
 {
     QList<QWidget*> others;
@@ -326,7 +327,7 @@ QList<QWidget*> otherWindows(const Class& c)
     return others;
 }
 
-/// What can be chosen in a menu and those below it.
+/// Appends the visible entries of a menu and its submenus.
 void addChoices(const QMenu* menu, QList<QAction*>* choices)
 {
     for (QAction* action : menu->actions()) {
@@ -340,7 +341,7 @@ void addChoices(const QMenu* menu, QList<QAction*>* choices)
 }
 } // namespace
 
-/// A class through the real window: each work kept, nothing left behind, no way out but the teacher's.
+/// Tests a class in the real window: each work is kept, turns leave nothing behind, and only the teacher can leave.
 class TestClassroom : public QObject
 {
     Q_OBJECT
@@ -397,7 +398,7 @@ private Q_SLOTS:
 
 void TestClassroom::twentyFiveTurns_areKept()
 {
-    const int turns = byEffort(10, 25); // the tenth repeats a name
+    const int turns = byEffort(10, 25); // the tenth turn repeats a name
     const QTemporaryDir root;
     const Home home(root.path());
     QList<std::uint64_t> hashes;
@@ -413,7 +414,7 @@ void TestClassroom::twentyFiveTurns_areKept()
             QCOMPARE(c.program.document.history().stack().count(), 0);
             for (int stroke = 0; stroke <= i % 3; ++stroke)
                 c.sculpt({10 + 5 * i, 20 * stroke});
-            if (i % 4 == 3) { // what was undone is in no record
+            if (i % 4 == 3) { // records must not contain undone strokes
                 c.trigger("edit.undo");
                 c.sculpt({-50, -30 - 2 * i});
             }
@@ -425,7 +426,7 @@ void TestClassroom::twentyFiveTurns_areKept()
         QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), turns, longestWait);
         QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.places.outbox), QStringList(), longestWait);
         QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.journals()).size(), 1,
-                                  longestWait); // of the clay that waits for the next
+                                  longestWait); // journal of the starter model that is prepared for the next pupil
     }
     QCOMPARE(foldersIn(home.journals()), QStringList());
     QStringList kept;
@@ -467,9 +468,10 @@ void TestClassroom::aTurnBegins_asTheClassDid()
     QVERIFY(!c.program.document.history().canUndo() && !c.program.document.history().canRedo() &&
             !c.program.document.savedState().isModified());
     QVERIFY(c.program.window.windowTitle().contains(QStringLiteral("Ben")));
-    c.program.window.action(QStringLiteral("symmetry.on"))->trigger(); // the plane that was chosen last went, too
+    c.program.window.action(QStringLiteral("symmetry.on"))->trigger(); // the last used symmetry plane is reset, too
     QCOMPARE(c.program.window.brush()->stroke().symmetry, core::Symmetry::X);
-    c.program.window.brush()->setTool(core::Tool::Smooth); // by whatever way
+    // a tool that the class does not allow is refused, however it is chosen
+    c.program.window.brush()->setTool(core::Tool::Smooth);
     QCOMPARE(c.program.window.brush()->stroke().tool, core::Tool::Clay);
 }
 
@@ -485,7 +487,7 @@ void TestClassroom::aMistakenPress_isTakenBack()
     c.next();
     QTRY_VERIFY(c.part<QPushButton>("classResume")->isVisible());
     QVERIFY(c.part<QPushButton>("classResume")->text().contains(QStringLiteral("Anna")));
-    c.now += 2 * minute; // nobody's
+    c.now += 2 * minute; // time between turns, which counts for no pupil
     c.press("classResume");
     QTRY_VERIFY_WITH_TIMEOUT(!c.asks() && c.isIdle() && c.text("classPupil") == QStringLiteral("Anna"), longestWait);
     QCOMPARE(c.hash(), hash);
@@ -499,16 +501,17 @@ void TestClassroom::aMistakenPress_isTakenBack()
     c.beginTurn(QStringLiteral("Ben"));
     QTRY_VERIFY(c.part<QPushButton>("classResume")->isVisible());
     c.sculpt();
-    QTRY_VERIFY(!c.part<QPushButton>("classResume")->isVisible()); // when the bar is laid out again
+    // the bar also hides the button when it is laid out again
+    QTRY_VERIFY(!c.part<QPushButton>("classResume")->isVisible());
     QTRY_VERIFY_WITH_TIMEOUT(foldersIn(home.works).size() == 2 && !foldersIn(home.works).constFirst().startsWith(u'.'),
-                             longestWait); // what was kept stays
+                             longestWait); // the earlier work stays in the class folder
     const QString folder = home.works + u'/' + foldersIn(home.works).last();
     QCOMPARE(hashOf(folder + QStringLiteral("/model.glb")), later);
-    QCOMPARE(WorkArchive::turnOf(folder).seconds(), std::optional(6.0 * 60)); // without the pause
+    QCOMPARE(WorkArchive::turnOf(folder).seconds(), std::optional(6.0 * 60)); // 5 + 1 minutes, without the pause
     QCOMPARE(core::readStrokes((folder + QStringLiteral("/record.json")).toStdString()).size(), std::size_t(2));
 }
 
-/// Resume and Next Pupil, with nothing between them: the work is there once, and may be resumed again.
+/// Resume and then Next Pupil without a change keep one work, which can be resumed again.
 void TestClassroom::resuming_withoutAChangeKeepsOneWork()
 {
     const QTemporaryDir root;
@@ -531,7 +534,7 @@ void TestClassroom::resuming_withoutAChangeKeepsOneWork()
     c.press("classResume");
     QTRY_VERIFY_WITH_TIMEOUT(!c.asks() && c.isIdle(), longestWait);
     c.mode.tick();
-    QCOMPARE(c.text("classTime"), QStringLiteral("11 minutes left")); // the time went on
+    QCOMPARE(c.text("classTime"), QStringLiteral("11 minutes left")); // time continues during the turn
     c.press("classLeave");
     c.typePin(pin);
     QTRY_VERIFY_WITH_TIMEOUT(!c.program.window.isVisible(), longestWait);
@@ -541,7 +544,7 @@ void TestClassroom::resuming_withoutAChangeKeepsOneWork()
                  .isEmpty());
 }
 
-/// Asks for Return after a click on a starter, too.
+/// Return begins the turn even after a click on a starter.
 void TestClassroom::returnBegins_whereverTheFocusIs()
 {
     const QTemporaryDir root;
@@ -560,7 +563,7 @@ void TestClassroom::returnBegins_whereverTheFocusIs()
     QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), 1, longestWait);
 }
 
-/// Asks what the projector shows: who, how long, who is next.
+/// The projector window shows the current pupil, the remaining time and the next pupil.
 void TestClassroom::theProjectorsClock_saysWhoIsNext()
 {
     const QTemporaryDir root;
@@ -574,7 +577,7 @@ void TestClassroom::theProjectorsClock_saysWhoIsNext()
     c.press("classClockButton");
     auto* clock = c.part<QWidget>("classClock");
     QTRY_VERIFY(clock->isVisible());
-    QCOMPARE(clock->windowType(), Qt::Dialog); // else a click on the window below hides it
+    QCOMPARE(clock->windowType(), Qt::Dialog); // with other window types, a click on the main window would hide it
     const QWidget* view = c.program.window.centralWidget();
     QVERIFY(QRect(view->mapToGlobal(QPoint()), view->size()).contains(clock->frameGeometry()));
     for (const char* used : {"beginTurn", "pupilName", "pupils", "turn.new.ball", "turn.new.torus"}) {
@@ -609,7 +612,7 @@ void TestClassroom::theProjectorsClock_saysWhoIsNext()
     QVERIFY(!c.part<QWidget>("classClock")->isVisible() && c.program.window.isVisible());
 }
 
-/// The teacher's list: who has had a turn is marked, and a guest types.
+/// The teacher's list marks pupils who have had a turn. A guest can type a name.
 void TestClassroom::names_areChosenFromTheList()
 {
     const QTemporaryDir root;
@@ -632,7 +635,7 @@ void TestClassroom::names_areChosenFromTheList()
     QVERIFY(list->selectedItems().isEmpty() && c.part<QLineEdit>("pupilName")->text().isEmpty());
     c.sculptAs(QStringLiteral("Guest"));
     c.next();
-    list->setCurrentRow(1); // once more
+    list->setCurrentRow(1); // a pupil can have a second turn
     QCOMPARE(c.part<QLineEdit>("pupilName")->text(), QStringLiteral("Ben, B."));
 }
 
@@ -651,7 +654,6 @@ void TestClassroom::noOtherName_ifTheTeacherSaysSo()
     QTRY_VERIFY_WITH_TIMEOUT(!c.asks() && c.isIdle() && c.text("classPupil") == QStringLiteral("Anna"), longestWait);
 }
 
-/// Esc, while a starter is being made.
 void TestClassroom::aLesson_isGivenInATurn_data()
 {
     QTest::addColumn<bool>("hasStarters");
@@ -659,7 +661,7 @@ void TestClassroom::aLesson_isGivenInATurn_data()
     QTest::newRow("beside starters") << true;
 }
 
-/// The step that is reached and its goals are kept with the work, and Resume goes on there.
+/// The work keeps the reached step and its goals, and Resume continues from there.
 void TestClassroom::aLesson_isGivenInATurn()
 {
     QFETCH(const bool, hasStarters);
@@ -686,7 +688,7 @@ void TestClassroom::aLesson_isGivenInATurn()
     c.part<QComboBox>("lessonSpeed")->setCurrentIndex(4);
     c.press("lessonPlay");
     QTRY_VERIFY_WITH_TIMEOUT(c.program.worker.strokes().isOpen(), longestWait);
-    c.press("lessonNext"); // all of the step is done
+    c.press("lessonNext"); // finishes the rest of the step
     QTRY_COMPARE_WITH_TIMEOUT(c.text("lessonTitle"), step.arg(2), longestWait);
     QCOMPARE(c.program.window.brush()->tool(), core::Tool::Push);
     const std::uint64_t hash = c.hash();
@@ -715,7 +717,7 @@ void TestClassroom::aLesson_isGivenInATurn()
     c.press("lessonPlay");
     c.press("lessonOne");
     QTRY_VERIFY_WITH_TIMEOUT(c.program.document.history().stack().count() > 0, longestWait);
-    c.next(); // while the teacher works
+    c.next(); // the teacher's strokes are playing
     QTRY_COMPARE_WITH_TIMEOUT(WorkArchive::worksIn(home.works).size(), 2, longestWait);
     QVERIFY(turnIn(WorkArchive::worksIn(home.works).constLast())
                 .value(QStringLiteral("lesson"))
@@ -738,7 +740,7 @@ void TestClassroom::aLesson_isGivenInATurn()
         QCOMPARE(turnIn(folder).contains(QStringLiteral("lesson")), !folder.endsWith(QStringLiteral("Cem")));
 }
 
-/// Asks that nothing in the panel, open or without a lesson, leads to files or to other lessons.
+/// The lesson panel, with or without an open lesson, must not give access to files or other lessons.
 void TestClassroom::aLesson_leadsNowhereElse()
 {
     const QTemporaryDir root;
@@ -774,14 +776,14 @@ void TestClassroom::stopping_leavesNobodyWithoutClay()
     c.begin();
     QTest::keyClicks(c.part<QLineEdit>("pupilName"), QStringLiteral("Anna"));
     QTest::keyClick(c.part<QLineEdit>("pupilName"), Qt::Key_Return);
-    const auto stop = [&c] { // what was stopped may be begun anew, and the name be asked for again
+    const auto stop = [&c] { // a cancelled job may be started again, and the name may be asked for again
         c.program.document.cancelJob();
         QTRY_VERIFY_WITH_TIMEOUT(c.isIdle(), longestWait);
         QTest::qWait(50);
         QTRY_VERIFY_WITH_TIMEOUT(c.isIdle(), longestWait);
     };
     stop();
-    if (c.asks()) // else it was there already
+    if (c.asks()) // otherwise the starter was complete before it could be cancelled
         c.sculptAs(QStringLiteral("Anna"));
     c.press("classNext");
     stop();
@@ -830,15 +832,15 @@ void TestClassroom::theClock_warnsAndTakesNothing()
     QCOMPARE(at(25 * minute + 5'000), QStringLiteral("Time is up"));
     QCOMPARE(countdown.text(), QStringLiteral("Time is up  +5:05"));
     QVERIFY(c.program.window.viewport()->rect().contains(countdown.geometry()));
-    QVERIFY(countdown.testAttribute(Qt::WA_TransparentForMouseEvents)); // the clay below is pressed
+    QVERIFY(countdown.testAttribute(Qt::WA_TransparentForMouseEvents)); // clicks reach the model below
     c.sculpt({30, -20});
     QCOMPARE(c.program.document.history().stack().count(), 2);
     c.next();
     c.beginTurn(QStringLiteral("Ben"));
     QCOMPARE(at(c.now), QStringLiteral("20 minutes left"));
     QVERIFY(!c.part<QLabel>("classTime")->font().bold() && !countdown.isVisible());
-    QVERIFY(caption.isVisible() &&
-            !caption.text().isNearEnd); // a turn's beginning brings bars back, but not this one's absence
+    // the beginning of a turn shows bars again, but must not change the headset's state
+    QVERIFY(caption.isVisible() && !caption.text().isNearEnd);
     c.program.window.setHeadset(ui::HeadsetState::Out, {});
     QVERIFY(!caption.isVisible());
 }
@@ -854,14 +856,14 @@ void TestClassroom::aMissingFolder_isSaidAtOnce()
     c.next();
     QTRY_VERIFY2(notice(c.program).startsWith(QStringLiteral("The class folder cannot be reached.")),
                  qPrintable(notice(c.program)));
-    QVERIFY(!notice(c.program).contains(root.path())); // pupils read it
+    QVERIFY(!notice(c.program).contains(root.path())); // the notice must not show the path, because pupils read it
     QVERIFY(c.part<QLabel>("classWaiting")
                 ->toolTip()
                 .contains(QStringLiteral("the folder %1 does not exist").arg(home.works)));
     QCOMPARE(c.text("classWaiting"), QStringLiteral("1 models not yet in the class folder"));
     QVERIFY(c.part<QLabel>("classWaiting")->toolTip().contains(home.places.outbox));
     QCOMPARE(foldersIn(home.places.outbox).size(), 1);
-    QVERIFY(QDir().mkpath(home.works)); // it is back
+    QVERIFY(QDir().mkpath(home.works)); // the folder is available again
     c.sculptAs(QStringLiteral("Ben"));
     c.next();
     QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), 2, longestWait);
@@ -899,7 +901,7 @@ void TestClassroom::noCommand_leadsOut_data()
     QTest::newRow("in a turn") << true;
 }
 
-/// Each key of each command that a class does without, and by code.
+/// Tries each action that a class forbids, by each of its shortcuts and by code.
 void TestClassroom::noCommand_leadsOut()
 {
     QFETCH(bool, isTurn);
@@ -919,11 +921,11 @@ void TestClassroom::noCommand_leadsOut()
         if (ui::isAllowed(row, home.classroom()))
             continue;
         ++closed;
-        action->setEnabled(true); // as others do when work ends
+        action->setEnabled(true); // other code enables actions, for example when a job ends
         QVERIFY2(!action->isEnabled() && !action->isVisible(), row.id);
         for (const QKeySequence& key : action->shortcuts()) {
             QTest::keySequence(&window, key);
-            if (key == QKeySequence(Qt::Key_F1)) { // is the guide's in a class
+            if (key == QKeySequence(Qt::Key_F1)) { // opens the guide in a class
                 QTRY_VERIFY(c.part<QDialog>("guide") && c.part<QDialog>("guide")->isVisible());
                 c.part<QDialog>("guide")->reject();
             }
@@ -947,7 +949,7 @@ void TestClassroom::noCommand_leadsOut()
                  qPrintable(panel->objectName()));
     for (const char* name : {"presets.new", "presets.rename", "presets.delete", "presets.import", "presets.export"})
         QVERIFY2(window.findChild<QToolButton*>(QString::fromLatin1(name))->isHidden(), name);
-    if (!isTurn) { // nobody gets at the clay
+    if (!isTurn) { // the model cannot be sculpted between turns
         const QPoint middle = window.viewport()->mapTo(&window, window.viewport()->rect().center() +
                                                                     QPoint(0, window.viewport()->height() / 4));
         QTest::mousePress(window.windowHandle(), Qt::LeftButton, {}, middle);
@@ -986,8 +988,7 @@ void TestClassroom::menus_haveOnlyWhatIsAllowed()
     QVERIFY(!QApplication::activePopupWidget());
 }
 
-/// Asks that the guide's links, whatever they are, and its keys show its own pages and nothing else; the next turn
-/// begins without it.
+/// All links and keys of the guide must show only its own pages. The next turn begins without the guide.
 void TestClassroom::theGuide_leadsNowhereElse()
 {
     const QTemporaryDir root;
@@ -1056,7 +1057,7 @@ void TestClassroom::closing_takesThePin()
         c.begin();
         c.sculptAs(QStringLiteral("Anna"));
         ui::MainWindow& window = c.program.window;
-        QVERIFY(!window.close()); // Alt+F4, the title bar's cross, a session that ends
+        QVERIFY(!window.close()); // as with Alt+F4, the close button, or the end of the desktop session
         c.typePin(QStringLiteral("1111"));
         QCOMPARE(c.text("pinWord"), QStringLiteral("This is not the PIN."));
         QVERIFY(window.isVisible());
@@ -1066,7 +1067,7 @@ void TestClassroom::closing_takesThePin()
         window.action(QStringLiteral("file.quit"))->trigger();
         c.typePin(QStringLiteral("0000"));
         c.typePin(QStringLiteral("000"));
-        QVERIFY(!c.part<QLineEdit>("pin")->isEnabled()); // three were wrong
+        QVERIFY(!c.part<QLineEdit>("pin")->isEnabled()); // disabled after three wrong PINs
         QVERIFY(c.text("pinWord").contains(QStringLiteral("seconds")));
         QTRY_VERIFY_WITH_TIMEOUT(c.part<QLineEdit>("pin")->isEnabled(), longestWait);
         c.typePin(pin);
@@ -1095,7 +1096,8 @@ void TestClassroom::theTeachersDialog_writesTheFile()
         return dialog->findChild<QLabel*>(QStringLiteral("classroomWord"))->text();
     };
     const auto focus = [&dialog] { return dialog->focusWidget() ? dialog->focusWidget()->objectName() : QString(); };
-    for (const QLabel* label : dialog->findChildren<QLabel*>()) // else its & is seen
+    // the & of a mnemonic is visible in a label without a buddy
+    for (const QLabel* label : dialog->findChildren<QLabel*>())
         QVERIFY2(!label->text().contains(u'&') || label->buddy(), qPrintable(label->text()));
     QCOMPARE(fault(), QStringLiteral("The class has no title yet."));
     QCOMPARE(focus(), QStringLiteral("classTitleField"));
@@ -1126,7 +1128,7 @@ void TestClassroom::theTeachersDialog_writesTheFile()
     for (const char* box : {"class.new.cube", "class.tool.stamp", "class.tool.mask", "classQuestions"})
         dialog->findChild<QAbstractButton*>(QLatin1StringView(box))->click();
     auto* lesson = dialog->findChild<QComboBox*>(QStringLiteral("classLesson"));
-    QCOMPARE(lesson->count(), 5); // none, ours, from a file
+    QCOMPARE(lesson->count(), 5); // none, three bundled lessons, from a file
     lesson->setCurrentIndex(2);
     Q_EMIT lesson->activated(2);
     QVERIFY(fault().isEmpty());
@@ -1134,7 +1136,7 @@ void TestClassroom::theTeachersDialog_writesTheFile()
     QTRY_VERIFY((files = dialog->findChild<QFileDialog*>(QStringLiteral("classDialog"))) && files->isVisible());
     QVERIFY(files->selectedFiles().constFirst().endsWith(QStringLiteral("/5b.fettleclass")));
     files->reject();
-    QTRY_VERIFY(!files); // all that was typed is there still
+    QTRY_VERIFY(!files); // the typed values must remain
     QVERIFY(dialog->isVisible() && fault().isEmpty());
     const QString path = root.filePath(QStringLiteral("5b.fettleclass"));
     chooseFile(program, "classDialog", path);
@@ -1151,7 +1153,7 @@ void TestClassroom::theTeachersDialog_writesTheFile()
     QCOMPARE(read.lesson, QStringLiteral("mug"));
 }
 
-/// Asks that after the PIN the works that are not in the class's folder are counted, and may be copied.
+/// After the PIN, the dialog states the number of works that are not in the class folder, and offers to copy them.
 void TestClassroom::leaving_saysWhatWaits()
 {
     const QTemporaryDir root;
@@ -1187,7 +1189,7 @@ void TestClassroom::leaving_saysWhatWaits()
     QTRY_VERIFY_WITH_TIMEOUT(!c.program.window.isVisible(), longestWait);
 }
 
-/// Asks that the question before the PIN says what is: a work that is open, or none.
+/// The question before the PIN states whether a work is open.
 void TestClassroom::leaving_saysWhetherAWorkIsOpen()
 {
     const QTemporaryDir root;
@@ -1206,7 +1208,7 @@ void TestClassroom::leaving_saysWhetherAWorkIsOpen()
     QCOMPARE(question(), QStringLiteral("End the class? The current pupil's work will be saved."));
 }
 
-/// A class's folder that does not answer, such as that of a lost server. It is nobody's turn meanwhile.
+/// The class folder does not respond, like that of a server that is down. Leaving must not wait for it.
 void TestClassroom::leaving_doesNotWaitForEver()
 {
     const QTemporaryDir root;
@@ -1221,11 +1223,11 @@ void TestClassroom::leaving_doesNotWaitForEver()
     QVERIFY(QDir().mkpath(there));
     const QByteArray pipe = QFile::encodeName(there + QStringLiteral("/turn.json"));
     QCOMPARE(::mkfifo(pipe.constData(), 0600), 0);
-    const auto release = [&pipe] { // until somebody reads there is no such writer
+    const auto release = [&pipe] { // a write-only open fails until a reader has the pipe open
         const int writer = ::open(pipe.constData(), O_WRONLY | O_NONBLOCK);
         return writer >= 0 && ::close(writer) == 0;
     };
-    const auto releaseAtLast = qScopeGuard(release); // else a failure would wait for ever
+    const auto releaseAtLast = qScopeGuard(release); // lets the reader finish even if the test fails
     c.press("classLeave");
     c.typePin(pin);
     QTRY_VERIFY(!c.program.window.isEnabled());
@@ -1233,7 +1235,7 @@ void TestClassroom::leaving_doesNotWaitForEver()
     QTRY_VERIFY_WITH_TIMEOUT((dialog = c.part<ui::WaitingWorksDialog>("waitingWorks")) && dialog->isVisible(),
                              longestWait);
     QVERIFY(c.program.window.isEnabled());
-    QVERIFY(release()); // it answers after all
+    QVERIFY(release()); // the folder responds again
     c.press("endClass");
     QTRY_VERIFY_WITH_TIMEOUT(!c.program.window.isVisible(), longestWait);
 }
@@ -1245,7 +1247,7 @@ void TestClassroom::theTeachersDialog_changesAFile_data()
     QTest::newRow("as an older one was named") << QStringLiteral("5b.ini");
 }
 
-/// A class that is there is changed in the same dialog, in the same file or in another, with its PIN or with another.
+/// An existing class can be edited in the same dialog, saved in the same or another file, with the same or another PIN.
 void TestClassroom::theTeachersDialog_changesAFile()
 {
     QFETCH(const QString, name);
@@ -1275,14 +1277,16 @@ void TestClassroom::theTeachersDialog_changesAFile()
         QTRY_VERIFY(!dialog);
         auto* question = program.window.findChild<QMessageBox*>(QStringLiteral("beginClass"));
         QVERIFY(question);
-        const bool isKnown = question->informativeText().contains(QStringLiteral("double click")); // to the desktop
+        // the desktop knows the file type
+        const bool isKnown = question->informativeText().contains(QStringLiteral("double click"));
         delete question;
         QCOMPARE(isKnown, name.endsWith(QStringLiteral("class")) || QFile::exists(other));
     };
     const auto save = [&](const QPointer<QDialog>& dialog) {
         QVERIFY(dialog->findChild<QPushButton*>(QStringLiteral("classSaveAs"))->isVisible());
         dialog->accept();
-        QVERIFY(!dialog->findChild<QFileDialog*>(QStringLiteral("classDialog"))); // it is known where
+        // saving needs no file dialog, because the path is known
+        QVERIFY(!dialog->findChild<QFileDialog*>(QStringLiteral("classDialog")));
         isKept(dialog);
     };
     QPointer<QDialog> dialog;
@@ -1311,7 +1315,7 @@ void TestClassroom::theTeachersDialog_changesAFile()
     QVERIFY(!ClassFile::read(other).tools.contains(core::Tool::Stamp));
 }
 
-/// Asks that works whose class's folder is gone are said, and go where the teacher likes.
+/// The dialog reports works whose class folder no longer exists, and moves them to a folder that the teacher chooses.
 void TestClassroom::theTeachersDialog_movesWhatWaits()
 {
     const QTemporaryDir root;
@@ -1346,7 +1350,7 @@ void TestClassroom::theTeachersDialog_movesWhatWaits()
     auto* note = dialog->findChild<ui::WaitingWorksNote*>();
     Q_EMIT note->moveRequested(root.filePath(QStringLiteral("none")));
     QTRY_VERIFY_WITH_TIMEOUT(text("movedModels").contains(QStringLiteral("does not exist")), longestWait);
-    QVERIFY(move->isVisible() && text("waitingModels").contains(gone)); // nothing is lost
+    QVERIFY(move->isVisible() && text("waitingModels").contains(gone)); // the works are still there
     Q_EMIT note->moveRequested(stick);
     QTRY_VERIFY_WITH_TIMEOUT(text("movedModels").contains(stick), longestWait);
     QVERIFY(WorkArchive::worksIn(stick).size() == 1 && ClassPaths::waiting().isEmpty());
@@ -1356,7 +1360,8 @@ void TestClassroom::theTeachersDialog_movesWhatWaits()
     QVERIFY(open() && text("movedModels").isEmpty());
 }
 
-/// The teacher's window goes first; a window that stays is no way to a class later.
+/// A class begins only after the window has closed. If the window stays open, closing it later must not begin the
+/// class.
 void TestClassroom::theClass_beginsWhenTheWindowIsClosed()
 {
     const QTemporaryDir root;
@@ -1380,7 +1385,7 @@ void TestClassroom::theClass_beginsWhenTheWindowIsClosed()
     QVERIFY(files->next().isEmpty());
 }
 
-/// Asks that who cancels for unsaved changes has a window that closes later without a class.
+/// Cancelling the question about unsaved changes cancels the class. A later close must not begin it.
 void TestClassroom::theClass_doesNotBeginForWhoStays()
 {
     const QTemporaryDir root;
@@ -1412,7 +1417,7 @@ void TestClassroom::questions_comeOnlyIfTheTeacherWants()
     QVERIFY(!c.questions());
 }
 
-/// The form is empty again for the second pupil, and each work has its own answers.
+/// The form is empty for the second pupil, and each work has its own answers.
 void TestClassroom::answers_areKeptWithTheWork()
 {
     const QTemporaryDir root;
@@ -1423,7 +1428,7 @@ void TestClassroom::answers_areKeptWithTheWork()
         c.sculptAs(QStringLiteral("Anna"));
         c.nextWithQuestions();
         QVERIFY(!c.part<QPushButton>("classNext")->isEnabled());
-        QCOMPARE(foldersIn(home.places.outbox).size(), 1); // the work is kept before anything is answered
+        QCOMPARE(foldersIn(home.places.outbox).size(), 1); // the work is saved before any question is answered
         QCOMPARE(foldersIn(home.works), QStringList());
         c.answer(1, 7);
         c.answer(3, 2);
@@ -1467,7 +1472,8 @@ void TestClassroom::skipping_keepsNothing()
     c.answer(2, 5);
     c.press("skipQuestions");
     QTRY_VERIFY(c.asks() && !c.questions());
-    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.places.outbox), QStringList(), longestWait); // hidden until it is whole
+    // works in delivery are hidden until they are complete
+    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.places.outbox), QStringList(), longestWait);
     QCOMPARE(foldersIn(home.works).size(), 1);
     const QString folder = home.works + u'/' + foldersIn(home.works).constFirst();
     QVERIFY(!QFile::exists(folder + u'/' + TurnAnswers::fileName));
@@ -1476,7 +1482,7 @@ void TestClassroom::skipping_keepsNothing()
     QVERIFY(!c.questions());
 }
 
-/// The keys of all commands, while the form and while the name is asked: in the real window they belong to the panel.
+/// While the form or the name panel is open, shortcut keys must go to the panel and not trigger commands.
 void TestClassroom::keys_answerAndChooseNoTool()
 {
     const QTemporaryDir root;
@@ -1522,8 +1528,8 @@ void TestClassroom::keys_answerAndChooseNoTool()
     QVERIFY(c.questions() && !c.asks());
 }
 
-/// The form and the name panel lie in the window, or can be scrolled to, on a screen of 640 x 360: 1280 x 720 shown at
-/// 200 %.
+/// Checks that every part of the form and the name panel is visible or can be scrolled to in 640 x 360 pixels, a screen
+/// of 1280 x 720 at 200 %.
 void TestClassroom::aSmallWindow_hasAllInReach()
 {
     constexpr QSize smallest{640, 360};
@@ -1557,7 +1563,7 @@ void TestClassroom::aSmallWindow_hasAllInReach()
         QVERIFY2(isReached(QStringLiteral("questionnairePanel"), point), qPrintable(point->objectName()));
 }
 
-/// Asks that no bar puts a button away on a screen of 960 x 540: 1920 x 1080 shown at 200 %.
+/// Checks that no tool bar hides a button in 960 x 540 pixels, a screen of 1920 x 1080 at 200 %.
 void TestClassroom::aSmallWindow_hasAllBars()
 {
     constexpr QSize small{960, 540};
@@ -1580,7 +1586,8 @@ void TestClassroom::aSmallWindow_hasAllBars()
     verifyBars();
 }
 
-/// Esc stops the clay for the next one, which is made below the form: it is made anew, and nobody is asked twice.
+/// Esc cancels the next starter, which is prepared behind the form. It is prepared again, and the form is not shown a
+/// second time.
 void TestClassroom::stopping_keepsTheForm()
 {
     const QTemporaryDir root;
@@ -1613,7 +1620,7 @@ void TestClassroom::stopping_keepsTheForm()
     QCOMPARE(TurnAnswers::read(work).questionnaire.answers[0], 3);
 }
 
-/// Checks that no panel flashes up that is not due.
+/// Checks that each panel is shown once, without flickering.
 void TestClassroom::eachPanel_opensOnce()
 {
     const QTemporaryDir root;
@@ -1642,7 +1649,8 @@ void TestClassroom::eachPanel_opensOnce()
     QCOMPARE(counts(), std::pair(0, 1));
 }
 
-/// The answers find their place taken, which is said; when the form closes it is free.
+/// A folder in the way prevents saving the answers, which is reported. Done saves them after the folder has been
+/// removed.
 void TestClassroom::aFailedAnswer_isWrittenAtDone()
 {
     const QTemporaryDir root;
@@ -1663,8 +1671,8 @@ void TestClassroom::aFailedAnswer_isWrittenAtDone()
     QCOMPARE(TurnAnswers::read(work).questionnaire.answers[4], 6);
 }
 
-/// Anna's work is on its way to a folder that does not answer: a pipe, which is read until somebody writes. Ben's
-/// answer is on this computer's disk all the same, so that no end of the program takes it.
+/// Anna's work is being delivered to a folder that does not respond, simulated by a pipe. Ben's answers must still be
+/// saved on this computer at once.
 void TestClassroom::aSlowDelivery_holdsNoAnswerBack()
 {
     const QTemporaryDir root;
@@ -1677,12 +1685,12 @@ void TestClassroom::aSlowDelivery_holdsNoAnswerBack()
     const QString pipe = home.works + u'/' + anna + QStringLiteral("/turn.json");
     QVERIFY(QDir().mkpath(home.works + u'/' + anna));
     QCOMPARE(::mkfifo(QFile::encodeName(pipe).constData(), 0600), 0);
-    const auto release = [&pipe] { // until somebody reads there is no such writer
+    const auto release = [&pipe] { // a write-only open fails until a reader has the pipe open
         const int writer = ::open(QFile::encodeName(pipe).constData(), O_WRONLY | O_NONBLOCK);
         return writer >= 0 && ::close(writer) == 0;
     };
     bool isReleased = false;
-    const auto releaseAtLast = qScopeGuard([&] { // else a failure would wait for ever
+    const auto releaseAtLast = qScopeGuard([&] { // lets the reader finish even if the test fails
         if (!isReleased)
             release();
     });
@@ -1690,20 +1698,21 @@ void TestClassroom::aSlowDelivery_holdsNoAnswerBack()
     QTRY_VERIFY(c.asks());
     c.sculptAs(QStringLiteral("Ben"));
     c.nextWithQuestions();
-    QCOMPARE(foldersIn(home.places.outbox).size(), 2); // neither has gone
+    QCOMPARE(foldersIn(home.places.outbox).size(), 2); // no work has been delivered
     const QString ben = foldersIn(home.places.outbox).filter(QStringLiteral("Ben")).constFirst();
     c.answer(6, 5);
     QTRY_COMPARE_WITH_TIMEOUT(TurnAnswers::read(home.places.outbox + u'/' + ben).questionnaire.answers[5], 5,
                               longestWait);
     QCOMPARE(foldersIn(home.works), QStringList{anna});
     QTRY_VERIFY_WITH_TIMEOUT(isReleased || (isReleased = release()), longestWait);
-    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.places.outbox), QStringList{ben}, longestWait); // the form is open
+    // Ben's work waits while his form is open
+    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.places.outbox), QStringList{ben}, longestWait);
     c.press("questionsDone");
     QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.places.outbox).size(), 0, longestWait);
     QCOMPARE(TurnAnswers::read(home.works + u'/' + ben).questionnaire.answers[5], 5);
 }
 
-/// Next Pupil was a mistake: the form goes, and comes again at the end that is meant.
+/// Resume after a mistaken Next Pupil closes the form. It opens again at the real end of the turn.
 void TestClassroom::resuming_fromTheQuestions()
 {
     const QTemporaryDir root;
@@ -1746,7 +1755,7 @@ void TestClassroom::leaving_keepsWhatWasAnswered()
     QCOMPARE(TurnAnswers::read(home.works + u'/' + foldersIn(home.works).constFirst()).questionnaire, expected);
 }
 
-/// The work was kept before the form came, and each answer as soon as it was given.
+/// The work was saved before the form opened, and each answer as soon as it was given.
 void TestClassroom::aPowerCutInTheQuestions_losesNothing()
 {
     const QTemporaryDir root;
@@ -1761,7 +1770,7 @@ void TestClassroom::aPowerCutInTheQuestions_losesNothing()
     const Home home(root.path());
     Class c(home, home.classroomWithQuestions());
     c.begin();
-    QVERIFY(!c.questions()); // its pupil has gone
+    QVERIFY(!c.questions()); // no form, because its pupil has left
     QTRY_VERIFY_WITH_TIMEOUT(!foldersIn(home.works).isEmpty() && foldersIn(home.places.outbox).isEmpty(), longestWait);
     int answered = 0;
     for (const QString& name : foldersIn(home.works)) {
@@ -1777,7 +1786,7 @@ void TestClassroom::aPowerCutInTheQuestions_losesNothing()
     QCOMPARE(answered, 1);
 }
 
-/// Asks that step, goals and time are those of the turn when it was interrupted, and that Resume goes on there.
+/// After a power cut, step, goals and time are those at the interruption, and Resume continues from there.
 void TestClassroom::aPowerCutInALesson_keepsItsResult()
 {
     const QTemporaryDir root;
@@ -1821,8 +1830,7 @@ void TestClassroom::aPowerCut_losesNobodysWork_data()
         QTest::addRow("%d ms after Next Pupil", ms) << ms;
 }
 
-/// A program that ends so between two instructions has told of its work before, and the next start brings it to the
-/// class's folder.
+/// Whenever the program is killed, the work has been saved before, and the next start delivers it to the class folder.
 void TestClassroom::aPowerCut_losesNobodysWork()
 {
     QFETCH(int, afterNextMs);
@@ -1839,7 +1847,8 @@ void TestClassroom::aPowerCut_losesNobodysWork()
     Class c(home);
     c.begin();
     QTRY_VERIFY_WITH_TIMEOUT(!foldersIn(home.works).isEmpty() && foldersIn(home.places.outbox).isEmpty(), longestWait);
-    for (const QString& name : foldersIn(home.works)) { // two, if the work was kept and its journal did not know yet
+    // two, if the work was saved but its journal did not record that
+    for (const QString& name : foldersIn(home.works)) {
         QVERIFY2(!name.startsWith(u'.') && name.contains(QStringLiteral("Anna")), qPrintable(name));
         QCOMPARE(hashOf(home.works + u'/' + name + QStringLiteral("/model.glb")), hash);
         QVERIFY(turnIn(home.works + u'/' + name).contains(QStringLiteral("begun")));
@@ -1851,7 +1860,7 @@ void TestClassroom::aPowerCut_losesNobodysWork()
 
 namespace
 {
-/// Prints the hash of a work, and ends as in a power cut when the first answer is on the disk and the form is open.
+/// Prints the hash of a work and aborts while the form is open, once the first answer is on the disk.
 int runVictimInQuestions(const QString& root)
 {
     const Home home(root);
@@ -1868,7 +1877,7 @@ int runVictimInQuestions(const QString& root)
     std::abort();
 }
 
-/// Waits until a kill loses nothing of the model, and prints its hash.
+/// Waits until the journal contains everything, then prints the hash of the model.
 void printKept(Class& c)
 {
     const std::uint64_t hash = c.hash();
@@ -1880,7 +1889,7 @@ void printKept(Class& c)
     std::cout << hash << std::endl;
 }
 
-/// Prints the hash of a model in the second step of a lesson, after five minutes, and ends as in a power cut.
+/// Prints the hash of a model in the second step of a lesson, after five minutes of the turn, and aborts.
 int runVictimInLesson(const QString& root)
 {
     const Home home(root);
@@ -1896,7 +1905,7 @@ int runVictimInLesson(const QString& root)
     std::abort();
 }
 
-/// Tells the hash of a work, when that would survive, and ends as in a power cut.
+/// Prints the hash of a work once the journal contains it, and aborts.
 int runVictim(const QString& root, const QString& moment)
 {
     if (moment == QStringLiteral("questions"))

@@ -53,19 +53,19 @@ QByteArray fileWith(const QByteArray& answers)
     return R"({"format": "fettle-answers", "version": 1, "id": "1", "answers": )" + answers + "}";
 }
 
-/// A class of works, each kept and delivered as a turn's is.
+/// A class folder with works that are saved and delivered like those of a turn.
 struct KeptClass
 {
     KeptClass() { QDir().mkpath(works); }
     WorkArchive archive() const { return {works, outbox}; }
-    /// Returns where it is kept on this computer. Works of one turn differ in their steps.
+    /// Returns the folder of the work on this computer. Works of one turn differ in their number of steps.
     QString add(const QString& id, const QString& pupil, int steps = 0) const
     {
         TurnWork work{id, pupil, noon, noon.addSecs(600), steps, nullptr, 0, {}, {}};
         work.mesh = std::make_shared<core::TriangleMesh>(core::starterModel(core::Starter::Cube));
         return archive().add(work).folder;
     }
-    /// Returns an empty text or what is wrong.
+    /// Returns what went wrong, or an empty text.
     QString keepWith(const QString& id, const QString& pupil, const std::array<int, ui::questionCount>& answers,
                      int steps = 0) const
     {
@@ -82,7 +82,8 @@ struct KeptClass
     QString works = root.filePath(QStringLiteral("works")), outbox = root.filePath(QStringLiteral("own"));
 };
 
-/// The cells of one question on a page: answers, mean, and how many chose 1 to 7.
+/// Returns the table cells of a question on a page: number of answers, mean, and the numbers of pupils who chose 1 to
+/// 7.
 QStringList figuresOf(const QByteArray& page, ui::Question question)
 {
     const QString text = QString::fromUtf8(page);
@@ -97,7 +98,7 @@ QStringList figuresOf(const QByteArray& page, ui::Question question)
 }
 } // namespace
 
-/// Answers stay beside the work, wherever that goes, and come into the report.
+/// Tests that answers stay with their work, wherever it is delivered, and are counted in the report.
 class TestTurnAnswers : public QObject
 {
     Q_OBJECT
@@ -143,7 +144,8 @@ void TestTurnAnswers::noAnswers_areNoFile()
     QCOMPARE(TurnAnswers::read(folder.path()).problem, QString());
     QCOMPARE((TurnAnswers{QStringLiteral("1"), answersOf({1})}.write(folder.path())), QString());
     QVERIFY(QFile::exists(answersFile(folder.path())));
-    QCOMPARE((TurnAnswers{QStringLiteral("1"), {}}.write(folder.path())), QString()); // taken back
+    // withdrawing the last answer removes the file
+    QCOMPARE((TurnAnswers{QStringLiteral("1"), {}}.write(folder.path())), QString());
     QVERIFY(!QFile::exists(answersFile(folder.path())));
 }
 
@@ -154,7 +156,7 @@ void TestTurnAnswers::wrongValues_areLeftOut_data()
         QTest::newRow(value) << QByteArray(value);
 }
 
-/// The others stay, and a sentence says which is missing and why.
+/// The other answers remain, and a message states which one is left out and why.
 void TestTurnAnswers::wrongValues_areLeftOut()
 {
     QFETCH(QByteArray, value);
@@ -213,7 +215,7 @@ void TestTurnAnswers::aNewerVersion_isNamed()
     }
 }
 
-/// A pipe is not waited for, and a device not read.
+/// Reading must not block on a pipe or read from a device.
 void TestTurnAnswers::whatIsNoFile_isNamed()
 {
     const QTemporaryDir folder;
@@ -230,10 +232,10 @@ void TestTurnAnswers::whatIsNoFile_isNamed()
     QCOMPARE(problem(), notAFile);
     QVERIFY(QFile::link(folder.filePath(QStringLiteral("gone.json")), path));
     QCOMPARE(problem(), QStringLiteral("answers.json is a link to a file that is not there."));
-    QCOMPARE(problem(), QString()); // nothing at all is no problem
+    QCOMPARE(problem(), QString()); // a missing file is not an error
     writeBytes(folder.filePath(QStringLiteral("there.json")), fileWith(R"({"mastering": 7})"));
     QVERIFY(QFile::link(folder.filePath(QStringLiteral("there.json")), path));
-    QCOMPARE(TurnAnswers::read(folder.path()).questionnaire, answersOf({7})); // a link to a file is one
+    QCOMPARE(TurnAnswers::read(folder.path()).questionnaire, answersOf({7})); // a link to a file is accepted
 }
 
 void TestTurnAnswers::noPlace_isSaid()
@@ -242,7 +244,7 @@ void TestTurnAnswers::noPlace_isSaid()
     const QString problem =
         TurnAnswers{QStringLiteral("1"), answersOf({1})}.write(root.filePath(QStringLiteral("none")));
     QVERIFY2(problem.contains(QStringLiteral("does not exist")), qPrintable(problem));
-    QDir(root.path()).mkpath(TurnAnswers::fileName); // a folder of that name
+    QDir(root.path()).mkpath(TurnAnswers::fileName); // a folder has the name of the file
     QCOMPARE(TurnAnswers::read(root.path()).problem,
              QStringLiteral("answers.json is not a file but a folder or a device."));
 }
@@ -255,12 +257,13 @@ void TestTurnAnswers::answers_goWithTheWork()
     QCOMPARE(kept.archive().addAnswers(folder, {QStringLiteral("1"), answersOf({1, 3})}), QString());
     const QString there = kept.archive().deliver().moved.value(folder);
     QCOMPARE(TurnAnswers::read(there).questionnaire, answersOf({1, 3}));
-    QCOMPARE(kept.archive().addAnswers(folder, {QStringLiteral("1"), answersOf({1, 4})}), QString()); // it has gone
+    // the work has already been delivered
+    QCOMPARE(kept.archive().addAnswers(folder, {QStringLiteral("1"), answersOf({1, 4})}), QString());
     QCOMPARE(TurnAnswers::read(there).questionnaire, answersOf({1, 4}));
     QVERIFY(!QDir(folder).exists());
 }
 
-/// The power went after the work had its name in the class's folder, and before it was removed here; then came answers.
+/// Simulates a power cut between the delivery of a work and its removal from this computer, followed by new answers.
 void TestTurnAnswers::lateAnswers_areDelivered()
 {
     const KeptClass kept;
@@ -274,7 +277,7 @@ void TestTurnAnswers::lateAnswers_areDelivered()
     QCOMPARE(TurnAnswers::read(delivery.moved.value(folder)).questionnaire, answersOf({0, 5}));
 }
 
-/// The work had come there with answers, and all of them were taken back.
+/// The delivered work has answers, all of which are then withdrawn.
 void TestTurnAnswers::answersTakenBack_areTakenBackThere()
 {
     const KeptClass kept;
@@ -293,7 +296,7 @@ void TestTurnAnswers::theReport_sumsAllWorks()
     QCOMPARE(kept.keepWith(QStringLiteral("1"), QStringLiteral("Anna"), {7, 1, 0, 4, 4, 4}), QString());
     QCOMPARE(kept.keepWith(QStringLiteral("2"), QStringLiteral("Ben"), {5, 1, 0, 4, 3, 0}), QString());
     QCOMPARE(kept.keepWith(QStringLiteral("3"), QStringLiteral("Cem"), {5, 2, 0, 4, 0, 0}), QString());
-    kept.add(QStringLiteral("4"), QStringLiteral("Dana")); // skipped
+    kept.add(QStringLiteral("4"), QStringLiteral("Dana")); // answered no questions
     QCOMPARE(kept.archive().deliver().moved.size(), 4);
     const QByteArray page = kept.report();
     QCOMPARE(page.count("<bdi>"), 4);
@@ -309,7 +312,7 @@ void TestTurnAnswers::theReport_sumsAllWorks()
     QVERIFY(kept.report("pdf").startsWith("%PDF-"));
 
     core::writeMesh(toPath(kept.works + QStringLiteral("/loose.stl")), core::starterModel(core::Starter::Ball));
-    const QByteArray both = kept.report(); // a folder may hold other models, too
+    const QByteArray both = kept.report(); // other models in the folder do not matter
     QCOMPARE(both.count("<bdi>"), 5);
     QCOMPARE(figuresOf(both, Mastering), figuresOf(page, Mastering));
 }
@@ -318,7 +321,8 @@ void TestTurnAnswers::aResumedTurn_countsOnce()
 {
     const KeptClass kept;
     int steps = 0;
-    for (const int answer : {1, 2, 3, 4, 5, 6, 7, 6, 5, 4, 3}) { // by the tenth, order by letters would be wrong
+    // with ten steps, alphabetical order would differ from numerical order
+    for (const int answer : {1, 2, 3, 4, 5, 6, 7, 6, 5, 4, 3}) {
         QCOMPARE(kept.keepWith(QStringLiteral("1"), QStringLiteral("Anna"), {answer}, ++steps), QString());
         kept.archive().deliver();
     }
@@ -328,7 +332,8 @@ void TestTurnAnswers::aResumedTurn_countsOnce()
     const QString no;
     QCOMPARE(figuresOf(kept.report(), ui::Question::Mastering),
              QStringList({"2", "5.00", no, no, "1", no, no, no, "1"}));
-    kept.add(QStringLiteral("1"), QStringLiteral("Anna"), ++steps); // skipped at last: nothing counts
+    // skipping the form in the last resumption cancels the turn's earlier answers
+    kept.add(QStringLiteral("1"), QStringLiteral("Anna"), ++steps);
     kept.archive().deliver();
     QCOMPARE(figuresOf(kept.report(), ui::Question::Mastering),
              QStringList({"1", "7.00", no, no, no, no, no, no, "1"}));

@@ -42,7 +42,7 @@ QByteArray contentsOf(const QString& path)
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-/// A class's folder, and what waits on this computer.
+/// A class folder and an outbox for undelivered works.
 struct Places
 {
     explicit Places(const QString& classFolder = {})
@@ -77,7 +77,7 @@ void verifyWork(const QString& folder, const TurnWork& work)
 }
 } // namespace
 
-/// Works are whole where they can be seen, and somewhere for certain.
+/// Tests that works are complete where they are visible, and never lost.
 class TestWorkArchive : public QObject
 {
     Q_OBJECT
@@ -115,7 +115,8 @@ void TestWorkArchive::aWorkIsWholeAndGoesToItsFolder()
     QCOMPARE(delivery.moved.value(kept.folder), there);
     QCOMPARE(places.archive().locate(kept.folder, work.id), there);
     QCOMPARE(places.archive().locate(there, work.id), there);
-    QCOMPARE(places.archive().locate(kept.folder, QStringLiteral("another")), kept.folder); // nowhere else
+    // an unknown work is not located elsewhere
+    QCOMPARE(places.archive().locate(kept.folder, QStringLiteral("another")), kept.folder);
     verifyWork(there, work);
     QCOMPARE(Places::all(places.outbox), QStringList());
     QCOMPARE(Places::all(places.works).size(), 1);
@@ -163,7 +164,7 @@ void TestWorkArchive::sameNamesInAMinute_areNumbered()
     const TurnWork first = workOf(QStringLiteral("Anna")), second = workOf(QStringLiteral("Anna"), core::Starter::Cube);
     places.archive().add(first);
     places.archive().deliver();
-    places.archive().add(second); // the first has gone meanwhile
+    places.archive().add(second); // the first work has been delivered meanwhile
     places.archive().add(workOf(QStringLiteral("Anna"), core::Starter::Slab));
     QCOMPARE(places.archive().deliver().moved.size(), 2);
     QCOMPARE(Places::all(places.works),
@@ -187,7 +188,7 @@ void TestWorkArchive::aPause_comesBetweenWorks()
     QCOMPARE(Places::all(places.works).size(), 3);
 }
 
-/// Copies are whole, none comes twice, and the works wait all the same.
+/// Copies are complete and not duplicated, and the works remain in the outbox.
 void TestWorkArchive::copies_leaveWhatWaits()
 {
     const Places places;
@@ -218,7 +219,7 @@ void TestWorkArchive::aMissingFolder_isSaidAndWaitedFor()
              qPrintable(delivery.problem));
     QVERIFY(!QDir(places.works).exists());
     verifyWork(kept.folder, work);
-    QDir().mkpath(places.works); // it is mounted again
+    QDir().mkpath(places.works); // as when the folder is mounted again
     QCOMPARE(places.archive().deliver().moved.size(), 1);
     verifyWork(places.works + QStringLiteral("/2026-11-24-1015-Ben"), work);
 }
@@ -286,7 +287,7 @@ void TestWorkArchive::noRoomAnywhere_isSaid()
     QCOMPARE(Places::all(places.outbox), QStringList());
 }
 
-/// The power went after the work had its name in the class's folder, and before it was removed here.
+/// Simulates a power cut after the work got its name in the class folder and before it was removed from the outbox.
 void TestWorkArchive::aCutDelivery_isNotDoubled()
 {
     const Places places;
@@ -294,7 +295,7 @@ void TestWorkArchive::aCutDelivery_isNotDoubled()
     places.archive().add(work);
     places.archive().deliver();
     const QStringList before = Places::all(places.works);
-    const QString kept = places.archive().add(work).folder; // it is still here
+    const QString kept = places.archive().add(work).folder; // the work is still in the outbox
     QCOMPARE(places.archive().deliver().moved.value(kept), places.works + QStringLiteral("/2026-11-24-1015-Cem"));
     QCOMPARE(Places::all(places.works), before);
     QCOMPARE(Places::all(places.outbox), QStringList());
@@ -307,10 +308,10 @@ void TestWorkArchive::leftovers_areSwept()
     const QString here = places.outbox + QStringLiteral("/.unfinished-1"),
                   there = places.works + QStringLiteral("/.unfinished-2");
     QVERIFY(QDir().mkpath(here) && QDir().mkpath(there));
-    QVERIFY(places.archive().deliver().undelivered == 0); // neither is taken for a work
+    QVERIFY(places.archive().deliver().undelivered == 0); // neither is mistaken for a work
     places.archive().removeUnfinished();
     QVERIFY(!QDir(here).exists());
-    QVERIFY(QDir(there).exists()); // another computer may be writing it
+    QVERIFY(QDir(there).exists()); // another computer may still be writing it
     QCOMPARE(Places::all(places.works).size(), 2);
 }
 
