@@ -13,13 +13,13 @@
 #include <utility>
 #include <vector>
 
-/// Points as stroke files have them.
+/// Converts points to the form of stroke files.
 template <> struct nlohmann::adl_serializer<core::Vec3>
 {
     static void to_json(json& array, const core::Vec3& point) { array = {point.x(), point.y(), point.z()}; }
 };
 
-/// Stroke files that tests make as a person would, and the program that plays them.
+/// Stroke files that tests create like a user would, and replaying them with the program.
 namespace played_strokes
 {
 struct Brush
@@ -29,7 +29,7 @@ struct Brush
     double strength = 1;
 };
 
-/// A sample whose ray, with "place": "ray", leads the hand.
+/// A sample of a ray ("place": "ray").
 struct Hand
 {
     core::Vec3 position, direction;
@@ -67,12 +67,13 @@ inline nlohmann::json fileOf(const nlohmann::json& strokes)
 struct Played
 {
     core::TriangleMesh mesh;
-    nlohmann::json stats; ///< what `--stats` says
+    nlohmann::json stats; ///< output of `--stats`
 };
 
-/// Plays a stroke file with `fettle replay`, on the paper's sphere or on the model given. Returns nothing if the
-/// program fails; it has told why on standard error then. The files of the last call stay in the folder that
-/// FETTLE_KEEP_STROKES names, if it does: strokes.json, in.ply (the model given), out.ply and stats.json.
+/// Plays a stroke file with `fettle replay`, on the given model or on the paper's sphere.
+/// Returns nothing if the program fails, which it reports on standard error.
+/// FETTLE_KEEP_STROKES=FOLDER keeps the files of the last call: strokes.json, in.ply (the given model), out.ply and
+/// stats.json.
 inline std::optional<Played> replay(const nlohmann::json& file, const core::TriangleMesh* start = nullptr)
 {
     const QTemporaryDir folder;

@@ -17,7 +17,7 @@ QStringList cellsOf(const QString& line)
 {
     static const QRegularExpression separator(QStringLiteral("(?<!\\\\)\\|"));
     QStringList cells = line.split(separator);
-    cells.removeFirst(); // what stands before the first and after the last separator
+    cells.removeFirst(); // the parts before the first and after the last separator
     cells.removeLast();
     for (QString& cell : cells)
         cell = cell.trimmed().replace(QStringLiteral("\\|"), QStringLiteral("|"));

@@ -4,17 +4,17 @@
 #include <QString>
 #include <QStringList>
 
-/// A table of a page: cells are trimmed, and "\|" in them is "|".
+/// A table of a page. Cells are trimmed, and "\|" in them is read as "|".
 struct ReferenceTable
 {
     QStringList head;
     QList<QStringList> rows;
 
-    /// Returns the words in backticks of the first column, row by row.
+    /// Returns the words in backticks in the first column, row by row.
     QStringList keys() const;
 };
 
-/// A fenced block of a page: its language and its text.
+/// A fenced block of a page, with its language and its text.
 struct ReferenceExample
 {
     QString language, text;
@@ -24,16 +24,16 @@ struct ReferenceExample
 class ReferencePage
 {
 public:
-    /// `name`: of the file, without its ending.
+    /// Reads a page. `name`: file name without its ending.
     explicit ReferencePage(const QString& name);
 
-    /// Returns the table whose first head is `head`, from the section on if one is named; an empty one if there is
-    /// none.
+    /// Returns the first table whose first heading is `head`, starting at the section if one is given, or an empty
+    /// table.
     ReferenceTable table(const QString& head, const QString& section = {}) const;
-    /// Returns the examples in a language, in the order of the page.
+    /// Returns the examples in a language, in page order.
     QStringList examples(const QString& language) const;
     QStringList sections() const;
-    /// Returns the lines of a section that are in no table and no example.
+    /// Returns those lines of a section that are in no table and no example.
     QStringList text(const QString& section) const;
 
 private:

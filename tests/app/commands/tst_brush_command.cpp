@@ -1,4 +1,4 @@
-// `fettle brush` as a script has it.
+// Tests `fettle brush` as a script calls it.
 #include "tests/support/test_main.h"
 
 #include <QFile>
@@ -99,7 +99,7 @@ private Q_SLOTS:
         QCOMPARE(brush({QStringLiteral("--help")}).status, 0);
     }
 
-    /// An alpha that the preset names must be there for its picture.
+    /// A preset whose alpha file is missing cannot be drawn.
     void anAlphaThatIsGone()
     {
         const QTemporaryDir folder;

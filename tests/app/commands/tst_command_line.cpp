@@ -28,7 +28,7 @@ struct Answer
     QByteArray out, err;
 
     QJsonObject json() const { return QJsonDocument::fromJson(out).object(); }
-    /// Bad input: one line on stderr, nothing on stdout.
+    /// Returns whether the program refused bad input: exit status 2, one line on stderr, nothing on stdout.
     bool isRefusal(const QString& with = {}) const
     {
         return status == 2 && out.isEmpty() && err.count('\n') == 1 && err.endsWith('\n') &&
@@ -36,7 +36,7 @@ struct Answer
     }
 };
 
-/// A program as a script sees it: no display, the C locale unless told otherwise.
+/// Runs a program as a script does: without a display, in the C locale unless `variables` says otherwise.
 Answer run(const QString& program, const QStringList& arguments, const QString& folder,
            const QMap<QString, QString>& variables = {})
 {
@@ -210,7 +210,7 @@ void TestCommandLine::version_andHelp()
                 .out.startsWith("Usage: fettle check [options] FILE..."));
 }
 
-/// Done by a shell, which redirects and limits; $1 is the program.
+/// A shell redirects and limits the output. $1 is the program.
 void TestCommandLine::output_thatCannotBeWrittenIsAnError()
 {
     write(at("a.obj"), cube);
@@ -315,7 +315,7 @@ void TestCommandLine::words_winOverFileNames()
     VERIFY_REFUSED(fettle({QStringLiteral("check")}, {}, m_folder->path()), "check: no file");
 }
 
-/// Asks that it is said before a display is asked for, and with what may have been meant.
+/// Unknown words are refused before a display is needed, with a suggestion of what may have been meant.
 void TestCommandLine::words_thatAreNothingAreToldAsSuch_data()
 {
     QTest::addColumn<QString>("line");
@@ -383,7 +383,7 @@ void TestCommandLine::words_thatAreOneOfSomeAreListed()
     QCOMPARE(left(), QStringList{QStringLiteral("a.obj")});
 }
 
-/// Sentences name the format that the ending stands for.
+/// Messages name the format that the file's ending promises.
 void TestCommandLine::files_ofAnotherFormatAreToldAsSuch()
 {
     write(at("a.stl"), "this is plain text, and long enough to be no cut header of a binary file: it goes on and on");
@@ -466,7 +466,7 @@ void TestCommandLine::standardFiles_carryModels()
     QVERIFY(shell("\"$1\" report . --out - --to pdf").out.startsWith("%PDF"));
     VERIFY_REFUSED(shell("\"$1\" report . -o -"), "report: --to must say the format of -: one of html, pdf.");
 
-    // Words of a repair go to standard error then, not into the model.
+    // The repair report goes to standard error if the model goes to standard output.
     write(at("open.obj"), QByteArray(cube).chopped(10)); // without its last face
     const Answer mended = shell("\"$1\" convert open.obj - --to off --legalise");
     QVERIFY2(mended.status == 0 && mended.out.startsWith("OFF") && mended.err.contains("Holes filled: 1\n"),
@@ -564,7 +564,7 @@ void TestCommandLine::class_isRefusedWithItsReason()
     const auto start = [](const QStringList& arguments) { return CommandLine::windowStart(arguments); };
     QCOMPARE(start({word, file}).classFile, file);
     QVERIFY(start({QStringLiteral("--vr"), word, file}).entersVr && start({file}).classFile.isEmpty());
-    QVERIFY_THROWS_EXCEPTION(app::CommandFailure, start({QStringLiteral("--"), word})); // no file of that name
+    QVERIFY_THROWS_EXCEPTION(app::CommandFailure, start({QStringLiteral("--"), word})); // no file has this name
     QVERIFY_THROWS_EXCEPTION(app::CommandFailure, start({word}));
     QVERIFY_THROWS_EXCEPTION(app::CommandFailure, start({word, file, at("a.stl")}));
     QVERIFY_THROWS_EXCEPTION(app::CommandFailure, start({word, file, word, file}));
@@ -590,7 +590,7 @@ void TestCommandLine::window_startsInVrIfAsked()
     const QString before = QDir::currentPath();
     write(at("--vr"), "");
     QVERIFY(QDir::setCurrent(m_folder->path()));
-    const app::WindowStart named = start({QStringLiteral("--"), vr}); // a file of that name
+    const app::WindowStart named = start({QStringLiteral("--"), vr}); // a file has this name
     QVERIFY(QDir::setCurrent(before));
     QVERIFY(named.file.endsWith(vr) && !named.entersVr);
     QVERIFY_THROWS_EXCEPTION(app::CommandFailure, start({QStringLiteral("--vr2")}));
@@ -613,7 +613,7 @@ void TestCommandLine::window_startsInTheSimulatorIfAsked()
     const app::WindowStart lesson = start({simulator, QStringLiteral("--classroom"), file});
     QVERIFY(lesson.simulatesVr && lesson.classFile == file);
     QVERIFY(!start({QStringLiteral("--vr")}).simulatesVr);
-    QVERIFY_THROWS_EXCEPTION(app::CommandFailure, start({QStringLiteral("--"), simulator})); // no file of that name
+    QVERIFY_THROWS_EXCEPTION(app::CommandFailure, start({QStringLiteral("--"), simulator})); // no file has this name
     QVERIFY(fettle({QStringLiteral("--help")}).out.contains("--vr-simulator [FILE]"));
     VERIFY_REFUSED(fettle({simulator}), "display");
     const QMap<QString, QString> quiet{{QStringLiteral("XDG_RUNTIME_DIR"), m_folder->path()}};
@@ -631,7 +631,8 @@ void TestCommandLine::check_cube()
     Answer plain = fettle({QStringLiteral("check"), at("cube.obj")});
     QCOMPARE(plain.status, 0);
     QVERIFY(plain.err.isEmpty() && plain.out.contains("is watertight."));
-    QVERIFY2(!plain.out.replace(at("cube.obj").toUtf8(), "").contains('_'), plain.out.constData()); // words, no keys
+    // plain words, not JSON keys
+    QVERIFY2(!plain.out.replace(at("cube.obj").toUtf8(), "").contains('_'), plain.out.constData());
     QVERIFY(plain.out.contains("bounds a solid") && plain.out.contains("holes through it"));
 
     const Answer answer = fettle({QStringLiteral("check"), at("cube.obj"), QStringLiteral("--json")});
@@ -713,8 +714,8 @@ void TestCommandLine::check_severalAndFolders()
         QCOMPARE(row.count(','), rows[0].count(','));
 }
 
-/// Three hundred models by name as people sort; what cannot be read has its place, an empty folder and a closed one are
-/// told of beside it.
+/// Checks a folder of three hundred models: natural order by name, an entry for each unreadable model, and messages
+/// about an empty and a locked folder.
 void TestCommandLine::check_folderOfAClass()
 {
     QVERIFY(QDir(m_folder->path()).mkpath(QStringLiteral("class")) &&
@@ -743,7 +744,7 @@ void TestCommandLine::check_folderOfAClass()
                 .isRefusal(QStringLiteral("empty")));
 }
 
-/// As RFC 4180 has it: each name comes back, whatever is in it, also one that is no UTF-8.
+/// Each name must be restored, as in RFC 4180, even if it contains separators or is not valid UTF-8.
 void TestCommandLine::check_csvOfOddNames()
 {
     const std::vector<std::string> names = {"a,b.obj", "c \"quoted\".obj", "d\nline.obj", "e\xe9.obj", "=1+1.obj"};
@@ -751,7 +752,7 @@ void TestCommandLine::check_csvOfOddNames()
         core::writeMesh(m_folder->path().toStdString() + '/' + name, core::icosphere(1, 10));
     const Answer csv =
         fettle({QStringLiteral("check"), QStringLiteral("--csv"), QStringLiteral(".")}, {}, m_folder->path());
-    std::filesystem::remove(m_folder->path().toStdString() + '/' + names[3]); // Qt would not find it
+    std::filesystem::remove(m_folder->path().toStdString() + '/' + names[3]); // Qt would not find this name
     QVERIFY2(csv.status == 0 && csv.err.isEmpty(), csv.err.constData());
     QStringList fields{QString()};
     bool isQuoted = false;
@@ -780,7 +781,7 @@ void TestCommandLine::check_csvOfOddNames()
     QCOMPARE(read, expected);
 }
 
-/// Each column begins where its head does, seen on a terminal, whose Chinese signs are two wide.
+/// Columns must align with their headings on a terminal, where Chinese characters are two cells wide.
 void TestCommandLine::check_tableOfLongNames()
 {
     const QString end = QStringLiteral("the end.obj");
@@ -801,7 +802,7 @@ void TestCommandLine::check_tableOfLongNames()
     QCOMPARE(table.out.count("the end.obj"), 2);
 }
 
-/// Strokes and time where a file knows them; else null, or an empty field.
+/// Strokes and time are given if the file contains them; otherwise null or an empty field.
 void TestCommandLine::check_workOfGlbFiles()
 {
     core::WriteOptions noted;
@@ -819,7 +820,7 @@ void TestCommandLine::check_workOfGlbFiles()
     QVERIFY(rows[0].endsWith(",strokes,time_spent_s") && rows[1].endsWith(",12,35") && rows[2].endsWith(",,"));
 }
 
-/// A plate of 20 x 20 x 0.5 mm: without the option nothing is said of it, with it what a print needs to know.
+/// Tests a plate of 20 x 20 x 0.5 mm. The print check is reported only with the option.
 void TestCommandLine::check_print()
 {
     write(at("plate.obj"), "v 0 0 0\nv 20 0 0\nv 20 0.5 0\nv 0 0.5 0\nv 0 0 20\nv 20 0 20\nv 20 0.5 20\nv 0 0.5 20\n"
@@ -827,7 +828,7 @@ void TestCommandLine::check_print()
     const QStringList asked{QStringLiteral("check"), at("plate.obj"), QStringLiteral("--print")};
     const Answer answer =
         fettle(asked + QStringList{QStringLiteral("--json"), QStringLiteral("--bed"), QStringLiteral("25,15,10")});
-    QCOMPARE(answer.status, 0); // it is in fine fettle, thin as it is
+    QCOMPARE(answer.status, 0); // a thin model is still valid
     const QJsonObject json = answer.json();
     QCOMPARE(json.size(), 23 + 8);
     QCOMPARE(json[QStringLiteral("wall_limit_mm")].toDouble(), 0.8);
@@ -856,7 +857,7 @@ void TestCommandLine::check_print()
     QCOMPARE(fine[QStringLiteral("thin_share")].toDouble(-1), 0.0);
     QVERIFY(fine[QStringLiteral("fits_bed")].isNull());
 
-    // A wedge from 0.2 to 10 mm, its sides two triangles each: it is thin at its end, and only there.
+    // The wedge is 0.2 to 10 mm thick, and each side has two triangles. It is thin only near its end.
     write(at("wedge.obj"), "v 0 0 0\nv 100 0 0\nv 100 10 0\nv 0 0.2 0\nv 0 0 40\nv 100 0 40\nv 100 10 40\nv 0 0.2 40\n"
                            "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
     const QJsonObject wedge =
@@ -882,7 +883,7 @@ void TestCommandLine::check_print()
         QVERIFY2(open.json()[QLatin1String(key)].isNull(), key);
 }
 
-/// A cone upside down, whose side leans out by 30 degrees.
+/// Tests an inverted cone whose side leans outwards by 30 degrees.
 void TestCommandLine::check_overhangAngle()
 {
     QByteArray cone = "v 0 0 0\n";
@@ -918,7 +919,7 @@ void TestCommandLine::check_unit()
     QVERIFY(std::abs(inches[QStringLiteral("volume_mm3")].toDouble() - 25.4 * 25.4 * 25.4) < 0.01);
     const Answer page =
         fettle({QStringLiteral("check"), QStringLiteral("--unit"), QStringLiteral("in"), at("cube.obj")});
-    QVERIFY(page.status == 0 && !page.out.contains("inches")); // nobody doubts what was told
+    QVERIFY(page.status == 0 && !page.out.contains("inches")); // an explicit unit is not questioned
     VERIFY_REFUSED(fettle({QStringLiteral("check"), QStringLiteral("--unit"), QStringLiteral("ft"), at("cube.obj")}),
                    "not \"ft\"");
 }
@@ -1042,9 +1043,9 @@ void TestCommandLine::convert_unitAndSize()
     QCOMPARE(sizeAfter({QStringLiteral("--unit=m")}), 1000.0);
     QCOMPARE(float(sizeAfter({QStringLiteral("--unit"), QStringLiteral("in")})), 25.4f);
     QCOMPARE(sizeAfter({QStringLiteral("--size"), QStringLiteral("80")}), 80.0);
-    QCOMPARE(sizeAfter({QStringLiteral("--size"), QStringLiteral("1e-300")}), -1.0); // nothing would be left of it
+    QCOMPARE(sizeAfter({QStringLiteral("--size"), QStringLiteral("1e-300")}), -1.0); // the model would vanish
 
-    write(at("more.obj"), QByteArray(cube) + "v 90 0 0\n"); // a point that no face uses
+    write(at("more.obj"), QByteArray(cube) + "v 90 0 0\n"); // adds a point that no face uses
     QCOMPARE(fettle({QStringLiteral("convert"), at("more.obj"), at("more.stl"), QStringLiteral("--size"),
                      QStringLiteral("80")})
                  .status,
@@ -1135,7 +1136,7 @@ void TestCommandLine::convert_legalise()
 
     QCOMPARE(fettle({QStringLiteral("convert"), at("out.stl"), at("same.stl"), QStringLiteral("--legalise")}).out,
              QByteArray());
-    QCOMPARE(read(at("same.stl")), read(at("out.stl"))); // what is in order stays as it is
+    QCOMPARE(read(at("same.stl")), read(at("out.stl"))); // a valid model is not changed
 
     write(at("sheet.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     const Answer no =
@@ -1145,7 +1146,7 @@ void TestCommandLine::convert_legalise()
     QVERIFY(!QFile::exists(at("none.stl")));
 }
 
-/// Status 0 is only for what is still the model, and the whole is made anew only where --wrap says so.
+/// The status is 0 only if the result is faithful to the model. Wrapping the surface needs --wrap.
 void TestCommandLine::convert_wrap()
 {
     core::writeMesh(at("apart.ply").toStdString(), shapes::takenApart(core::icosphere(3, 10)));
@@ -1162,7 +1163,7 @@ void TestCommandLine::convert_wrap()
     QVERIFY(core::checkMesh(core::readMesh(at("out.stl").toStdString())).printReady());
 }
 
-/// The figures are those of the file that was written, with fewer triangles than the repair left.
+/// The reported numbers must be those of the written file, which has fewer triangles than the repair produced.
 void TestCommandLine::convert_tellsOfTheReducedModel()
 {
     core::writeMesh(at("apart.ply").toStdString(), shapes::takenApart(core::icosphere(3, 10)));
@@ -1234,7 +1235,7 @@ void TestCommandLine::convert_ontoAFullDisk()
                   out = folder + QLatin1Char('/') + name;
     core::writeMesh(at("large.stl").toStdString(), core::icosphere(5, 10));
     write(at("a.obj"), cube);
-    QCOMPARE(fettle({QStringLiteral("convert"), at("a.obj"), out}).status, 0); // there is room for this
+    QCOMPARE(fettle({QStringLiteral("convert"), at("a.obj"), out}).status, 0); // a small model fits on the disk
     const QByteArray before = read(out);
     const QStringList files = filesIn(folder);
     const Answer answer = fettle({QStringLiteral("convert"), at("large.stl"), out});
@@ -1286,7 +1287,7 @@ void TestCommandLine::convert_whereNothingMayBeWritten()
     QFile::setPermissions(at("closed"), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
     QCOMPARE(filesIn(at("closed")), QStringList{QStringLiteral("old.obj")});
     QCOMPARE(read(at("closed/old.obj")), "old");
-    QFile::setPermissions(at("closed/old.obj"), QFile::ReadOwner); // it would be replaced, not written
+    QFile::setPermissions(at("closed/old.obj"), QFile::ReadOwner); // a read-only file must not be replaced either
     VERIFY_REFUSED(fettle({QStringLiteral("convert"), at("a.obj"), at("closed/old.obj")}),
                    "cannot be written: it is not allowed");
     QCOMPARE(read(at("closed/old.obj")), "old");
@@ -1527,7 +1528,7 @@ void TestCommandLine::replay_refusalWritesNothing()
     QCOMPARE(left(), QStringList({QStringLiteral("open.obj"), QStringLiteral("s.json")}));
 }
 
-/// Time may run backwards, and a stroke without samples does nothing.
+/// Decreasing sample times are accepted, and a stroke without samples does nothing.
 void TestCommandLine::replay_oddStrokesAreTaken()
 {
     const QStringList replay{QStringLiteral("replay"), QStringLiteral("--strokes"), at("s.json"),

@@ -1,4 +1,4 @@
-// The whole program where numbers have commas: what stands in files does not change by it.
+// Tests the whole program in a locale with a decimal comma, which must not change the content of files.
 
 #include "app/import/sandboxed_importer.h"
 #include "core/io/export_check.h"
@@ -25,7 +25,7 @@ namespace
 {
 constexpr unsigned seed = 20261122;
 
-/// Coordinates of all sizes that a format may have to write, and colours.
+/// Returns triangles with random colours and coordinates of any size that a format may have to write.
 core::TriangleMesh awkwardTriangles()
 {
     std::mt19937 engine(seed);
@@ -71,7 +71,7 @@ private:
     QTemporaryDir m_folder;
 };
 
-/// It is no test without.
+/// Checks the precondition: the locale exists and uses a decimal comma.
 void TestGermanLocale::initTestCase()
 {
     QVERIFY2(QByteArray(std::setlocale(LC_ALL, nullptr)).contains("de_DE.UTF-8"), std::setlocale(LC_ALL, nullptr));
@@ -118,7 +118,7 @@ void TestGermanLocale::textByOthers_isRead_data()
     QTest::newRow("by Assimp") << QStringLiteral("b.nff") << QByteArray("p 3\n0.125 0 0\n1.5 0 0\n0 0 -2.75\n");
 }
 
-/// The same triangle in each, in the document's axes.
+/// Each file contains the same triangle, in the document's axes.
 void TestGermanLocale::textByOthers_isRead()
 {
     QFETCH(QString, name);

@@ -1,17 +1,18 @@
-// The bunch of grapes of the paper's Figure 20: made and painted as a person would, with a stroke file that
-// `fettle replay` plays on the starter Tablet. How many handles it has is counted by hand, stage by stage:
+// Makes the bunch of grapes of the paper's Figure 20. It is sculpted and painted as a user would, by a stroke file that
+// `fettle replay` plays on the starter Tablet.
+// The number of handles is counted by hand, stage by stage:
 //
 //   stage     what is done                                           components  genus
 //   leaf      the tablet's rim becomes lobes, veins are cut, painted 1           0
 //   body      balls beside it, each joined to the one before         2           0
-//   berries   balls, each with its middle in the body                2           0   see below
-//   stem      drawn out of the body, and two arms out of the stem    2           0
-//   petiole   drawn out of the stem, a knot joins it to the leaf     1           0
-//   tendril   drawn out of the stem, a knot joins it to an arm       1           1   stem, tendril and arm make a ring
+//   berries   balls, each with its centre in the body                2           0   see below
+//   stem      pulled out of the body, and two arms out of the stem   2           0
+//   petiole   pulled out of the stem, a knot joins it to the leaf    1           0
+//   tendril   pulled out of the stem, a knot joins it to an arm      1           1   stem, tendril and arm form a ring
 //   colors                                                           1           1
 //
-// The body is convex, or nearly so. What several berries share begins between their middles, so it begins in the body,
-// and there is no way through between them.
+// The body is nearly convex. The overlap of several berries begins between their centres, and thus inside the body, so
+// berries leave no tunnel between them.
 #include "core/operations/starter_models.h"
 #include "tests/app/commands/played_strokes.h"
 #include "tests/support/solid_asserts.h"
@@ -34,20 +35,20 @@ using core::Vec3;
 using played_strokes::Brush;
 using played_strokes::Hand;
 
-/// A colour, and another that is painted over it softly.
+/// A ground colour and a lighter colour that is painted over it softly.
 struct Paint
 {
     Rgb ground, light;
 };
 
-constexpr Rgb bare = {}; ///< the colour of what nobody has painted
+constexpr Rgb bare = {}; ///< colour of unpainted parts
 constexpr Rgb leafGreen = {74, 128, 48}, veinGreen = {158, 186, 92}, petioleGreen = {126, 150, 70},
               tendrilGreen = {140, 170, 84}, shade = {52, 26, 58};
 constexpr Rgb wood = {112, 78, 44}, darkWood = {84, 56, 32}, lightWood = {142, 106, 66};
 constexpr Rgb ripe[] = {{70, 26, 94}, {88, 34, 108}, {58, 24, 86}, {104, 38, 104}, {78, 32, 112}, {66, 22, 80}};
 constexpr Rgb turning[] = {{126, 52, 88}, {140, 72, 84}};
 constexpr Rgb unripe[] = {{160, 178, 84}, {176, 190, 104}, {146, 168, 76}};
-constexpr Rgb bloom = {196, 184, 224}, unripeBloom = {226, 234, 170}; ///< the wax on berries
+constexpr Rgb bloom = {196, 184, 224}, unripeBloom = {226, 234, 170}; ///< colour of the wax on berries
 
 enum class Ripeness { Ripe, Turning, Unripe };
 
@@ -58,7 +59,7 @@ struct Berry
     Ripeness ripeness;
     Paint paint;
 
-    /// Returns the direction away from the bunch's axis, of unit length; down for the lowest berry.
+    /// Returns the unit direction away from the bunch's axis; for the lowest berry: down.
     Vec3 outwards() const
     {
         const Vec3 across = {middle.x(), 0, middle.z()};
@@ -72,24 +73,24 @@ struct Ball
     double radius;
 };
 
-/// Balls of the body, from above.
+/// Balls that form the body, from top to bottom.
 const Ball bodyBalls[] = {
     {{0, -22, 0}, 41}, {{0, -56, 0}, 40}, {{0, -90, 0}, 29.5}, {{0, -113, 0}, 18}, {{0, -130, 0}, 10}};
 
-/// Returns the i-th of numbers that lie unevenly, but everywhere, in a range.
+/// Returns the i-th number of a sequence that covers the range evenly without a visible pattern.
 double uneven(int i, double least, double most)
 {
     return least + (most - least) * std::fmod(i / std::numbers::phi, 1);
 }
 
-/// Returns the berries, row by row from above.
+/// Returns the berries, row by row from the top.
 std::vector<Berry> bunch()
 {
     constexpr struct
     {
         double height, radius;
         int berries;
-        double turn; ///< in berries
+        double turn; ///< angle offset of the row, in berries
     } rows[] = {{5, 28, 7, 0},     {-17, 38, 9, 0.5},    {-39, 37, 9, 0},      {-61, 36, 8, 0.5},
                 {-83, 28.5, 7, 0}, {-104, 19.5, 5, 0.3}, {-121, 10.5, 3, 0.1}, {-138, 0, 1, 0}};
     std::vector<Berry> berries;
@@ -116,17 +117,17 @@ std::vector<Berry> bunch()
     return berries;
 }
 
-/// Place and directions of the leaf, which is made flat, tip up and face to +z.
+/// Placement of the leaf, which is modelled flat with its tip up and its face towards +z.
 struct LeafPlace
 {
     static constexpr double scale = 0.72;
-    static constexpr double notch = -36; ///< y where the rim turns in, before it is placed
-    Vec3 position = {27, 64, 27};        ///< of the notch
+    static constexpr double notch = -36; ///< y of the notch in the rim, in the flat leaf
+    Vec3 position = {27, 64, 27};        ///< position of the notch
     Vec3 tip = Vec3(0.82, -0.2, 0.36).normalized();
     Vec3 side = tip.cross(Vec3(0.05, 0.7, 0.75)).normalized();
     Vec3 face = side.cross(tip);
 
-    /// Returns where a point of the flat leaf goes.
+    /// Returns the position of a point of the flat leaf.
     Vec3 operator()(double x, double y) const { return position + scale * (x * side + (y - notch) * tip); }
     Eigen::Quaterniond rotation() const
     {
@@ -140,11 +141,11 @@ const LeafPlace leafPlace;
 const std::vector<Vec3> stemPath = {{0, 18, 0}, {1, 32, 0}, {0, 52, 0}, {-6, 70, 0}, {-9, 88, 0}};
 const std::vector<Vec3> armPaths[] = {{{-9, 89, 0}, {8, 94, -2}, {28, 97, -8}},
                                       {{-9, 89, 0}, {-32, 90, 3}, {-54, 95, 8}}};
-const Vec3 petioleJoint = leafPlace(0, -24); ///< within the leaf
+const Vec3 petioleJoint = leafPlace(0, -24); ///< inside the leaf
 const std::vector<Vec3> petiolePath = {{4, 43, 7}, {13, 42, 11}, {25, 43, 15}, petioleJoint - 8 * leafPlace.face};
 const Ball petioleKnot = {petioleJoint - 5.5 * leafPlace.face, 6}, tendrilKnot = {{-40, 84, 7}, 5.5};
 
-/// Returns windings away from the stem, with an end below an arm.
+/// Returns a spiral that leads away from the stem and ends below an arm.
 std::vector<Vec3> tendrilPath()
 {
     std::vector<Vec3> path = {{-10, 57, 3}};
@@ -165,7 +166,7 @@ Json json(Rgb color)
     return {color.r, color.g, color.b};
 }
 
-/// The strokes of the bunch, in the form of stroke files.
+/// Generates the strokes of the bunch in stroke file format.
 class Vintner
 {
 public:
@@ -205,8 +206,8 @@ void Vintner::drag(const Brush& brush, const std::vector<Vec3>& path, const Json
     m_strokes.push_back(played_strokes::strokeOf(brush, played_strokes::samplesAt(path), settings));
 }
 
-/// Leads the tablet's rim to the leaf's in small steps, all around in each, then draws its tips out and lets them
-/// droop.
+/// Moves the tablet's rim to the leaf's outline in small steps, going all around in each, then pulls out the tips and
+/// bends them down.
 void Vintner::lobes()
 {
     struct Way
@@ -248,7 +249,7 @@ void Vintner::lobes()
              {{"symmetry", droops[i].symmetry()}, {"topology", "keep"}});
 }
 
-/// Strokes the flat leaf from the front, or from behind, on both halves.
+/// Sculpts a path on both halves of the flat leaf, from its front or its back.
 void Vintner::onLeaf(const Brush& brush, const std::vector<Vec3>& path, bool front, const Json& settings)
 {
     const Vec3 towards = {0, 0, front ? -1.0 : 1.0};
@@ -261,7 +262,7 @@ void Vintner::onLeaf(const Brush& brush, const std::vector<Vec3>& path, bool fro
     m_strokes.push_back(std::move(stroke));
 }
 
-/// Cuts furrows, raises ridges behind the main ones, and paints all of them while the leaf is flat.
+/// Cuts furrows, raises ridges behind the main ones, and paints all of them while the leaf is still flat.
 void Vintner::veins()
 {
     const std::vector<Vec3> ways[] = {
@@ -321,7 +322,7 @@ void Vintner::berries()
 {
     for (const Berry& berry : bunch())
         ball({berry.middle, berry.radius});
-    // A border of colours needs a finer mesh where berries meet.
+    // Refines the mesh where berries meet, so that the border between colours is sharp.
     for (const Berry& berry : bunch())
         drag({"smooth", 1.02 * berry.radius, 0.4}, {berry.middle},
              {{"falloff", 0}, {"detail", 0.65}, {"topology", "refine"}});
@@ -348,13 +349,13 @@ void Vintner::tendril()
     ball(tendrilKnot);
 }
 
-/// Paints with a clean border.
+/// Paints with a sharp border.
 void Vintner::paint(double radius, Rgb color, const std::vector<Vec3>& path)
 {
     drag({"paint", radius}, path, {{"spacing", 0.25}, {"falloff", 0}, {"color", json(color)}});
 }
 
-/// Paints the berry, and the light on it without a border: a brush that follows the surface stays on the berry.
+/// Paints the berry, then its highlight with a soft border. A brush that follows the surface stays on the berry.
 void Vintner::paint(const Berry& berry)
 {
     paint(1.03 * berry.radius, berry.paint.ground, {berry.middle});
@@ -365,7 +366,7 @@ void Vintner::paint(const Berry& berry)
                                  {{"brush", "ray"}, {"falloff", 3}, {"color", json(berry.paint.light)}}));
 }
 
-/// Paints stem and arms, with darker and lighter spots.
+/// Paints stem and arms with darker and lighter spots.
 void Vintner::bark()
 {
     paint(14, wood, {{0, 23, 0}, stemPath[1], stemPath[2], stemPath[3], stemPath[4]});
@@ -387,7 +388,7 @@ void Vintner::bark()
         spots(path);
 }
 
-/// Paints with wide brushes first: what comes later goes over their rims.
+/// Paints with wide brushes first, so that later strokes cover their rims.
 void Vintner::colors()
 {
     constexpr struct
@@ -406,7 +407,8 @@ void Vintner::colors()
     paint(6, tendrilGreen, path);
     paint(6.5, wood, {tendrilKnot.middle});
     const std::vector<Berry> berries = bunch();
-    for (const Berry& berry : berries | std::views::reverse) // The light goes over the upper rim.
+    // from bottom to top, so that the highlight covers the upper rim
+    for (const Berry& berry : berries | std::views::reverse)
         paint(berry);
 }
 constexpr struct
@@ -433,18 +435,18 @@ std::optional<played_strokes::Played> playedWhole()
     return played(vintner);
 }
 
-/// Returns whether the paint gives that colour, with much of its light or little.
+/// Returns whether a colour is a mixture of the paint's ground and its highlight.
 bool isOf(const Paint& paint, Rgb color)
 {
     const auto vector = [](Rgb c) { return Vec3(c.r, c.g, c.b); };
     const Vec3 way = vector(paint.light) - vector(paint.ground), seen = vector(color) - vector(paint.ground);
     const double length = way.squaredNorm();
     const double share = length > 0 ? std::clamp(seen.dot(way) / length, 0.0, 1.0) : 0;
-    constexpr double rounding = 6; // of 255, in several coats
+    constexpr double rounding = 6; // per colour component (0 to 255), for several coats
     return (seen - share * way).norm() < rounding;
 }
 
-/// Returns the share of the vertices that count that has a colour of one of the paints.
+/// Returns the share of the counted vertices whose colour belongs to one of the paints.
 double shareOf(const std::vector<Paint>& paints, const core::TriangleMesh& mesh,
                const std::function<bool(const Vec3&)>& counts)
 {
@@ -458,7 +460,7 @@ double shareOf(const std::vector<Paint>& paints, const core::TriangleMesh& mesh,
     return all > 0 ? double(painted) / all : 0;
 }
 
-/// Returns whether a point lies on or in another berry, or next to one.
+/// Returns whether a point is on, in or next to another berry.
 bool isNearOther(const Berry& berry, const Vec3& point, const std::vector<Berry>& berries)
 {
     return std::ranges::any_of(berries, [&](const Berry& other) {
@@ -544,7 +546,7 @@ void TestGrapes::sameFile_makesTheSameMesh()
     QVERIFY(again->mesh.colors == m_bunch.colors);
 }
 
-/// Checks what the count of the handles begins with.
+/// Checks the assumption of the handle count: each berry's centre is in the body.
 void TestGrapes::berries_beginInTheBody()
 {
     for (const Berry& berry : bunch())
@@ -552,7 +554,7 @@ void TestGrapes::berries_beginInTheBody()
             bodyBalls, [&](const Ball& part) { return (berry.middle - part.middle).norm() < part.radius; }));
 }
 
-/// Looks around the middle of what is seen of each from outside, where 37 degrees about it are its own.
+/// Checks the centre of each berry's visible side, up to an angle of 37 degrees, which no other berry covers.
 void TestGrapes::berries_areRound()
 {
     const std::vector<Berry> berries = bunch();
@@ -590,7 +592,7 @@ void TestGrapes::leafAndStem_haveTheirColors()
     QVERIFY(shareOf(together({leafPaints, veinPaints}), m_bunch, inBlade) > 0.95);
     QVERIFY(shareOf(leafPaints, m_bunch, inBlade) > 0.5);
 
-    // The stem is bare between the berries and the petiole, and above the tendril.
+    // The stem is uncovered between the berries and the petiole, and above the tendril.
     const auto inStem = [](double from, double to) {
         return [=](const Vec3& point) {
             return point.y() > from && point.y() < to && std::hypot(point.x(), point.z()) < 12;

@@ -1,4 +1,4 @@
-// `fettle lesson` as a teacher's script has it.
+// Tests `fettle lesson` as a teacher's script calls it.
 #include "core/io/mesh_io.h"
 #include "core/lesson/lesson_file.h"
 #include "core/operations/starter_models.h"
@@ -35,7 +35,7 @@ LessonAnswer lesson(const QStringList& arguments)
             QString::fromUtf8(program.readAllStandardError())};
 }
 
-/// The first of ours, with something else in its lesson.json.
+/// Returns a copy of the first bundled lesson in which `from` is replaced by `to` in lesson.json.
 QString changed(const QTemporaryDir& folder, const QByteArray& from, const QByteArray& to)
 {
     const QString copy = folder.filePath(QStringLiteral("lesson"));
@@ -73,7 +73,7 @@ private Q_SLOTS:
         }
     }
 
-    /// The one inside of the program, its folder and its zip: all are played to their end, and say the same.
+    /// The bundled lesson, its folder and its zip are all played to the end with the same verdicts.
     void played_saysEachVerdict()
     {
         const QTemporaryDir folder;
@@ -139,7 +139,7 @@ private Q_SLOTS:
         QCOMPARE(checked(ball, "0").status, 2);
     }
 
-    /// Asks that each language has its texts, and a step is on one page.
+    /// Each language has its own texts, and each step is on one page.
     void handouts_arePages()
     {
         const QTemporaryDir folder;
@@ -166,7 +166,7 @@ private Q_SLOTS:
                  2);
     }
 
-    /// Reads, as a script does, what is asked and measured, as numbers and without a language.
+    /// Results contain the required and the measured values as numbers, independent of language.
     void results_areJsonAndCsv()
     {
         const QTemporaryDir folder;

@@ -1,5 +1,5 @@
-// The reference of the files (resources/reference): examples are read by the program's own readers, and the tables of
-// keys, defaults and ranges are compared with what readers take and writers write.
+// Compares the reference of file formats (resources/reference) with the program: its examples are read by the program's
+// readers, and its tables of keys, defaults and ranges are compared with readers and writers.
 #include "app/classroom/class_file.h"
 #include "app/classroom/work_archive.h"
 
@@ -80,7 +80,7 @@ void compareKeys(const QJsonObject& object, const ReferenceTable& table)
     QCOMPARE(object.keys(), sorted(table.keys()));
 }
 
-/// Puts one more key into an object of JSON, in the place of the same key.
+/// Adds a key to a JSON object, or replaces its value.
 QString withKey(const QString& object, const QString& key, const QString& value)
 {
     QJsonObject all = QJsonDocument::fromJson(object.toUtf8()).object();
@@ -123,13 +123,13 @@ QString writtenAgain(const QString& entry)
 const QString plainSample = QStringLiteral(R"({"position":[0,0,0]})");
 const QString plainStroke = QStringLiteral(R"({"tool":"paint","radius":1,"samples":[{"position":[0,0,0]}]})");
 
-/// Puts a sample into a stroke whose samples are not rays.
+/// Inserts a sample into a stroke without rays.
 QString strokeOf(const QString& sample)
 {
     return withKey(plainStroke, QStringLiteral("samples"), u'[' + sample + u']');
 }
 
-/// Returns what the file says of a range: "0, or whole number from 3 to 16".
+/// Returns the range that a refusal states, as "0, 3 to 16".
 QString rangeOf(const StrokeFileError& error)
 {
     return QStringLiteral("%1%2 to %3")
@@ -138,7 +138,7 @@ QString rangeOf(const StrokeFileError& error)
         .arg(*error.max);
 }
 
-/// Brings a range of the reference to the same form.
+/// Converts a range of the reference to the form of rangeOf().
 QString plainRange(QString text)
 {
     static const QRegularExpression words(QStringLiteral("(or )|((three|four)? ?(whole )?numbers? (from )?)")),
@@ -152,8 +152,8 @@ QString plainRange(QString text)
         .arg(match.captured(4).toDouble());
 }
 
-/// Compares what the reference says of a key's values with what the reader takes. `entry`: makes a stroke or a command
-/// with that value for the key.
+/// Compares the documented values of a key with those that the reader accepts. `entry` makes a stroke or a command with
+/// a value for the key.
 void compareValues(const QString& key, const QString& values, const std::function<QString(const QString&)>& entry)
 {
     const QStringList words = codesIn(values);
@@ -191,7 +191,7 @@ void compareValues(const QString& key, const QString& values, const std::functio
     }
 }
 
-/// Compares defaults that are values with what a stroke without the key is.
+/// Compares documented default values with those of a stroke without the key.
 void compareDefaults(const ReferenceTable& table, const std::function<QString(const QString&, const QString&)>& entry)
 {
     const QString without = writtenAgain(entry({}, {}));
@@ -213,7 +213,7 @@ ReferenceTable strokeTable()
     return strokePage().table(QStringLiteral("key of a stroke"));
 }
 
-/// Returns the keys of the strokes' reader from one on.
+/// Returns `count` keys of the stroke reader, starting at index `from`.
 QStringList strokeKeys(std::size_t from, std::size_t count)
 {
     const auto& names = core::strokeKeys.names;
@@ -221,7 +221,7 @@ QStringList strokeKeys(std::size_t from, std::size_t count)
                                names.begin() + static_cast<std::ptrdiff_t>(from + count)));
 }
 
-/// Returns a value that a key of a command may have.
+/// Returns a valid value for a key of a command.
 QString valueFor(const QString& key)
 {
     static const QMap<QString, QString> values{{QStringLiteral("by"), QStringLiteral("[1,0,0]")},
@@ -236,7 +236,7 @@ QString valueFor(const QString& key)
     return values.value(key, QStringLiteral("1"));
 }
 
-/// Reads the lists of keys out of the reader of lessons: the object that has them, and the keys.
+/// Extracts the lists of known keys from the source of the lesson reader, by the object that has them.
 QMap<QString, QStringList> keysOfLessonReader()
 {
     static const QRegularExpression list(QStringLiteral("knowsOnly\\(\\w+, \"?(\\w*)\"?, \\{([^}]*)\\}\\)"));
@@ -253,7 +253,7 @@ QMap<QString, QStringList> keysOfLessonReader()
     return keys;
 }
 
-/// A class with a value for each key.
+/// Returns a class with a value for each key.
 ui::Classroom fullClass()
 {
     ui::Classroom all{QStringLiteral("5b"), QStringLiteral("/works"), {core::Starter::Ball}, {core::Tool::Pull}};
@@ -263,7 +263,7 @@ ui::Classroom fullClass()
     return all;
 }
 
-/// Returns all that the document of a GLB may keep.
+/// Returns metadata with every part that the document of a GLB can contain.
 core::DocumentMetadata fullMetadata()
 {
     core::MeshFrame frame{core::Lattice(16)};
@@ -274,7 +274,7 @@ core::DocumentMetadata fullMetadata()
     return all;
 }
 
-/// Returns the JSON of a GLB.
+/// Returns the JSON part of a GLB.
 QJsonObject jsonOfGlb(const QString& path)
 {
     const QByteArray bytes = bytesAt(path);
@@ -283,7 +283,7 @@ QJsonObject jsonOfGlb(const QString& path)
     return QJsonDocument::fromJson(bytes.mid(20, size)).object();
 }
 
-/// Puts another extension into a GLB, in the place of the one that it has.
+/// Replaces the Fettle extension in a GLB.
 void replaceExtension(const QString& path, const QJsonObject& extension)
 {
     QJsonObject json = jsonOfGlb(path);
@@ -348,7 +348,7 @@ private Q_SLOTS:
 
 private:
     QString at(const char* name) const { return m_folder->filePath(QString::fromUtf8(name)); }
-    /// Reads a class file of these lines. Returns the sentence of a refusal, or an empty text.
+    /// Reads a class file with this text. Returns the message of a refusal, or an empty text.
     QString readClass(const QString& text, ui::Classroom& classroom) const;
 
     std::unique_ptr<QTemporaryDir> m_folder;
@@ -370,7 +370,7 @@ void TestReference::pages_areShort()
     const QFileInfo page(QStringLiteral(FETTLE_SOURCE_DIR "/") + path);
     const QString text = QString::fromUtf8(bytesAt(page.filePath()));
     const QStringList lines = text.split(u'\n');
-    QVERIFY(lines.size() <= 121); // the last is empty
+    QVERIFY(lines.size() <= 121); // including an empty line after the last line break
     for (const QString& line : lines)
         QVERIFY2(line.size() <= 120, qPrintable(line));
     static const QRegularExpression link(QStringLiteral("\\]\\(([^)#]+)\\)"));
@@ -587,7 +587,7 @@ void TestReference::classes_haveTheseValues()
     for (const QString& line : page.examples(QStringLiteral("ini")).value(0).split(u'\n', Qt::SkipEmptyParts))
         if (!line.startsWith(u'#'))
             lines.insert(line.section(u'=', 0, 0).trimmed(), line.section(u'=', 1).trimmed());
-    lines[QStringLiteral("other_names")] = QStringLiteral("yes"); // "no" needs names
+    lines[QStringLiteral("other_names")] = QStringLiteral("yes"); // "no" would need a list of names
     const auto textOf = [](const QMap<QString, QString>& entries) {
         QString text;
         for (auto i = entries.begin(); i != entries.end(); ++i)

@@ -1,5 +1,5 @@
-// The reference of the command line (resources/reference): its commands, options, examples and fields of JSON and CSV
-// are compared with what the program says and prints.
+// Compares the command-line reference (resources/reference) with the program: commands, options, examples, and fields
+// of JSON and CSV output.
 #include "app/commands/command_line.h"
 
 #include "core/io/mesh_io.h"
@@ -34,7 +34,7 @@ struct ShellAnswer
     QString out, err;
 };
 
-/// Runs a line of a shell where `fettle` is the program, without a display and in the C locale.
+/// Runs a shell command in which `fettle` is the program, without a display and in the C locale.
 ShellAnswer shell(const QString& line, const QString& folder)
 {
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
@@ -54,14 +54,14 @@ ShellAnswer shell(const QString& line, const QString& folder)
 
 struct OptionRow
 {
-    QString value;    ///< the word for its value; empty: it has none
-    QString standard; ///< the default; empty: none is named
-    QString values;   ///< what the value may be; empty: any
+    QString value;    ///< placeholder of its value; empty: it has none
+    QString standard; ///< default; empty: none is given
+    QString values;   ///< allowed values; empty: any
 };
-/// Options by their names: "-o, --out".
+/// Options by all their names, for example "-o, --out".
 using OptionRows = QMap<QString, OptionRow>;
 
-/// Takes the value's word from the end of an option's names.
+/// Adds an option. Splits the placeholder of its value from the end of its names.
 void addOption(OptionRows& rows, QString names, OptionRow row)
 {
     const qsizetype space = names.lastIndexOf(u' ');
@@ -72,11 +72,11 @@ void addOption(OptionRows& rows, QString names, OptionRow row)
     rows.insert(names, row);
 }
 
-/// Reads the options out of a command's help, which has them in two columns.
+/// Parses the options from a command's help text, which has two columns.
 OptionRows optionsInHelp(const QString& command)
 {
     OptionRows rows;
-    QList<QStringList> lines; // names and description
+    QList<QStringList> lines; // names and description of each option
     const QString help = shell(QStringLiteral("fettle help ") + command, {}).out;
     const qsizetype options = help.indexOf(QStringLiteral("Options:\n")) + 9;
     const QStringList all = help.mid(options).section(QStringLiteral("\n\n"), 0, 0).split(u'\n');
@@ -104,7 +104,7 @@ OptionRows optionsInHelp(const QString& command)
     return rows;
 }
 
-/// Reads a table of options, all of them or those with one of the names.
+/// Adds the options of a table: all of them, or those in `only`.
 void addTable(OptionRows& rows, const ReferenceTable& table, const QStringList& only = {})
 {
     for (const QStringList& row : table.rows) {
@@ -120,7 +120,7 @@ QString titleOf(const QString& command)
     return QStringLiteral("fettle ") + command;
 }
 
-/// Reads the options of a command out of the reference: its own table, and the shared ones of its line "Also".
+/// Reads the options of a command from the reference: its own table, and the shared tables in its line "Also".
 OptionRows optionsInReference(const QString& command)
 {
     OptionRows rows;
@@ -135,7 +135,7 @@ OptionRows optionsInReference(const QString& command)
     return rows;
 }
 
-/// Reads the commands out of the help on all of them.
+/// Parses the names of commands from the general help text.
 QStringList commandsOfProgram()
 {
     static const QRegularExpression row(QStringLiteral("^  fettle ([a-z]+)\\b"), QRegularExpression::MultilineOption);
@@ -145,7 +145,7 @@ QStringList commandsOfProgram()
     return commands;
 }
 
-/// Returns whether a JSON value is what the reference calls it.
+/// Returns whether a JSON value has the type that the reference gives.
 bool isOfKind(const QJsonValue& value, const QString& kind)
 {
     if (value.isNull())
@@ -161,7 +161,7 @@ bool isOfKind(const QJsonValue& value, const QString& kind)
     return kind == QLatin1String("list") && value.isArray();
 }
 
-/// Compares the fields of an object with the tables; `extra`: a field that no table has.
+/// Compares the fields of an object with the tables. `extra`: a field that is in no table.
 void compareFields(const QJsonObject& object, const QList<ReferenceTable>& tables, const QString& extra = {})
 {
     QStringList documented;
@@ -221,7 +221,7 @@ private:
     std::unique_ptr<QTemporaryDir> m_folder;
 };
 
-/// Makes the files that the examples name.
+/// Creates the files that the examples use.
 void TestReferenceCommands::init()
 {
     m_folder = std::make_unique<QTemporaryDir>();
@@ -281,7 +281,7 @@ void TestReferenceCommands::options_areThoseOfTheProgram()
         const OptionRow& told = reference[i.key()];
         QVERIFY2(told.standard == i->standard, qPrintable(i.key() + u' ' + told.standard));
         QVERIFY2(told.value.isEmpty() == i->value.isEmpty(), qPrintable(i.key() + u' ' + told.value));
-        if (i->values.isEmpty()) // it is no list of words
+        if (i->values.isEmpty()) // the values are not a list of words
             QVERIFY2(told.value == i->value, qPrintable(i.key() + u' ' + told.value));
         else
             QVERIFY2(told.values == i->values, qPrintable(i.key() + u' ' + told.values));
@@ -292,7 +292,7 @@ void TestReferenceCommands::options_areThoseOfTheProgram()
 
 namespace
 {
-/// Returns a line in which a command takes the option.
+/// Returns a valid command line for the command and the option.
 QString lineWith(const QString& command, const QString& option)
 {
     static const QMap<QString, QString> lines{
@@ -399,7 +399,7 @@ void TestReferenceCommands::examples_run()
     QDir::setCurrent(QDir::tempPath());
 }
 
-/// Makes the other files that the command lines of the README name.
+/// Creates further files that the command lines of the README use.
 void TestReferenceCommands::examplesOfTheReadme_run()
 {
     for (const auto& [copy, file] : {std::pair("in.obj", "model.obj"), std::pair("a.stl", "model.stl")})
@@ -511,7 +511,7 @@ void TestReferenceCommands::fields_ofLesson()
 
 namespace
 {
-/// Returns what bash offers for the last of the words of a command line.
+/// Returns the completions that bash offers for the last word of a command line.
 QStringList completionsOf(const QStringList& words)
 {
     QStringList quoted;
@@ -527,7 +527,7 @@ QStringList completionsOf(const QStringList& words)
     return offered;
 }
 
-/// Returns the first words of the lines that a command prints.
+/// Returns the first word of each line that a command prints.
 QStringList firstWords(const QString& command)
 {
     QStringList words;

@@ -1,4 +1,4 @@
-// What stroke files may hold: strokes in every tool and mode, and commands for the whole model.
+// Tests the content of stroke files: strokes with every tool and mode, and commands for the whole model.
 #include "app/model/model_loader.h"
 #include "core/analysis/mesh_check.h"
 #include "core/analysis/surface_distance.h"
@@ -28,13 +28,13 @@ namespace
 {
 const Json pullAtX = {{"tool", "pull"}, {"radius", 0.3}, {"samples", {{{"position", {1, 0, 0}}}}}};
 
-/// As a script has it.
+/// Runs `fettle replay` as a script does.
 class Replay
 {
 public:
     QString path(const char* name) const { return m_folder.filePath(QString::fromLatin1(name)); }
 
-    /// `in`: the model; empty: the paper's sphere.
+    /// Plays the entries on the model `in`, or on the paper's sphere if it is empty. Returns the exit status.
     int operator()(const Json& entries, const QString& in = {})
     {
         QFile file(path("strokes.json"));
@@ -75,7 +75,8 @@ private:
     QTemporaryDir m_folder;
 };
 
-/// No two sides of it are alike. Its coordinates are whole multiples of 2^-12, which files hold wherever it lies here.
+/// Returns a ball deformed asymmetrically in all axes. Its coordinates are multiples of 2^-12, which files store
+/// exactly at all places used here.
 core::TriangleMesh potato(const Vec3& middle)
 {
     core::TriangleMesh mesh = core::icosphere(4, 0.8);
@@ -89,7 +90,7 @@ core::TriangleMesh potato(const Vec3& middle)
 
 using Turned = std::function<Vec3(const Vec3&)>;
 
-/// Both lie as near to each other as two lattices and 32 bits of a far place allow.
+/// Checks that the distance of both meshes is within the precision of two lattices and of float32 far from the origin.
 #define VERIFY_ALIKE(mesh, other, shift)                                                                               \
     do {                                                                                                               \
         core::TriangleMesh back = mesh;                                                                                \
@@ -135,7 +136,7 @@ private Q_SLOTS:
     void check_saysWhatCanBeSculpted();
 };
 
-/// Each at a place of its own around the sphere, and last a ball beside it.
+/// Plays each tool and mode at a separate place of the sphere, then adds a ball beside it.
 void TestReplayCommand::everyToolAndMode_isPlayed()
 {
     Json entries = Json::array();
@@ -165,16 +166,16 @@ void TestReplayCommand::everyToolAndMode_isPlayed()
         Replay replay;
         QVERIFY2(replay(entries) == 0, replay.complaint.constData());
         each = replay.stats();
-        const core::Lattice lattice =
-            core::Lattice::forExtent(1); // the sphere's, on which it was sculpted: that of the file's extent is coarser
+        // the sphere's lattice, which is finer than the one that suits the file's extent
+        const core::Lattice lattice = core::Lattice::forExtent(1);
         const auto mesh = mesh_asserts::sculptable(core::readMesh(replay.path("out.ply").toStdString()), lattice);
         VERIFY_VALID(*mesh);
     }
     const Json& dabs = stats[0]["dabs"];
     QCOMPARE(dabs.size(), entries.size());
     for (std::size_t i = 0; i < dabs.size(); ++i) {
-        if (entries[i]["tool"] == "stamp" &&
-            dabs[i]["outcome"] != "committed") { // deep, and over what others have left
+        // deep stamps across the results of earlier strokes may need fallback steps
+        if (entries[i]["tool"] == "stamp" && dabs[i]["outcome"] != "committed") {
             QVERIFY2(dabs[i]["outcome"] == "careful" || dabs[i]["capped"] == true,
                      (entries[i].dump() + dabs[i].dump()).c_str());
             continue;
@@ -207,7 +208,7 @@ void TestReplayCommand::commands_doWhatTheyDoInCore_data()
     row({{"command", "reset"}}, core::Reset{});
 }
 
-/// Between two dabs, so that the engine sculpts on what a command has left.
+/// Plays a command between two dabs, so that the engine sculpts the model that the command produced.
 void TestReplayCommand::commands_doWhatTheyDoInCore()
 {
     QFETCH(QByteArray, entry);
@@ -290,7 +291,7 @@ void TestReplayCommand::badShapes_areBadInput_data()
     QTest::newRow("no model") << QByteArray("model") << QByteArray("text.png") << QByteArray("text.png");
 }
 
-/// One line that names the stroke, status 2, and nothing written.
+/// Bad shapes are refused with status 2 and one line that names the stroke, and nothing is written.
 void TestReplayCommand::badShapes_areBadInput()
 {
     QFETCH(QByteArray, key);
@@ -332,10 +333,10 @@ void TestReplayCommand::strokesAfterACommand_areCheckedAgainstItsModel()
     far["samples"][0]["position"] = {50, 0, 0};
     far["radius"] = 0.2;
     Replay replay;
-    QCOMPARE(replay(Json::array({far})), 2); // outside of the working volume
+    QCOMPARE(replay(Json::array({far})), 2); // beyond the working volume
     QVERIFY(replay.complaint.contains("strokes[0]"));
     QCOMPARE(replay(Json::array({{{"command", "scale"}, {"factor", 50}}, far})),
-             2); // inside, but the brush is too fine now
+             2); // inside it after scaling, but the brush is then too fine
     QCOMPARE(replay(Json::array({pullAtX, {{"command", "recentre"}}, far})), 2);
     QVERIFY(replay.complaint.contains("strokes[2]"));
     QVERIFY(!QFile::exists(replay.path("out.ply")));
@@ -343,7 +344,7 @@ void TestReplayCommand::strokesAfterACommand_areCheckedAgainstItsModel()
     QVERIFY2(replay(Json::array({{{"command", "scale"}, {"factor", 50}}, far})) == 0, replay.complaint.constData());
 }
 
-/// `check` says that such a model can be sculpted. Strokes have the file's coordinates, and so has the result.
+/// `check` reports that such a model can be sculpted. Strokes and the result use the file's coordinates.
 void TestReplayCommand::modelFarFromTheOrigin_isPlayedWhereItIs()
 {
     core::TriangleMesh far = core::icosphere(4, 1);
@@ -361,7 +362,7 @@ void TestReplayCommand::modelFarFromTheOrigin_isPlayedWhereItIs()
 void TestReplayCommand::farModel_isTheNearOneShifted_data()
 {
     QTest::addColumn<QByteArray>("command");
-    QTest::addColumn<Turned>("map"); ///< of file's coordinates, by the command
+    QTest::addColumn<Turned>("map"); ///< map of the file's coordinates that the command performs
     const auto row = [](const Json& command, const Turned& map) {
         QTest::newRow(command["command"].get<std::string>().c_str())
             << QByteArray::fromStdString(command.dump()) << map;
@@ -376,14 +377,15 @@ void TestReplayCommand::farModel_isTheNearOneShifted_data()
     row({{"command", "place_on_bed"}}, [](const Vec3& p) { return Vec3(p.x(), 0, p.z()); });
 }
 
-/// A command and a stroke after it, at the place where the model's file has it then.
+/// Plays a command and a stroke after it on a near and a far model. The stroke's position is in the file's coordinates
+/// after the command.
 void TestReplayCommand::farModel_isTheNearOneShifted()
 {
     QFETCH(QByteArray, command);
     QFETCH(Turned, map);
     const Vec3 far(1000, 300, -500);
     const Vec3 shift = map ? Vec3(map(far) - map(Vec3::Zero())) : Vec3::Zero();
-    // Places of the stroke: on the model as the command leaves the near one.
+    // The stroke is placed on the near model after the command.
     Replay replay;
     QVERIFY2(replay.on(potato({0.125, 0.0625, 0}), {Json::parse(command.toStdString())}) == 0,
              replay.complaint.constData());
@@ -397,7 +399,7 @@ void TestReplayCommand::farModel_isTheNearOneShifted()
     const core::Box plain = replay.box();
     QVERIFY2(replay.on(potato({0.125, 0.0625, 0}), entries(Vec3::Zero())) == 0, replay.complaint.constData());
     const core::TriangleMesh near = replay.result();
-    QVERIFY(core::boxOf(near).max().x() > plain.max().x() + 0.01); // the stroke did something there
+    QVERIFY(core::boxOf(near).max().x() > plain.max().x() + 0.01); // proves that the stroke changed the model
     QVERIFY2(replay.on(potato(Vec3(0.125, 0.0625, 0) + far), entries(shift)) == 0, replay.complaint.constData());
     VERIFY_ALIKE(replay.result(), near, shift);
 }
@@ -418,7 +420,7 @@ void TestReplayCommand::farModel_keepsTheFilesPlanes_data()
     QTest::newRow("insert at a centre") << QByteArray::fromStdString(insert.dump());
 }
 
-/// In x the model is far away, so that the plane x = 0 has no other side; z = 0 cuts it.
+/// The model is far away in x, so that the plane x = 0 does not meet it. The plane z = 0 cuts it.
 void TestReplayCommand::farModel_keepsTheFilesPlanes()
 {
     QFETCH(QByteArray, entry);
@@ -449,10 +451,11 @@ void TestReplayCommand::farModel_isToldInItsFilesCoordinates()
     QVERIFY2(replay.complaint.contains("\"position[0]\" is out of range, 99") &&
                  replay.complaint.contains(QStringLiteral("strokes[0]").toUtf8()),
              replay.complaint.constData());
-    QCOMPARE(replay.on(far, {{{"command", "symmetrize"}, {"plane", "x"}}}), 1); // the image would be far away
+    // the mirror image would be too far away
+    QCOMPARE(replay.on(far, {{{"command", "symmetrize"}, {"plane", "x"}}}), 1);
     QCOMPARE(replay.on(far, {{{"command", "symmetrize"}, {"plane", "x"}, {"keep", "negative"}}}), 1);
 
-    // Two parts of one assembly stand as far apart as their files have them.
+    // Two parts of an assembly keep the distance that their files give.
     core::writeMesh(replay.path("other.ply").toStdString(), potato({1003, 0, 0}));
     QVERIFY2(replay.on(far, {{{"command", "insert"}, {"file", "other.ply"}, {"where", "as_it_is"}}}) == 0,
              replay.complaint.constData());
@@ -462,7 +465,7 @@ void TestReplayCommand::farModel_isToldInItsFilesCoordinates()
             std::abs(core::boxOf(both).max().x() - core::boxOf(far).max().x() - 3) < 1e-3);
 }
 
-/// Strokes on a document are in the coordinates of the window that wrote it, before and after commands.
+/// Strokes on a document use the coordinates of the window that wrote it, before and after commands.
 void TestReplayCommand::document_keepsItsOwnCoordinates()
 {
     Replay replay;
@@ -483,7 +486,8 @@ void TestReplayCommand::document_keepsItsOwnCoordinates()
     QVERIFY(box.max().x() > 61.01 && box.min().x() < 58.99);
 }
 
-/// Where `check` says that it can be, strokes are played and written, however far the model lies; else nothing is.
+/// If `check` reports that a model can be sculpted, strokes are played and written at any distance from the origin.
+/// Otherwise they are refused.
 void TestReplayCommand::check_saysWhatCanBeSculpted()
 {
     std::size_t played = 0, refused = 0;

@@ -1,14 +1,14 @@
-// The vase of the paper's Figure 21: made as a person would, with a stroke file that `fettle replay` plays.
-// How many handles it has is counted by hand, stage by stage:
+// Makes the vase of the paper's Figure 21 as a user would, by a stroke file that `fettle replay` plays.
+// The number of handles is counted by hand, stage by stage:
 //
 //   stage      what is done                                       components  genus
 //   body       the sphere becomes foot, belly and neck            1           0
-//   hollow     a pit from the neck down to the foot, and a lip    1           0    a pit goes through nothing
-//   ring       a ball beside the body grows round to its image    2           1    the ring, a torus
-//   holes      4 pushed through the ring, and their images        2           9    one a hole
-//   bridges    3 and their images, 2 across the mirror's plane    1           16   one joins, 7 are handles
-//   handles    from the lip to the shoulder, and its image        1           18   one a handle
-//   motifs     turned waves and pearls                            1           18
+//   hollow     a pit from the neck down to the foot, and a lip    1           0    a pit has no second opening
+//   ring       a ball beside the body grows around to its image   2           1    the ring is a torus
+//   holes      4 pushed through the ring, and their images        2           9    each hole adds one
+//   bridges    3 and their images, 2 across the mirror plane      1           16   one joins, 7 are handles
+//   handles    from the lip to the shoulder, and its image        1           18   each handle adds one
+//   motifs     rotated waves and pearls                           1           18
 #include "tests/app/commands/played_strokes.h"
 #include "tests/support/mirror_asserts.h"
 #include "tests/support/solid_asserts.h"
@@ -28,18 +28,18 @@ using played_strokes::Brush;
 using played_strokes::Hand;
 
 const Vec3 up = {0, 1, 0}, down = {0, -1, 0}, inwards = {-1, 0, 0}, outwards = {1, 0, 0};
-constexpr double far = 4; ///< outside of everything
+constexpr double far = 4; ///< distance outside of the model
 constexpr double ringRadius = 1.5, ringHeight = -0.15;
-constexpr double turnSpeed = 36; ///< of the turntable, in degrees a second
+constexpr double turnSpeed = 36; ///< degrees per second of the turntable
 
-/// On the circle of that radius and height around the axis.
+/// Returns a point on a circle around the y axis.
 Vec3 around(double radius, double height, double degrees)
 {
     const double angle = degrees * std::numbers::pi / 180;
     return {radius * std::cos(angle), height, radius * std::sin(angle)};
 }
 
-/// The strokes of the vase, in the form of stroke files. Every one is mirrored at x = 0.
+/// Generates the strokes of the vase in stroke file format. All are mirrored at x = 0.
 class Potter
 {
 public:
@@ -56,7 +56,7 @@ public:
 private:
     struct Turn
     {
-        double step = 10; ///< degrees from dab to dab
+        double step = 10; ///< degrees between dabs
         double turns = 1;
     };
 
@@ -82,7 +82,7 @@ void Potter::stroke(const Brush& brush, Json samples, const Json& settings)
     m_strokes.push_back(std::move(stroke));
 }
 
-/// Where each hand points, in turns.
+/// Makes one dab at each sample, repeating the sequence `times` times.
 void Potter::dabs(const Brush& brush, const std::vector<Hand>& hands, int times)
 {
     std::vector<Hand> inTurns;
@@ -96,7 +96,7 @@ void Potter::rest(const Brush& brush, const Vec3& position, int times)
     stroke(brush, Json(static_cast<std::size_t>(times), Json{{"position", position}}), Json::object());
 }
 
-/// The hand rests, the model turns under it.
+/// Keeps the brush at rest while the model turns.
 void Potter::turned(const Brush& brush, const Hand& hand, const Turn& turn)
 {
     Json samples = Json::array();
@@ -111,7 +111,7 @@ void Potter::drag(const Brush& brush, const std::vector<Vec3>& path)
     stroke(brush, played_strokes::samplesAt(path), {{"spacing", 0.12}});
 }
 
-/// Six crests around, even about the mirror's plane.
+/// Sculpts a wave of six crests around the vase, symmetric about the mirror plane.
 void Potter::wave(const Brush& brush, double height, double amplitude, double degreesPerSecond)
 {
     Json samples = Json::array();
@@ -153,8 +153,8 @@ void Potter::hollow()
         turned({"smooth", 0.2}, fromAbove(radius), {6});
 }
 
-/// The hand rests ahead of the ball's side and draws it on while the model turns away, in one direction and in the
-/// other: half a ring, and the image is the other half.
+/// The brush rests beside the ball and pulls it while the model turns away, once in each direction. This makes half a
+/// ring; its mirror image is the other half.
 void Potter::ring()
 {
     stroke({"pull", 0.13}, {{{"position", {ringRadius, ringHeight, 0}}}}, {{"add", true}});
@@ -166,7 +166,7 @@ void Potter::ring()
             samples.push_back({{"position", hand}, {"direction", back}, {"t", 0.05 * i}});
         stroke({"pull", 0.17, 1.5}, samples, {{"place", "ray"}, {"turntable_deg_per_s", 10 * side}});
     }
-    for (double z : {1.0, -1.0}) { // where the halves met
+    for (double z : {1.0, -1.0}) { // places where the two halves met
         const double joint = ringRadius * z;
         dabs({"smooth", 0.2}, {{{0, far, joint}, down}, {{0, -far, joint}, up}, {{0, ringHeight, far * z}, {0, 0, -z}}},
              2);
