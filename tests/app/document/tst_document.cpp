@@ -28,7 +28,7 @@ using namespace app;
 
 namespace
 {
-/// A document with a ball of clay, and a way to see the mesh's state.
+/// A document with a ball of clay, with access to the mesh on its thread.
 struct Session
 {
     Session()
@@ -37,7 +37,7 @@ struct Session
         wait();
     }
 
-    /// Waits until nothing is under way.
+    /// Waits until no job or step is in progress.
     void wait()
     {
         QTRY_VERIFY_WITH_TIMEOUT(!document.job().isBusy() && document.queue().isSettled(), longestWait);
@@ -52,14 +52,14 @@ struct Session
         return stateHash(worker);
     }
 
-    /// Returns the hash of the faces, wherever they are kept; an open stroke's count, too.
+    /// Returns the hash of the faces, independent of slots. Includes an open stroke.
     std::uint64_t surface()
     {
         settle();
         return ask(worker, [](core::Sculptor& sculptor) { return wholeHash(sculptor.mesh()); });
     }
 
-    /// The whole mesh is in order.
+    /// Checks that the whole mesh is a valid solid.
     void verifyWhole()
     {
         QVERIFY(ask(worker, [](core::Sculptor& sculptor) {
@@ -152,7 +152,7 @@ void TestDocument::undo_rightAfterAStrokeUndoesThatStroke()
     for (int i = 0; i < 20; ++i) {
         session.stroke({50, 0, 0}, core::Tool::Pull, 3);
         QVERIFY(session.document.history().canUndo());
-        session.document.history().undo(); // before anything was reported
+        session.document.history().undo(); // before the mesh thread has reported the stroke
         QCOMPARE(session.state(), start);
         QVERIFY(!session.document.history().canUndo() && session.document.history().canRedo());
     }
@@ -204,7 +204,7 @@ void TestDocument::analysis_isOfThePresentModelOnly()
     analysis->setActive(true);
     QTRY_COMPARE(faces, session.document.modelInfo().faces);
     session.stroke({50, 0, 0});
-    QCOMPARE(faces, 0u); // at once
+    QCOMPARE(faces, 0u); // outdated at once
     session.settle();
     QTRY_COMPARE(faces, session.document.modelInfo().faces);
     QCOMPARE(answers, 2);
@@ -212,7 +212,7 @@ void TestDocument::analysis_isOfThePresentModelOnly()
     session.stroke({0, 50, 0});
     session.settle();
     QTest::qWait(1500);
-    QCOMPARE(answers, 2); // nobody wants to know
+    QCOMPARE(answers, 2); // an inactive analysis does not start again
 }
 
 void TestDocument::undo_duringAStrokeWaitsForItsEnd()
@@ -241,7 +241,7 @@ void TestDocument::stroke_rightAfterUndoComesAfterIt()
     session.document.history().undo();
     session.state();
 
-    // all in one go, nothing reported in between
+    // Three steps in a row, before the mesh thread has reported any.
     session.stroke({50, 0, 0});
     session.document.history().undo();
     session.stroke({0, 0, 50});
@@ -282,8 +282,8 @@ void TestDocument::undoAll_andRedoAllComeBackByState()
     QCOMPARE(session.state(), states.front());
 }
 
-/// Counts steps that were undone, too, and not those that found nothing to change. The file keeps the count, and
-/// another sitting goes on from there.
+/// The count of strokes includes undone ones, but not those that changed nothing. It is saved in the file and continues
+/// after reopening.
 void TestDocument::work_isCountedAndSaved()
 {
     const QTemporaryDir folder;
@@ -314,7 +314,8 @@ void TestDocument::work_isCountedAndSaved()
     session.stroke({50, 0, 0});
     session.wait();
     QCOMPARE(strokes(), 4U);
-    QCOMPARE(session.document.modelInfo().metadata.work->seconds, seconds); // the time between the sittings is none
+    // the time between both sessions does not count
+    QCOMPARE(session.document.modelInfo().metadata.work->seconds, seconds);
 }
 
 void TestDocument::jumps_goThere()
@@ -341,7 +342,7 @@ void TestDocument::stroke_thatDoesNothingIsNoStep()
     QVERIFY(!session.document.savedState().isModified() && !session.document.history().canUndo());
 }
 
-/// A stroke that is taken back leaves the model as it was, and redo is still there.
+/// A stroke that is cancelled leaves the model unchanged and keeps redo available.
 void TestDocument::strokeTakenBack_leavesTheModelAsItWas()
 {
     Session s;
@@ -372,7 +373,7 @@ void TestDocument::strokeTakenBack_leavesTheModelAsItWas()
     s.verifyWhole();
 }
 
-/// Each sample shows the dab that the stroke would be. The stroke is one step, of one dab.
+/// Each sample of an anchored stroke previews the final dab. The stroke becomes one step of one dab.
 void TestDocument::anchoredStroke_showsWhatItLeaves()
 {
     Session s;
@@ -420,7 +421,7 @@ void TestDocument::strokeThatFellShort_isSaidOnce_data()
     core::StrokeSettings brush;
     brush.radius = 12;
     core::StrokeSettings fine = brush, apart = brush, strong = brush, sphere = brush;
-    fine.detail = 0.05; // tens of thousands of edges to split
+    fine.detail = 0.05; // needs tens of thousands of splits
     QTest::newRow("too much work") << fine << QList<core::Vec3>(3, {0, 50, 0}) << Shortfall::Capped;
     apart.tool = core::Tool::Push;
     apart.place = core::Placement::Ray;
@@ -452,7 +453,7 @@ void TestDocument::strokeThatFellShort_isSaidOnce()
         session.document.strokes().addSample(sample);
     }
     session.settle();
-    QVERIFY(noticed.isEmpty()); // not while the hand is at it
+    QVERIFY(noticed.isEmpty()); // no notice while the stroke is open
     session.document.strokes().endStroke();
     session.wait();
     QCOMPARE(noticed.size(), 1);
@@ -460,7 +461,8 @@ void TestDocument::strokeThatFellShort_isSaidOnce()
     session.verifyWhole();
 }
 
-/// The clay has a radius of 50, the brush one of 12.
+/// Sphere tool: an added sphere is one step, or a notice gives the reason why not. The clay has a radius of 50 mm, the
+/// brush one of 12 mm.
 void TestDocument::sphere_isAStepOrAWordWhyNot()
 {
     using core::Shortfall;
@@ -485,7 +487,7 @@ void TestDocument::sphere_isAStepOrAWordWhyNot()
                noticed[0][0].toString() == ui::ErrorMessages::shortfall(why);
     };
     QVERIFY(refuses({0, 0, 0}, Shortfall::Inside));
-    QVERIFY(refuses({0, 45, 0}, Shortfall::TooClose)); // where a pull would have pulled
+    QVERIFY(refuses({0, 45, 0}, Shortfall::TooClose)); // close enough for a pull, but too close to add a sphere
     QVERIFY(refuses({0, 55, 0}, Shortfall::TooClose));
     QVERIFY(refuses({0, 505, 0}, Shortfall::NoRoom));
 
@@ -496,14 +498,14 @@ void TestDocument::sphere_isAStepOrAWordWhyNot()
     QCOMPARE(session.document.history().undoText(), StrokeStep::textOfAdding(false));
     session.verifyWhole();
     const std::uint64_t one = session.state();
-    add({-90, 0, 0}, core::Symmetry::X); // its mirror image would lie in the first
+    add({-90, 0, 0}, core::Symmetry::X); // the mirror image would overlap the first sphere
     QCOMPARE(session.state(), one);
     QCOMPARE(noticed.size(), 1);
     session.document.history().undo();
     QCOMPARE(session.state(), start);
 
     noticed.clear();
-    brush.join = true; // on the surface it becomes part of the model
+    brush.join = true; // on the surface, the sphere is joined to the model
     add({0, 45, 0});
     QVERIFY(noticed.isEmpty() && session.state() != start);
     QCOMPARE(session.document.history().undoText(), StrokeStep::textOfAdding(false));
@@ -551,9 +553,9 @@ void TestDocument::radialStroke_saysWhereTheSectorsAreNotAlike()
         session.wait();
     };
     stroke(2, {30, 0, 40});
-    stroke(3, {30, 0, 40}); // is not promised
+    stroke(3, {30, 0, 40}); // three sectors are never exact, so no notice is due
     QVERIFY(noticed.isEmpty());
-    stroke(2, {3, 50, 0}); // over the axis
+    stroke(2, {3, 50, 0}); // the brush crosses the axis
     QCOMPARE(noticed.size(), 1);
     QCOMPARE(noticed[0][0].toString(), ui::ErrorMessages::sequentialSectors());
 }
@@ -565,7 +567,7 @@ void TestDocument::strokeThatDidAll_isNotTalkedAbout()
     std::mt19937_64 random(7);
     for (int i = 0; i < 20; ++i)
         session.randomStroke(random);
-    session.stroke({0, 500, 0}); // into the air
+    session.stroke({0, 500, 0}); // the stroke misses the model
     session.wait();
     QVERIFY2(noticed.isEmpty(), qPrintable(noticed.isEmpty() ? QString() : noticed[0][0].toString()));
 }
@@ -616,7 +618,7 @@ void TestDocument::spilledDeltas_comeBack()
         if (session.document.history().stack().count() == static_cast<int>(states.size()))
             states.push_back(now);
     }
-    // all but the last, which the next undo needs
+    // All but the last delta, which the next undo needs, are on disk.
     QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 13);
     for (int round = 0; round < 2; ++round) {
         for (std::size_t i = states.size() - 1; i > 0; --i) {
@@ -632,7 +634,7 @@ void TestDocument::spilledDeltas_comeBack()
     session.document.history().goTo(0);
     session.stroke({50, 0, 0});
     session.settle();
-    QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 0); // what was undone is gone
+    QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 0); // deltas of undone steps are removed
 }
 
 void TestDocument::expiry_whenNothingCanBeSpilled()
@@ -649,7 +651,7 @@ void TestDocument::expiry_whenNothingCanBeSpilled()
     QVERIFY(session.document.history().canUndo());
     session.document.history().undo();
     QCOMPARE(session.state(), states[2]);
-    QVERIFY(!session.document.history().canUndo()); // though QUndoStack would
+    QVERIFY(!session.document.history().canUndo()); // QUndoStack still has steps, but their deltas have expired
     QVERIFY(session.document.history().undoText().isEmpty());
     QVERIFY(session.document.history().stack().canUndo());
     session.document.history().undo();
@@ -729,7 +731,7 @@ void TestDocument::openStarter_beginsAnew()
     QVERIFY(session.document.modelInfo().path.isEmpty());
     QVERIFY(!session.document.modelInfo().name.isEmpty());
     QCOMPARE(session.document.modelInfo().faces,
-             2 * session.document.modelInfo().vertices); // Euler: the torus's V - E + F = 0
+             2 * session.document.modelInfo().vertices); // for a torus, V - E + F = 0
 }
 
 void TestDocument::open_refusalLeavesTheDocument_data()
@@ -786,7 +788,7 @@ void TestDocument::open_asksBeforeChangesAreLost()
         ++asked;
         return answer;
     });
-    session.document.opener().openBall(); // nothing to lose
+    session.document.opener().openBall(); // no question, because nothing is unsaved
     session.wait();
     QCOMPARE(asked, 0);
     session.stroke({50, 0, 0});
@@ -833,13 +835,13 @@ void TestDocument::saving_givesTheModelItsFile()
     QVERIFY(core::checkMesh(core::readMesh(path.toStdString())).printReady());
     session.document.history().undo();
     session.settle();
-    QVERIFY(session.document.savedState().isModified()); // the file has the stroke
+    QVERIFY(session.document.savedState().isModified()); // the file contains the undone stroke
     session.document.history().redo();
     session.settle();
     QVERIFY(!session.document.savedState().isModified());
 }
 
-/// A folder that may not be written, a disk that is full: the file and the model stay as they were.
+/// If the folder is not writable or the disk is full, file and model must stay unchanged.
 void TestDocument::savingThatFails_losesNothing_data()
 {
     QTest::addColumn<QString>("path");

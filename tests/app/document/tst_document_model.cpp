@@ -28,7 +28,7 @@ using namespace app;
 
 namespace
 {
-/// What the document keeps its model as.
+/// Returns the path of the file to which the document exports its model as a brush, or an empty text.
 QString exportedBrush(Document& document)
 {
     QSignalSpy kept(&document.saver(), &ModelSaver::brushExported);
@@ -37,7 +37,7 @@ QString exportedBrush(Document& document)
     return kept.isEmpty() ? QString() : kept[0][0].toString();
 }
 
-/// A document with a ball of clay, and a way to see the mesh's state.
+/// A document with a ball of clay and a viewer that receives its patches.
 struct ViewedSession
 {
     ViewedSession()
@@ -47,7 +47,7 @@ struct ViewedSession
         wait();
     }
 
-    /// Until nothing is under way.
+    /// Waits until no job or step is in progress.
     void wait()
     {
         QTRY_VERIFY_WITH_TIMEOUT(!document.job().isBusy() && document.queue().isSettled(), longestWait);
@@ -56,7 +56,7 @@ struct ViewedSession
 
     void settle() { app::settle(worker); }
 
-    /// Of the mesh, as which the viewer sees it, too.
+    /// Returns the hash of the mesh. Checks that the viewer shows the same mesh.
     std::uint64_t state()
     {
         settle();
@@ -93,7 +93,7 @@ struct ViewedSession
 };
 } // namespace
 
-/// Whole-model commands in the document: in the background, in order, as one step each.
+/// Tests commands for the whole model in the document: they run in the background, in order, each as one step.
 class TestDocumentModel : public QObject
 {
     Q_OBJECT
@@ -142,7 +142,7 @@ void TestDocumentModel::command_isOneStep()
     QCOMPARE(session.state(), scaled);
 }
 
-/// Each model has a file of its own, which is what its folder's name says, and which strokes that name it find again.
+/// Each model has a file in a folder named by its fingerprint. Strokes that name the fingerprint find the file again.
 void TestDocumentModel::brush_isKeptAsItIs()
 {
     QDir(BrushExport::folder()).removeRecursively();
@@ -186,7 +186,7 @@ void TestDocumentModel::brush_ofALargeModelHasFewerTriangles()
     QCOMPARE(QFileInfo(kept.path).fileName(), QStringLiteral("large.glb"));
 }
 
-/// A file lies where its folder should be.
+/// A file with the name of the brushes' folder is in the way.
 void TestDocumentModel::brush_withoutAPlaceIsRefused()
 {
     QDir(BrushExport::folder()).removeRecursively();
@@ -236,7 +236,7 @@ void TestDocumentModel::undo_rightAfterACommandUndoesThatCommand()
     ViewedSession session;
     const std::uint64_t start = session.state();
     session.document.changer().apply(core::Mirror{1});
-    session.document.history().undo(); // waits
+    session.document.history().undo(); // waits for the command
     session.wait();
     QCOMPARE(session.state(), start);
     QVERIFY(session.document.history().canRedo());
@@ -299,11 +299,12 @@ void TestDocumentModel::stop_leavesAllAsItIs()
     QCOMPARE(session.state(), before);
     QCOMPARE(session.document.history().stack().count(), 0);
     QVERIFY(refused.isEmpty() && !session.document.savedState().isModified());
-    session.apply(core::Mirror{0}); // and all goes on
+    session.apply(core::Mirror{0}); // later commands work normally
     QCOMPARE(session.document.history().stack().count(), 1);
 }
 
-/// The mesh thread is late: what it has not recorded would not survive the program.
+/// The mesh thread is delayed. A change must be reported only after it has been recorded, because an unrecorded one
+/// would be lost in a crash.
 void TestDocumentModel::change_isToldOnceItIsMade()
 {
     QSemaphore delay;
@@ -311,13 +312,13 @@ void TestDocumentModel::change_isToldOnceItIsMade()
     const auto releaseAtEnd = qScopeGuard([&delay] { delay.release(); });
     QSignalSpy cancellable(&session.document.job(), &BackgroundJob::cancellable),
         noticed(&session.document, &Document::noticed);
-    session.document.changer().apply(core::Scale{2}); // the mesh thread copies
+    session.document.changer().apply(core::Scale{2}); // the mesh thread makes a copy first
     session.worker.post([&delay](core::Sculptor&) { delay.acquire(); });
     QTRY_VERIFY_WITH_TIMEOUT(!cancellable.isEmpty() && !cancellable.last()[0].toBool(), longestWait);
     QVERIFY(!session.document.savedState().isModified() && !session.document.history().canUndo() &&
             session.document.job().isBusy());
     session.stroke({0, 0, 50});
-    session.document.cancelJob(); // too late
+    session.document.cancelJob(); // too late to cancel
     session.document.history().undo();
     delay.release();
     session.wait();
@@ -409,7 +410,8 @@ void TestDocumentModel::insert_brokenIsRepairedAsOneStep()
     QVERIFY(session.document.modelInfo().size.x() > 100 + 29);
     session.document.history().undo();
     QCOMPARE(session.state(), start);
-    core::writeMesh(path.toStdString(), {{{0, 0, 0}, {9, 0, 0}, {0, 9, 0}}, {}, {{0, 1, 2}}}); // encloses nothing
+    // one triangle, which encloses nothing
+    core::writeMesh(path.toStdString(), {{{0, 0, 0}, {9, 0, 0}, {0, 9, 0}}, {}, {{0, 1, 2}}});
     session.document.changer().insert(insertion);
     session.wait();
     QCOMPARE(refused.size(), 1);
@@ -443,7 +445,7 @@ void TestDocumentModel::insert_takesTheUnit()
     session.document.changer().insert(
         {.path = path, .place = core::Insert::Place::Centre, .centre = {80, 0, 0}, .unit = 25.4});
     session.wait();
-    QVERIFY(noticed.isEmpty()); // whoever names a unit is not doubted
+    QVERIFY(noticed.isEmpty()); // an explicit unit is not questioned
     QTRY_VERIFY(std::abs(session.document.modelInfo().box.max().x() - (80 + 12.7)) < 1e-3);
     session.document.history().undo();
     session.document.changer().insert({.path = path, .unit = 1e39});
@@ -486,9 +488,9 @@ void TestDocumentModel::reset_isTheStartAndOneStep()
     const std::uint64_t start = session.state();
     QSignalSpy noticed(&session.document, &Document::noticed);
     session.apply(core::Reset{});
-    QCOMPARE(noticed.size(), 1); // nothing to do, and that is said
+    QCOMPARE(noticed.size(), 1); // a notice reports that there is nothing to reset
     session.stroke({50, 0, 0});
-    session.apply(core::Scale{40}); // on another lattice
+    session.apply(core::Scale{40}); // needs a coarser lattice
     session.stroke({0, 2000, 0});
     const std::uint64_t changed = session.state();
     session.apply(core::Reset{});

@@ -16,7 +16,7 @@ using namespace app;
 
 namespace
 {
-/// A model in a file of its own, open, and the panel on its folder.
+/// An open model in a file of its own, and the file browser showing its folder.
 struct Opened
 {
     Opened()
@@ -44,7 +44,7 @@ struct Opened
                 grid->setCurrentIndex(file);
         grid->setFocus();
     }
-    /// The window comes to the front again.
+    /// Activates the window again.
     void comeBack()
     {
         QEvent event(QEvent::WindowActivate);
@@ -71,7 +71,7 @@ struct Opened
 };
 } // namespace
 
-/// What becomes of the open model when its file is renamed, goes, or is written by others.
+/// Tests the open model when its file is renamed, deleted, or written by another program.
 class TestModelFile : public QObject
 {
     Q_OBJECT
@@ -146,7 +146,7 @@ void TestModelFile::goneFromOutside_isSeen()
     QVERIFY(notice(o.program).contains(QStringLiteral("lion.ply")));
     QVERIFY(o.program.document.savedState().isModified() && o.program.window.isWindowModified());
     answerQuestion(o.program, QMessageBox::Cancel);
-    QVERIFY(!o.program.window.close()); // the model is nowhere else
+    QVERIFY(!o.program.window.close()); // closing is refused, because the model is in no file
 }
 
 void TestModelFile::goneFromOutside_isWrittenAgainAndSaidSo()
@@ -182,7 +182,7 @@ void TestModelFile::changedByAnother_asks()
     o.answer(QMessageBox::DestructiveRole);
     QTRY_COMPARE(Opened::verticesIn(o.path), quint64(642));
     QTRY_VERIFY_WITH_TIMEOUT(!o.program.document.job().isBusy() && !o.question(), longestWait);
-    o.press("file.save"); // now it is its own again
+    o.press("file.save"); // the file is now the program's own version
     QVERIFY(!o.question());
     QTRY_VERIFY_WITH_TIMEOUT(!o.program.document.job().isBusy(), longestWait);
 }
@@ -218,7 +218,7 @@ void TestModelFile::ownWritingIsNotAnothers()
     QTRY_VERIFY_WITH_TIMEOUT(!o.program.document.job().isBusy(), longestWait);
 }
 
-/// Typed into the window, as it comes from the keyboard: names that begin so are offered meanwhile.
+/// Types a file name with real keys while the dialog suggests existing names with the same beginning.
 void TestModelFile::aTypedNameWinsOverTheSuggestedOne()
 {
     Opened o;
@@ -234,7 +234,7 @@ void TestModelFile::aTypedNameWinsOverTheSuggestedOne()
     auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
     QTRY_VERIFY(name->hasFocus());
     QTRY_COMPARE(dialog->selectedFiles(),
-                 QStringList{o.folder.filePath(QStringLiteral("lion.glb"))}); // the suggestion is a file that is there
+                 QStringList{o.folder.filePath(QStringLiteral("lion.glb"))}); // the suggested file exists
     for (const char letter : {'t', 'i', 'g', 'e', 'r'}) {
         QTest::keyClick(dialog->windowHandle(), letter);
         QTRY_VERIFY(name->text().endsWith(QLatin1Char(letter)));

@@ -34,7 +34,8 @@ std::set<Corner> cornersOf(const core::TriangleMesh& mesh)
     return corners;
 }
 
-/// A ball with coordinates that are whole multiples of 2^-10 mm, which files and lattices hold wherever it lies here.
+/// Returns a ball with coordinates in multiples of 2^-10 mm, which files and lattices store exactly at all places used
+/// here.
 core::TriangleMesh ballAt(const Vec3& place)
 {
     core::TriangleMesh ball = core::icosphere(4, radius);
@@ -73,7 +74,7 @@ struct PlacedSession
         wait();
     }
 
-    /// Raises the ball's top in z.
+    /// Raises the top of the ball in z.
     void stroke()
     {
         core::StrokeSettings settings;
@@ -110,7 +111,8 @@ struct PlacedSession
 };
 } // namespace
 
-/// The place that a model's file gives it: files written later have it, too, wherever the document shows the model.
+/// Tests that files written later keep the coordinates of the model's file, although the document shows the model at
+/// the origin.
 class TestModelPlace : public QObject
 {
     Q_OBJECT
@@ -152,7 +154,7 @@ void TestModelPlace::saved_liesWhereItLay_data()
     }
 }
 
-/// Vertices that the stroke has not touched have the file's own coordinates, bit for bit.
+/// Vertices that the stroke did not touch must keep the file's coordinates, bit for bit.
 void TestModelPlace::saved_liesWhereItLay()
 {
     QFETCH(QString, ending);
@@ -193,7 +195,7 @@ void TestModelPlace::exported_liesWhereItLay()
     }
 }
 
-/// A document of our own is what it was, its place included.
+/// A Fettle document is restored exactly, including its place.
 void TestModelPlace::reopened_isTheSame()
 {
     for (const Vec3& place : {Vec3(60, 0, 0), Vec3(125, 105, 15)}) {
@@ -209,7 +211,7 @@ void TestModelPlace::reopened_isTheSame()
     }
 }
 
-/// Two parts of one assembly stand as far apart as their files have them.
+/// Two parts of an assembly keep the distance that their files give.
 void TestModelPlace::inserted_liesWhereItsFileHasIt()
 {
     for (const double away : {60, 5000}) {
@@ -224,7 +226,7 @@ void TestModelPlace::inserted_liesWhereItsFileHasIt()
     }
 }
 
-/// The centre is the window's, where the present model is seen at the origin.
+/// The given centre is in the window's coordinates, where the current model is at the origin.
 void TestModelPlace::inserted_atACentreOfTheWindow()
 {
     const double away = 5000;
@@ -268,7 +270,7 @@ void TestModelPlace::anotherUnit_movesThePlace()
     QVERIFY((boxIn(file(QStringLiteral("inches.stl"))).center() - 25.4 * Vec3(60, 0, -8)).norm() < 0.01);
 }
 
-/// A model that has to be repaired lies where its file has it, also far from the origin.
+/// A repaired model keeps the coordinates of its file, even far from the origin.
 void TestModelPlace::repaired_liesWhereItLay()
 {
     for (const Vec3& place : {Vec3(60, 0, 0), Vec3(500, 0, 0)}) {

@@ -17,7 +17,7 @@ using namespace app;
 
 namespace
 {
-/// A model that takes long to open, and two that do not.
+/// Files of a model that takes long to open, and of two that open quickly.
 struct Files
 {
     Files()
@@ -37,7 +37,7 @@ bool dropFile(Program& program, const QString& path)
     return drop(program.window, {QUrl::fromLocalFile(path)});
 }
 
-/// Until the document is at rest with the model of that file; no other came before it.
+/// Waits until the document is idle. Checks that the model of this file is open and that no other was opened before it.
 void expectOnly(Program& program, const QSignalSpy& opened, const QString& path)
 {
     QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, longestWait);
@@ -47,7 +47,7 @@ void expectOnly(Program& program, const QSignalSpy& opened, const QString& path)
     QCOMPARE(program.document.modelInfo().path, path);
 }
 
-/// The question whether a broken model is to be repaired, or none.
+/// Returns the open question whether to repair a broken model, or null.
 QDialog* repairQuestion(const Program& program)
 {
     return program.window.findChild<QDialog*>(QStringLiteral("mendDialog"));
@@ -65,7 +65,7 @@ void writeCrossingBalls(const QString& path)
                     shapes::together(core::icosphere(2, 10), shapes::moved(core::icosphere(2, 10), {9, 0, 0})));
 }
 
-/// How often the person was asked about changes.
+/// Counts the questions about unsaved changes, and answers them.
 struct Asked
 {
     Asked(Program& program, bool mayLose)
@@ -79,7 +79,7 @@ struct Asked
 };
 } // namespace
 
-/// What becomes of a file that is chosen while something else goes on.
+/// Tests a file that is chosen while something else is in progress.
 class TestOpening : public QObject
 {
     Q_OBJECT
@@ -102,7 +102,7 @@ private Q_SLOTS:
     void aBrokenModelIsRepairedAndInserted();
 };
 
-/// Begins as the program does: the ball comes while the page is there. It goes for the next model.
+/// The ball opens behind the start page, as at program start. The page closes when another model opens.
 void TestOpening::theStartPageStandsOverTheFirstModel()
 {
     Program program;
@@ -171,7 +171,7 @@ void TestOpening::aStarterWins()
     expectOnly(program, opened, {});
 }
 
-/// Asks that who let the changes go for the first file need not do so again for the second.
+/// A user who has discarded changes for one file is not asked again for the next one.
 void TestOpening::changesAreAskedForOnce()
 {
     const Files files;
@@ -223,7 +223,7 @@ void TestOpening::whoWillNotLoseThemKeepsTheModel()
             program.document.history().canUndo());
 }
 
-/// What is being written is written; then the file that was chosen opens.
+/// A save in progress is completed before the chosen file opens.
 void TestOpening::afterSaving()
 {
     const Files files;
@@ -298,7 +298,7 @@ void TestOpening::aBrokenModelIsRepaired()
         QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, longestWait);
         QVERIFY(repairReport(program).contains(QStringLiteral("Intersections resolved")));
         QVERIFY(program.document.modelInfo().path.isEmpty());
-        QVERIFY(program.document.savedState().isModified()); // the file has it broken
+        QVERIFY(program.document.savedState().isModified()); // the repaired model differs from the file
         QVERIFY(std::abs(program.document.modelInfo().size.x() - 29) < 0.1);
     } else {
         QTest::qWait(200);
@@ -307,7 +307,7 @@ void TestOpening::aBrokenModelIsRepaired()
     QVERIFY(refused.isEmpty());
 }
 
-/// The faces of a ball, each on its own: its surface can only be made anew, and only if the person wants that.
+/// The faces of the ball are separate, so the surface can only be rebuilt. This requires the user's consent.
 void TestOpening::aRepairThatLosesMuchIsAsked()
 {
     const QTemporaryDir folder;
@@ -334,7 +334,7 @@ void TestOpening::aRepairThatLosesMuchIsAsked()
     QVERIFY(repairReport(program).contains(QStringLiteral("rebuilt")));
 }
 
-/// Who let the changes go for a file need not do so again for its repair, but does for another file.
+/// A user who has discarded changes for a file is not asked again for its repair, but is asked for another file.
 void TestOpening::aRepairAsksNoSecondTime()
 {
     const Files files;
@@ -355,12 +355,13 @@ void TestOpening::aRepairAsksNoSecondTime()
     program.document.history().undo();
     program.document.history().redo();
     QTRY_VERIFY(program.document.queue().isSettled());
-    ask(); // the changes were made since
+    ask(); // the undo and redo count as new changes
     QCOMPARE(asked.times, 2);
     QTest::keyClick(repairQuestion(program), Qt::Key_Return);
     QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, longestWait);
     QCOMPARE(asked.times, 2);
-    QCOMPARE(ui::Settings().recentFiles().value(0), broken); // though no file holds the repaired one
+    // the file is listed although the repaired model is not saved
+    QCOMPARE(ui::Settings().recentFiles().value(0), broken);
     QVERIFY(program.document.modelInfo().path.isEmpty());
     program.document.opener().open(files.small);
     QTRY_COMPARE_WITH_TIMEOUT(asked.times, 3, longestWait);

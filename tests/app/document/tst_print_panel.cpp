@@ -1,4 +1,4 @@
-// The print check in the real window: what it finds, shows and forgets; and the commands that belong to it.
+// Tests the print check in the real window: what it finds, shows and discards, and the commands that belong to it.
 
 #include "tests/support/clay.h"
 #include "tests/support/program_driver.h"
@@ -28,7 +28,7 @@ using namespace app;
 
 namespace
 {
-/// The window with a model from a file, active.
+/// Opens a model from a file and activates the window.
 void open(Program& program, const core::TriangleMesh& mesh, const QTemporaryDir& folder)
 {
     const QString path = folder.filePath(QStringLiteral("model.stl"));
@@ -36,7 +36,7 @@ void open(Program& program, const core::TriangleMesh& mesh, const QTemporaryDir&
     openFile(program, path);
 }
 
-/// A plate of half a millimetre beside a cube.
+/// Returns a cube and a plate of 0.5 mm.
 core::TriangleMesh plateAndCube()
 {
     return shapes::together(shapes::moved(shapes::cube(20), {-40, -10, -10}), clay::slab(30, 0.5, 6));
@@ -71,7 +71,7 @@ void check(Program& program)
     QTRY_VERIFY(isAnswered(program));
 }
 
-/// Pixels of the picture that are blue or orange, as clay never is.
+/// Returns the number of blue or orange pixels, colours that clay never has.
 int shadedPixels(Program& program)
 {
     const QImage picture = program.window.viewport()->grabFramebuffer();
@@ -140,17 +140,17 @@ void TestPrintPanelWindow::places_areFlownTo()
     QTest::keyClick(list, Qt::Key_Return);
     QTRY_VERIFY((program.window.viewport()->camera().target() - before).norm() > 1);
     const ui::OrbitCamera& camera = program.window.viewport()->camera();
-    const double plate = program.document.modelInfo().box.max().x() - 15; // the middle of the plate
+    const double plate = program.document.modelInfo().box.max().x() - 15; // x of the plate's centre
     QTRY_VERIFY(std::abs(camera.target().x() - plate) < 15.1 && std::abs(camera.viewDirection().y()) > 0.9);
-    QTest::qWait(800); // it has arrived
+    QTest::qWait(800); // waits until the camera has arrived
     const core::Vec3 eye = camera.eye();
     QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
                       list->visualItemRect(rowWith(program, QStringLiteral("Fits"))).center());
     QTest::qWait(500);
-    QCOMPARE(camera.eye(), eye); // that is no place
+    QCOMPARE(camera.eye(), eye); // this finding has no place
 }
 
-/// An overhang is not seen in the colours of thickness. Who wants no colours gets none.
+/// Choosing an overhang changes the colours from thickness to overhang, unless the user has switched colours off.
 void TestPrintPanelWindow::places_bringTheirColours()
 {
     Program program;
@@ -166,7 +166,7 @@ void TestPrintPanelWindow::places_bringTheirColours()
     QCOMPARE(colours->currentText(), QStringLiteral("Thickness"));
     choosePlace();
     QTRY_COMPARE(colours->currentText(), QStringLiteral("Overhang"));
-    QTest::qWait(500); // evaluated again
+    QTest::qWait(500); // waits until the findings have been evaluated again
     QVERIFY(list->currentItem()->text().contains(QStringLiteral("up to ")));
     colours->setCurrentIndex(0);
     QTRY_COMPARE(shadedPixels(program), 0);
@@ -186,11 +186,11 @@ void TestPrintPanelWindow::changes_outdateIt()
     QTRY_VERIFY(!isAnswered(program));
     QVERIFY(verdict(program) != known);
     QTRY_COMPARE(shadedPixels(program), 0);
-    QTRY_VERIFY(isAnswered(program)); // by itself, when it rests
+    QTRY_VERIFY(isAnswered(program)); // starts by itself when the model is at rest
     QTRY_VERIFY(shadedPixels(program) > 1000);
 }
 
-/// Asks that the answer stays, as the model is the same.
+/// Saving does not change the model, so the findings remain.
 void TestPrintPanelWindow::saving_keepsIt()
 {
     Program program;
@@ -303,7 +303,7 @@ void TestPrintPanelWindow::base_isFlattenedAndPlaced()
     QTRY_VERIFY(std::abs(program.document.modelInfo().box.min().y() + 30) < 0.01);
 }
 
-/// Home frames the model, but not where a control goes to its first entry by it.
+/// The Home key frames the model, except when a focused control uses it to go to its first entry.
 void TestPrintPanelWindow::home_isTheControlsThatHasTheFocus()
 {
     Program program;
@@ -314,7 +314,7 @@ void TestPrintPanelWindow::home_isTheControlsThatHasTheFocus()
     program.window.viewport()->setFocus();
     program.window.viewport()->navigation()->flyTo({0, 30, 0}, {0, 1, 0}, 5);
     QTRY_VERIFY((camera.eye() - framed).norm() > 10);
-    QTest::qWait(800); // it has arrived
+    QTest::qWait(800); // waits until the camera has arrived
     const core::Vec3 near = camera.eye();
     auto* printer = part<QComboBox>(program, "print.printer");
     printer->setCurrentIndex(3);

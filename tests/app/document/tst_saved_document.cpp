@@ -29,7 +29,7 @@ MeshState stateOf(Program& program)
     });
 }
 
-/// A ball with a stroke, saved in the dialog under a name without an ending.
+/// Sculpts a ball and saves it in the dialog under a name without an ending.
 void saveNew(Program& program, const QString& path)
 {
     sculptBall(program);
@@ -39,7 +39,7 @@ void saveNew(Program& program, const QString& path)
 }
 } // namespace
 
-/// What a saved file brings back.
+/// Tests what a saved file restores.
 class TestSavedDocument : public QObject
 {
     Q_OBJECT
@@ -68,9 +68,10 @@ void TestSavedDocument::reopened_isTheSame()
     const QString path = m_folder.filePath(QStringLiteral("head.glb"));
     Program program;
     sculptBall(program);
-    program.document.changer().apply(core::RemeshUniformly{9}); // another uniform detail than an import would give it
+    // sets a uniform detail different from the one that an import would choose
+    program.document.changer().apply(core::RemeshUniformly{9});
     QTRY_COMPARE(program.document.history().stack().count(), 2);
-    program.document.changer().apply(core::Move{{10, 0, 3}}); // an import would take it back
+    program.document.changer().apply(core::Move{{10, 0, 3}}); // an import would undo this move
     QTRY_COMPARE(program.document.history().stack().count(), 3);
     ui::BrushSettings& brush = *program.window.brush();
     brush.set(&core::StrokeSettings::symmetry, core::Symmetry::Z);
@@ -90,7 +91,7 @@ void TestSavedDocument::reopened_isTheSame()
     auto* references = program.window.findChild<ui::ReferenceImages*>();
     references->choose(ui::OrbitCamera::Side::Left, m_folder.filePath(QStringLiteral("head.png")), {});
     QTRY_VERIFY(!references->saved().empty());
-    QVERIFY(program.document.savedState().isModified()); // it would be lost
+    QVERIFY(program.document.savedState().isModified()); // an unsaved reference image counts as a change
     program.document.saver().save(path);
     QTRY_VERIFY(!program.document.savedState().isModified() && !program.document.job().isBusy());
     const MeshState saved = stateOf(program);
@@ -128,7 +129,7 @@ void TestSavedDocument::reopened_isTheSame()
     QVERIFY(program.document.savedState().isModified() && program.window.isWindowModified());
 }
 
-/// Each time it is laid out anew, and saved by another hand.
+/// Each reopening sorts the slots again, and the file is saved again by a different path.
 void TestSavedDocument::oftenReopened_isStillTheSame()
 {
     const QString path = m_folder.filePath(QStringLiteral("often.glb"));
@@ -155,7 +156,7 @@ void TestSavedDocument::formatThatHoldsLess_isToldOnce()
     QTRY_VERIFY(program.document.modelInfo().path == path && !program.document.job().isBusy());
     drag(program.window.viewport(), {40, 20});
     QTRY_COMPARE(program.document.history().stack().count(), 1);
-    QTest::keyClick(&program.window, Qt::Key_S, Qt::ControlModifier); // to the same file, in its format
+    QTest::keyClick(&program.window, Qt::Key_S, Qt::ControlModifier); // saves to the same file, in its format
     QTRY_VERIFY(!program.document.savedState().isModified() && !program.document.job().isBusy());
     QVERIFY2(notice(program).contains(QStringLiteral("GLB")), qPrintable(notice(program)));
     QCOMPARE(core::readMesh(path.toStdString()).points.size(), program.document.modelInfo().vertices);

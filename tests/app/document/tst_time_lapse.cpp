@@ -34,7 +34,7 @@ QByteArray contentOf(const QString& path)
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-/// The window with a ball that has some strokes.
+/// The window with a ball and a number of strokes.
 struct Studio
 {
     explicit Studio(int strokes)
@@ -70,7 +70,7 @@ struct Studio
         return stateHash(program.worker);
     }
 
-    /// As the menu does it; small, so that it is fast. Stopped as soon as there is a picture, if that is wanted.
+    /// Draws the time lapse as the menu command does, with small pictures. `stops`: cancels after the first picture.
     TimeLapseOutcome draw(const QString& folder, int every = 1, bool stops = false)
     {
         TimeLapseOutcome outcome;
@@ -125,7 +125,7 @@ void TestTimeLapse::itHasAPictureOfEachState()
     const bool isModified = s.program.document.savedState().isModified();
     const TimeLapseOutcome outcome = s.draw(whole.path());
     QCOMPARE(outcome.problem, QString());
-    QCOMPARE(outcome.frames, 6); // the start and five strokes; what is taken back is not shown
+    QCOMPARE(outcome.frames, 6); // the start and five strokes; undone steps are not shown
     QCOMPARE(filesIn(whole.path()), TimeLapse::frameNames(0, 5, 1));
     QSet<QByteArray> pictures;
     for (const QString& name : filesIn(whole.path())) {
@@ -135,13 +135,13 @@ void TestTimeLapse::itHasAPictureOfEachState()
         QVERIFY(image.pixel(48, 27) != image.pixel(0, 0));
         pictures << contentOf(whole.filePath(name));
     }
-    QCOMPARE(pictures.size(), 6); // each stroke is seen
+    QCOMPARE(pictures.size(), 6); // every stroke changes the picture
     QCOMPARE(s.state(), state);
     QCOMPARE(s.program.document.history().stack().index(), 5);
     QCOMPARE(s.program.document.history().stack().count(), 6);
     QCOMPARE(s.program.document.savedState().isModified(), isModified);
 
-    s.program.document.history().goTo(2); // what the model was then, and not what it came to be
+    s.program.document.history().goTo(2); // a model of an earlier state is drawn up to that state only
     s.rest();
     QCOMPARE(s.draw(part.path()).frames, 3);
     for (const QString& name : filesIn(part.path()))
@@ -244,7 +244,7 @@ void TestTimeLapse::handsRestMeanwhile()
         [&isDone] { isDone = true; }));
     QVERIFY(!visitHistory(s.program.document, {}, {}, {}));
     QTRY_VERIFY(!s.program.worker.strokes().beginStroke(Source::Headset, {}));
-    s.program.document.history().undo(); // waits
+    s.program.document.history().undo(); // waits for the time lapse
     QCOMPARE(s.program.document.history().stack().index(), 3);
     mayGoOn = true;
     QTRY_VERIFY_WITH_TIMEOUT(isDone, longestWait);
@@ -290,17 +290,17 @@ void TestTimeLapse::byTheCommandLine()
         return program.waitForFinished(-1) && program.exitStatus() == QProcess::NormalExit ? program.exitCode() : -1;
     };
     const QString frames = folder.filePath(QStringLiteral("frames"));
-    QCOMPARE(run({QStringLiteral("--frames"), frames}), 2); // it is not there
+    QCOMPARE(run({QStringLiteral("--frames"), frames}), 2); // the folder does not exist
     QVERIFY(QDir().mkdir(frames));
     QCOMPARE(run({QStringLiteral("--frames"), frames, QStringLiteral("--every"), QStringLiteral("0")}), 2);
     QCOMPARE(run({QStringLiteral("--every"), QStringLiteral("2")}), 2);
     QCOMPARE(filesIn(frames), QStringList());
     QCOMPARE(run({QStringLiteral("--frames"), frames}), 0);
-    QCOMPARE(filesIn(frames), TimeLapse::frameNames(0, 3, 1)); // what changed nothing has none
+    QCOMPARE(filesIn(frames), TimeLapse::frameNames(0, 3, 1)); // entries that changed nothing have no picture
     for (const QString& name : filesIn(frames))
         QCOMPARE(QImage(QDir(frames).filePath(name)).size(), QSize(1280, 720));
     const QByteArray first = contentOf(QDir(frames).filePath(QStringLiteral("frame-0001.png")));
-    QCOMPARE(run({QStringLiteral("--frames"), frames}), 2); // they are there already
+    QCOMPARE(run({QStringLiteral("--frames"), frames}), 2); // the pictures exist already
     QCOMPARE(contentOf(QDir(frames).filePath(QStringLiteral("frame-0001.png"))), first);
 }
 

@@ -33,14 +33,14 @@ using namespace app;
 
 namespace
 {
-/// The program with a ball of clay, and strokes that need no mouse.
+/// The program with a ball of clay, and strokes made without a mouse.
 struct TimelineFixture
 {
     TimelineFixture()
     {
         program.window.resize(1200, 800);
         program.window.show();
-        program.document.opener().setDiscardPrompt({}); // nobody is asked
+        program.document.opener().setDiscardPrompt({}); // no questions about unsaved changes
         program.document.opener().openBall();
         rest();
     }
@@ -52,7 +52,7 @@ struct TimelineFixture
                                  longestWait);
     }
 
-    /// What the mesh is, slots and free lists too.
+    /// Returns the hash of the mesh including slot numbers and free lists, or 0 if the mesh is not valid.
     std::uint64_t state()
     {
         rest();
@@ -65,7 +65,7 @@ struct TimelineFixture
     void stroke(const core::Stroke& stroke)
     {
         program.document.strokes().beginStroke(stroke.settings);
-        for (const core::StrokeSample& sample : stroke.samples) // so few that none is dropped
+        for (const core::StrokeSample& sample : stroke.samples) // few enough that no sample is dropped
             program.document.strokes().addSample(sample);
         program.document.strokes().endStroke();
         rest();
@@ -89,7 +89,7 @@ struct TimelineFixture
         edit()->trigger();
         QTRY_VERIFY_WITH_TIMEOUT(bar() && bar()->isVisible(), longestWait);
     }
-    /// As if it were typed.
+    /// Sets a value as if it were typed.
     void set(const char* box, double value)
     {
         bar()->findChild<QDoubleSpinBox*>(QLatin1StringView(box))->setValue(value);
@@ -118,7 +118,7 @@ core::StrokeSample sampleAt(const core::Vec3& position)
     return sample;
 }
 
-/// A few dabs over the front of the ball.
+/// Returns a stroke of a few dabs across the front of the ball.
 core::Stroke across(core::Tool tool = core::Tool::Pull)
 {
     core::Stroke stroke;
@@ -176,7 +176,7 @@ void TestTimeline::scrub_eachStateIsWhatItWasWhenItWasMade()
     QCOMPARE(slider->minimum(), 0);
     for (int i = 0; i < byEffort(8, 25); ++i) {
         int wanted = 0;
-        for (int burst = 0; burst < 4; ++burst) { // a drag that does not wait
+        for (int burst = 0; burst < 4; ++burst) { // a drag through several states without waiting
             wanted = static_cast<int>(random() % states.size());
             slider->setValue(wanted);
             if (burst % 2 == 1)
@@ -212,7 +212,7 @@ void TestTimeline::scrub_keysGoByOneAndPlayToTheEnd()
     QTest::mouseClick(play, Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(fixture.index() == 3 && !play->isChecked(), longestWait);
     QSignalSpy moved(&fixture.program.document.history().stack(), &QUndoStack::indexChanged);
-    QTest::mouseClick(play, Qt::LeftButton); // from the first
+    QTest::mouseClick(play, Qt::LeftButton); // starts from the first state
     QTRY_VERIFY_WITH_TIMEOUT(fixture.index() == 3 && !play->isChecked() && moved.size() >= 4, longestWait);
     QCOMPARE(fixture.state(), last);
 }
@@ -271,7 +271,8 @@ void TestTimeline::edit_isAsIfTheStrokeHadBeenDoneSo()
     const std::uint64_t edited = fixture.state();
     QCOMPARE(fixture.count(), 2);
     QCOMPARE(fixture.index(), 2);
-    QCOMPARE(fixture.program.document.modelInfo().metadata.work->strokes, strokes); // it was one, and is one
+    // the edited stroke still counts as one
+    QCOMPARE(fixture.program.document.modelInfo().metadata.work->strokes, strokes);
     fixture.program.document.history().undo();
     QCOMPARE(fixture.state(), before);
     fixture.program.document.history().redo();
@@ -345,14 +346,14 @@ void TestTimeline::edit_manyChangesEndAtTheNewest()
     QCOMPARE(edited, other.state());
 }
 
-/// What was wanted is done before it.
+/// Pending edits are applied before the next stroke.
 void TestTimeline::edit_theNextStrokeEndsIt()
 {
     TimelineFixture fixture;
     fixture.stroke(across());
     fixture.beginEdit();
     fixture.set("radius.box", 11);
-    fixture.set("radius.box", 14); // not begun yet
+    fixture.set("radius.box", 14); // not applied yet
     Q_EMIT fixture.program.window.viewport()->input()->strokeBegan(across(core::Tool::Push).settings);
     for (const core::StrokeSample& sample : across().samples)
         Q_EMIT fixture.program.window.viewport()->input()->strokeSampled(sample);
@@ -422,7 +423,7 @@ void TestTimeline::edit_onlyOfAStrokeThatIsTheLastStep()
     fixture.rest();
     fixture.program.document.changer().apply(core::Fill{{1, 2, 3}});
     fixture.rest();
-    QVERIFY(!fixture.edit()->isEnabled()); // as many steps as before, of another model
+    QVERIFY(!fixture.edit()->isEnabled()); // another model with the same number of steps
 }
 
 void TestTimeline::edit_offersTheToolsThatTheBrushOffers()
@@ -432,16 +433,16 @@ void TestTimeline::edit_offersTheToolsThatTheBrushOffers()
     fixture.program.window.brush()->offerTools({core::Tool::Pull, core::Tool::Smooth});
     fixture.beginEdit();
     auto* tools = fixture.bar()->findChild<QComboBox*>();
-    QCOMPARE(tools->count(), 3); // and its own
+    QCOMPARE(tools->count(), 3); // two offered tools, and the tool of the stroke
     QCOMPARE(tools->currentData().toInt(), static_cast<int>(core::Tool::Clay));
     fixture.choose(core::Tool::Smooth);
     fixture.press("keepStroke");
     QVERIFY(fixture.program.document.history().stack().text(0) == fixture.program.document.history().undoText());
     QCOMPARE(fixture.program.document.lastStroke().step()->report.tool, core::Tool::Smooth);
-    QCOMPARE(fixture.program.window.brush()->tool(), core::Tool::Pull); // the hand's own is not touched
+    QCOMPARE(fixture.program.window.brush()->tool(), core::Tool::Pull); // the current tool of the brush is unchanged
 }
 
-/// What a class's archive would keep of the turn, played anew.
+/// The record that a class would keep of the turn must replay to the edited model.
 void TestTimeline::edit_theRecordIsOfWhatIsThere()
 {
     TimelineFixture fixture;

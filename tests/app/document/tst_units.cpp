@@ -1,4 +1,4 @@
-// Models without a unit in the real window: the doubt, and what becomes of it.
+// Tests models without a unit in the real window: the question about the unit, and the effect of its answers.
 
 #include "tests/support/program_driver.h"
 #include "tests/support/shapes.h"
@@ -21,7 +21,7 @@ using namespace app;
 
 namespace
 {
-/// With its buffer inside.
+/// Writes a glTF with an embedded buffer.
 void writeGltf(const QString& path, const core::TriangleMesh& mesh)
 {
     constexpr qsizetype jsonAt = 20, chunkHead = 8;
@@ -53,7 +53,7 @@ private Q_SLOTS:
     void knownUnits_areNotDoubted();
 
 private:
-    /// Of a cube of that side, as the window opens it.
+    /// Writes a cube with this side length and opens it in the window.
     void open(Program& program, const char* name, float side)
     {
         const QString path = m_folder->filePath(QLatin1StringView(name));

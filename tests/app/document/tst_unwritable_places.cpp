@@ -30,7 +30,7 @@ QByteArray read(const QString& path)
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-/// A folder with a model, which can be damaged and repaired.
+/// A folder with a model. The folder can be made unwritable and writable again.
 class Place
 {
 public:
@@ -77,7 +77,7 @@ private:
     QTemporaryDir m_own;
 };
 
-/// The model of that place with a stroke more than its file, and the place spoilt.
+/// A model with an unsaved stroke, whose folder then becomes unwritable.
 struct Spoilt
 {
     Spoilt(const places::SmallDisk& disk, Fault fault) : place(disk, fault)
@@ -101,7 +101,7 @@ struct Spoilt
     }
     std::uint64_t state() { return stateHash(program.worker); }
     QMessageBox* problem() const { return program.window.findChild<QMessageBox*>(QStringLiteral("problem")); }
-    /// What a person would see of it all, for the message of a check that waited in vain.
+    /// Returns a description of the visible state, for the message of a check that timed out.
     QString seen()
     {
         QString all = program.document.job().isBusy() ? QStringLiteral("busy") : QStringLiteral("idle");
@@ -126,14 +126,14 @@ struct Spoilt
             return !problem();
         };
         QTRY_VERIFY2(isAnswered(),
-                     qPrintable(seen())); // on a busy machine a press on a box that has just been shown may be lost
+                     qPrintable(seen())); // repeated, because a busy machine may lose a press on a new dialog
     }
     void verifySaved()
     {
         QTRY_VERIFY2(!program.document.savedState().isModified() && !program.document.job().isBusy(),
                      qPrintable(seen()));
     }
-    /// The panel with the place's folder.
+    /// Opens the folder in the file browser.
     void browse()
     {
         press("file.browse");
@@ -143,7 +143,8 @@ struct Spoilt
         grid->setCurrentIndex(grid->model()->index(0, 0));
     }
     void press(const char* id) { program.window.action(QLatin1StringView(id))->trigger(); }
-    /// One sentence about that file; what was there is there, whole, and nothing else; the model is as it was.
+    /// Checks that one sentence reports the file, that the folder's files are complete and unchanged, and that the
+    /// model is unchanged.
     void verifyRefused(const QString& name)
     {
         QTRY_VERIFY(problem() && problem()->isVisible() && !program.document.job().isBusy());
@@ -160,14 +161,15 @@ struct Spoilt
     }
 
     Place place;
-    Program program{Program::anyView}; // the small disk holds the strokes that the large view makes
+    // without a size limit, because strokes made in a small view would not fit the small disk
+    Program program{Program::anyView};
     QByteArray bytes;
     QStringList files;
     std::uint64_t hash = 0;
 };
 } // namespace
 
-/// Full disks, and folders and files that are closed to us.
+/// Tests full disks, and folders and files without write permission.
 class TestUnwritablePlaces : public QObject
 {
     Q_OBJECT
@@ -232,7 +234,7 @@ void TestUnwritablePlaces::failedFiles_mayGoElsewhere_data()
     QTest::newRow("export") << QByteArray("file.exportAs") << QByteArray("exportDialog");
 }
 
-/// The dialog comes back with the name, and begins the next time where the last file was written.
+/// The dialog opens again with the file name. Next time it starts in the folder of the last successful save.
 void TestUnwritablePlaces::failedFiles_mayGoElsewhere()
 {
     QFETCH(QByteArray, command);
@@ -270,7 +272,7 @@ void TestUnwritablePlaces::closing_staysWhenItsSaveFails()
     s.verifyRefused(QStringLiteral("lion.ply"));
     QVERIFY(s.program.window.isVisible());
     s.place.repair();
-    s.press("file.save"); // this time nobody asked to close
+    s.press("file.save"); // saving does not close the window this time
     s.verifySaved();
     QVERIFY(s.program.window.isVisible());
 }
@@ -308,7 +310,7 @@ void TestUnwritablePlaces::exports_areWholeOrNotThere()
     s.verifyRefused(name);
 }
 
-/// Onto the model's own file, as the person agrees to.
+/// Exports over the model's own file, which the user confirms.
 void TestUnwritablePlaces::reducedExport_leavesTheOldFile()
 {
     QFETCH(Fault, fault);

@@ -39,7 +39,7 @@ void TestWorkTimer::oneStroke_takesNoTime()
     QVERIFY((work == core::WorkDone{1, 0}));
 }
 
-/// Of the same model, on another day: the night between does not count.
+/// Reopening the model the next day continues its time without counting the night.
 void TestWorkTimer::anotherSitting_goesOnCounting()
 {
     WorkTimer clock;
