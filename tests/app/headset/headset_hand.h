@@ -17,14 +17,14 @@
 #include <future>
 #include <map>
 
-/// What a person does in the headset, by the scripted runtime: frames go one by one, so that a run is the same every
-/// time.
+/// User actions in the headset, simulated with the scripted runtime. Frames advance one at a time, so that runs are
+/// reproducible.
 namespace app
 {
 class HeadsetHand
 {
 public:
-    /// Pixels of an eye: where nobody looks at them, and where somebody does.
+    /// Pixels of an eye's picture: for tests that do not look at it, and for tests that do.
     static constexpr QSize few{54, 60}, enough{216, 240};
 
     explicit HeadsetHand(Program& program, const QSize& pixels = few) : m_program(program)
@@ -35,11 +35,11 @@ public:
             entrance, &Headset::avatarChanged, entrance,
             [this](const std::optional<vr::AvatarState>& presence) { m_seen = presence.value_or(m_seen); });
     }
-    ~HeadsetHand() { m_headset.step("{'pace': 'fast'}"); } // a test that has failed comes to an end, too
+    ~HeadsetHand() { m_headset.step("{'pace': 'fast'}"); } // lets the session end after a failed test
 
     static inline const vr::Pose head{Eigen::Quaterniond::Identity(), {0, 1.6, 0}};
 
-    /// Another headset, with so many pixels an eye. Wands point straight ahead.
+    /// Loads a new script with `size` pixels per eye. The controllers point straight ahead.
     void load(const QSize& size)
     {
         const QByteArray script =
@@ -52,7 +52,7 @@ public:
     }
     ScriptedHeadset& headset() { return m_headset; }
 
-    /// Steps into the headset, and looks about: wands are at rest, before the body.
+    /// Enters VR and waits until the model is in front of the user. The controllers are at rest in front of the body.
     void enter()
     {
         put(vr::Side::Left, {-0.3, 1.1, -0.3});
@@ -60,7 +60,7 @@ public:
         m_framesBefore = framesEnded();
         m_program.window.action(QStringLiteral("vr.enter"))->trigger();
         QTRY_VERIFY_WITH_TIMEOUT(m_headset.report()["is_running"].toBool(), longestWait);
-        frames(8); // the focus comes with the fourth
+        frames(8); // the session gets the focus with the fourth frame
         placeModelAgain();
     }
     void leave()
@@ -68,7 +68,8 @@ public:
         m_program.window.action(QStringLiteral("vr.enter"))->trigger();
         waitUntilOut();
     }
-    /// A runtime that steps gives frames only when asked, and a session ends in frames.
+    /// Waits until the session has ended. A session ends within frames, so the runtime must run without steps
+    /// meanwhile.
     void waitUntilOut()
     {
         m_headset.step("{'pace': 'fast'}");
@@ -79,10 +80,10 @@ public:
 
     bool isIn() const { return m_headset.report()["is_running"].toBool(); }
 
-    /// What those at the window were told last.
+    /// Returns the state that the window received last.
     const vr::AvatarState& seen() const { return m_seen; }
 
-    /// What the mesh thread says, once it has done what came before.
+    /// Returns the answer of the mesh thread after all its earlier jobs.
     template <class Ask> auto ask(const Ask& what)
     {
         std::promise<decltype(what(std::declval<core::Sculptor&>()))> answer;
@@ -90,7 +91,7 @@ public:
         return answer.get_future().get();
     }
 
-    /// Between two frames the window does what it has to do, and the engine what it was given.
+    /// Advances frames. Between two frames, the window processes its events and the engine its jobs.
     void frames(int count = 1)
     {
         for (int i = 0; i < count; ++i) {
@@ -99,10 +100,10 @@ public:
                 meetEngine();
         }
     }
-    /// Meanwhile the window does nothing, as if it waited for something.
+    /// Stops the window from processing events between frames, as if it were blocked.
     void setStalled(bool isStalled) { m_isStalled = isStalled; }
     void frame() { frames(1); }
-    /// Until all that hands asked for has been done.
+    /// Waits until all requested actions are done.
     void settle()
     {
         frames(isIn() ? 2 : 0);
@@ -111,7 +112,7 @@ public:
         frames(isIn() ? 2 : 0);
     }
 
-    /// The tip of that wand, in the room, and where it points.
+    /// Places the tip of a controller in the room and sets its pointing direction.
     void put(vr::Side side, const core::Vec3& tip, const core::Vec3& direction = -core::Vec3::UnitZ(), int over = 0)
     {
         const Eigen::Quaterniond turn = core::rotationBetween(-core::Vec3::UnitZ(), direction);
@@ -127,7 +128,7 @@ public:
     {
         apply({{nameOf(side), QJsonObject{{QLatin1StringView(input), value}}}});
     }
-    /// For so many frames, and one let go.
+    /// Presses a button for `count` frames, then releases it for one.
     void press(vr::Side side, const char* input, int count = 2)
     {
         set(side, input, 1);
@@ -135,10 +136,10 @@ public:
         set(side, input, 0);
         frame();
     }
-    /// What must be held is held for so many frames where those are slow.
+    /// Frame rate during long presses, and the number of such slow frames that count as a long press.
     static constexpr int slowHertz = 20, longPress = static_cast<int>(vr::holdSeconds * slowHertz) + 4;
     void setSlow(bool isSlow) { m_headset.step(isSlow ? "{'hz': 20}" : "{'hz': 90}"); }
-    /// Down for longer than must be held.
+    /// Presses a button long enough for a long press.
     void hold(vr::Side side, const char* input)
     {
         setSlow(true);
@@ -168,13 +169,13 @@ public:
         frames(2);
     }
 
-    /// The model was placed before the person anew.
+    /// Computes the placement again, after the model was placed in front of the user.
     void placeModelAgain()
     {
         m_room = vr::ModelPlacement(m_program.document.modelInfo().box);
         m_room.place(head);
     }
-    /// A place of the document where the person sees it, as long as hands have not moved the model.
+    /// Returns the position in the room of a document point. Valid until the model is moved by hand.
     core::Vec3 place(const core::Vec3& point) const { return m_room.toRoom(point); }
     const vr::ModelPlacement& room() const { return m_room; }
     void hover(const core::Vec3& point)
@@ -182,7 +183,7 @@ public:
         put(vr::Side::Right, place(point));
         frames(2);
     }
-    /// The trigger down, from there to there. Document space.
+    /// Presses the trigger and moves the brush from one point to another. Units: document space.
     void begin(const core::Vec3& from, const core::Vec3& to, int steps = 12, double trigger = 1)
     {
         put(vr::Side::Right, place(from));
@@ -205,7 +206,8 @@ public:
         settle();
     }
 
-    /// Where a panel stands; `layout` is its own. One ahead stands where it opened, until forgetPanels().
+    /// Returns the pose of a panel in the room. Panels in front of the user keep their opening pose until
+    /// forgetPanels().
     vr::Pose placeOf(const vr::PanelLayout& layout)
     {
         const vr::Side carrier = layout.kind == vr::PanelKind::Tools ? other(sculpting()) : sculpting();
@@ -221,13 +223,13 @@ public:
         return m_ahead.emplace(layout.kind, place).first->second;
     }
     void forgetPanels() { m_ahead.clear(); }
-    /// Opens it by its button on the tools, whose place it takes.
+    /// Opens a panel by its button on the tool panel, whose place it takes.
     void openFromTools(const vr::ToolPanel& tools, vr::PanelKind kind)
     {
         click(tools, vr::ShowPanel{kind});
         m_tools = placeOf(vr::layoutOf(tools));
     }
-    /// The middle of an item, or of what a slider is to be set to. Room space.
+    /// Returns the centre of an item, or the point of a slider for the requested value. Units: room space.
     core::Vec3 placeOf(const vr::PanelLayout& layout, const vr::PanelAction& item)
     {
         const vr::PanelItem* part = layout.itemFor(item);
@@ -239,7 +241,8 @@ public:
         point -= QPointF(layout.size.width(), layout.size.height()) / 2;
         return placeOf(layout) * (core::Vec3(point.x(), -point.y(), 0) * layout.distance / 1000);
     }
-    /// The other hand's wand before that item of a panel at a hand, the sculpting one's before one that stands ahead.
+    /// Points a controller at an item and returns the controller. A panel held by one hand is pointed at by the other;
+    /// other panels by the sculpting hand.
     vr::Side pointAt(const vr::PanelContent& content, const vr::PanelAction& item)
     {
         const vr::PanelLayout layout = vr::layoutOf(content);
@@ -256,8 +259,8 @@ public:
         press(pointAt(content, item), "trigger", count);
         settle();
     }
-    /// Panels are painted on another thread: an item is there when it is. Clicks until that has happened which the
-    /// click is for.
+    /// Clicks an item until `happened` returns true. Repeats, because panels are painted on another thread and may not
+    /// be ready.
     template <class Happened>
     bool choose(const vr::PanelContent& content, const vr::PanelAction& item, const Happened& happened, int count = 2)
     {
@@ -272,7 +275,7 @@ public:
         return happened();
     }
 
-    /// Panels are painted on another thread, and appear when they are.
+    /// Waits for panels, which are painted on another thread.
     void waitForPanels()
     {
         for (int i = 0; i < 20; ++i) {
@@ -289,7 +292,7 @@ public:
     }
 
 private:
-    static constexpr double reach = 0.1; ///< metres from which a wand points at a panel
+    static constexpr double reach = 0.1; ///< distance from which a controller points at a panel, metres
 
     int framesEnded() const { return m_headset.report()["frames_ended"].toInt(); }
     static vr::Side sculpting() { return HeadsetSettingsStore().load().wands.sculpting; }
@@ -302,8 +305,8 @@ private:
     {
         m_headset.step(QJsonDocument(step).toJson(QJsonDocument::Compact).constData());
     }
-    /// Panels are painted on another thread, and until one is there a trigger before it sculpts: the brush goes when
-    /// its wand points at a panel.
+    /// Waits until the brush is hidden, which happens when its controller points at a visible panel. Until then a
+    /// trigger press would sculpt.
     void waitUntilBrushIsAway()
     {
         for (int i = 0; i < 200 && m_seen.brush && !m_isStalled; ++i) {
@@ -319,12 +322,12 @@ private:
 
     Program& m_program;
     ScriptedHeadset m_headset;
-    std::array<vr::Pose, vr::sideCount> m_grips; ///< by Side
-    std::map<vr::PanelKind, vr::Pose> m_ahead;   ///< panels
-    std::optional<vr::Pose> m_tools;             ///< whose place was taken
+    std::array<vr::Pose, vr::sideCount> m_grips; ///< index: Side
+    std::map<vr::PanelKind, vr::Pose> m_ahead;   ///< poses of panels in front of the user
+    std::optional<vr::Pose> m_tools;             ///< last pose of the tool panel
     vr::ModelPlacement m_room;
     vr::AvatarState m_seen;
     bool m_isStalled = false;
-    int m_framesBefore = 0; ///< the visit
+    int m_framesBefore = 0; ///< frames before the current visit
 };
 } // namespace app

@@ -12,17 +12,18 @@
 
 namespace app
 {
-/// A ball of 100 mm from a file, at the desktop, and a headset that lies beside it.
+/// The window with a ball of 100 mm from a file. The headset is ready, but not in use.
 struct HeadsetFixture
 {
-    /// `pixels`: of an eye.
+    /// `pixels`: size of an eye's picture.
     explicit HeadsetFixture(const vr::HeadsetSettings& settings = {}, const QSize& pixels = HeadsetHand::few)
         : hand(program, pixels)
     {
         QSettings().clear();
         HeadsetSettingsStore().save(settings);
         core::writeMesh(path("clay.glb").toStdU16String(), core::icosphere(4, 50));
-        program.window.viewport()->setMaximumSize(viewSize); // each frame of the headset moves a ghost there
+        // small, because each frame of the headset repaints its avatar in the window
+        program.window.viewport()->setMaximumSize(viewSize);
         openFile(program, path("clay.glb"), {640, 480});
         startHash = hash();
     }
@@ -43,9 +44,9 @@ struct HeadsetFixture
     }
     core::StrokeSettings brush() const { return program.window.brush()->stroke(); }
     void trigger(const char* action) { program.window.action(QLatin1StringView(action))->trigger(); }
-    /// Changes on the undo stack that are done.
+    /// Returns the number of changes on the undo stack that are not undone.
     int changes() { return program.document.history().stack().index(); }
-    /// As it was opened.
+    /// Returns whether the model is as it was opened.
     bool isUntouched() { return hash() == startHash && !program.document.savedState().isModified(); }
 
     Program program;
@@ -58,7 +59,7 @@ private:
     QTemporaryDir m_folder;
 };
 
-/// The same, and a person in the headset before the ball.
+/// A HeadsetFixture whose user is in VR, in front of the ball.
 struct Visit : HeadsetFixture
 {
     explicit Visit(const vr::HeadsetSettings& settings = {}, const QSize& pixels = HeadsetHand::few)
@@ -69,11 +70,11 @@ struct Visit : HeadsetFixture
 
     Eigen::Affine3d model() const { return hand.seen().model; }
     double scale() const { return model().linear().col(0).norm(); }
-    /// Out of the surface at the top.
+    /// Pulls the surface out at the top.
     void pull(double trigger = 1) { hand.stroke({0, 49, 0}, {0, 54, 0}, 8, trigger); }
 };
 
-/// The same, and nobody at the window: it is not painted, which is half of what a frame costs.
+/// A Visit without painting of the window, which saves half of the time of a frame.
 struct Alone : Visit
 {
     explicit Alone(const vr::HeadsetSettings& settings = {}, const QSize& pixels = HeadsetHand::few)
@@ -83,13 +84,13 @@ struct Alone : Visit
     }
 };
 
-/// What the left eye sees.
+/// The left eye's picture and the head's pose.
 struct Look
 {
     QImage picture;
     vr::Pose head;
 
-    /// Where a place of the room is on the picture.
+    /// Returns the pixel of a point in the room.
     QPoint at(const core::Vec3& place) const
     {
         const core::Vec3 own = head.inverse() * place - core::Vec3(-0.032, 0, 0);
@@ -97,15 +98,15 @@ struct Look
         const double x = (own.x() / -own.z() - left) / (right - left), y = (top - own.y() / -own.z()) / (top - bottom);
         return {static_cast<int>(x * picture.width()), static_cast<int>(y * picture.height())};
     }
-    /// Between two corners, those of a panel's part.
+    /// Returns the part of the picture between two points in the room.
     QImage between(const core::Vec3& a, const core::Vec3& b) const
     {
         return picture.copy(QRect(at(a), at(b)).normalized());
     }
 };
 
-/// Metres from the eye along its axis, of a pixel of an eye's picture of depth ("left_depth"), between planes at these
-/// distances.
+/// Returns the distance in metres along the viewing axis for a pixel of a depth picture ("left_depth") with these
+/// clipping planes.
 inline double distanceAt(const QImage& depth, const QPoint& at, double nearest = 0.03, double farthest = 60)
 {
     const QColor color = depth.pixelColor(at);
@@ -113,7 +114,7 @@ inline double distanceAt(const QImage& depth, const QPoint& at, double nearest =
     return nearest * farthest / (farthest - share * (farthest - nearest));
 }
 
-/// The pulses of a run that feel like that.
+/// Returns the number of haptic pulses with the frequency of this feeling.
 inline int pulsesOf(HeadsetHand& hand, vr::Side side, const vr::HapticInput& feeling)
 {
     std::array<vr::HapticInput, vr::sideCount> hands;

@@ -26,12 +26,12 @@ QByteArray bytesOf(const QString& path)
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-/// The program with a model of a file, and somebody in the headset.
+/// The program with a model from a file, and a user in the headset.
 struct ControllerVisit
 {
     explicit ControllerVisit(const QString& path)
     {
-        program.window.viewport()->setMaximumSize(240, 180); // nobody looks at it
+        program.window.viewport()->setMaximumSize(240, 180); // small, because no test looks at it
         program.window.resize(640, 480);
         program.window.show();
         if (path.isEmpty())
@@ -71,7 +71,7 @@ struct ControllerVisit
 
     std::uint64_t hash() { return meshHash(program.worker); }
 
-    /// Vertices.
+    /// Returns the number of masked vertices.
     std::size_t masked()
     {
         return ask(program.worker, [](core::Sculptor& sculptor) {
@@ -238,7 +238,7 @@ void TestHeadsetControllerRequests::open_lettingChangesGo()
     QVERIFY(!visit.program.document.savedState().isModified());
     QVERIFY(visit.update().model > model);
     QVERIFY(visit.update().box.sizes().isApprox(core::Vec3(40, 40, 40), 0.1));
-    visit.request(vr::OpenModel{at("vase.glb")}); // there is nothing to lose
+    visit.request(vr::OpenModel{at("vase.glb")}); // no question, because nothing is unsaved
     QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.modelInfo().path, at("vase.glb"), longestWait);
     visit.stroke({50, 0, 0});
 }
@@ -253,7 +253,7 @@ void TestHeadsetControllerRequests::open_wouldLoseChanges()
     sample.position = {50, 0, 0};
     visit.port->addSample(sample);
     visit.port->endStroke();
-    visit.request(vr::OpenModel{at("cup.stl")}); // right after the stroke
+    visit.request(vr::OpenModel{at("cup.stl")}); // immediately after the stroke
     QTRY_COMPARE_WITH_TIMEOUT(noticed.size(), 1, longestWait);
     QVERIFY(visit.update().notice.contains(QStringLiteral("cup.stl")));
     QCOMPARE(visit.program.document.modelInfo().path, at("vase.glb"));
@@ -314,7 +314,7 @@ void TestHeadsetControllerRequests::class_hasItsToolsAndNoFiles()
     other.brush.tool = core::Tool::Stamp;
     visit.request(other);
     QVERIFY(visit.update().brushChange > told &&
-            visit.update().brush.tool == core::Tool::Clay); // it hears which there is
+            visit.update().brush.tool == core::Tool::Clay); // the headset is told the tool that is in use
     other.brush.tool = core::Tool::Pull;
     visit.request(other);
     QCOMPARE(visit.program.window.brush()->stroke().tool, core::Tool::Pull);
@@ -333,7 +333,7 @@ void TestHeadsetControllerRequests::restore_isUndoable()
     QCOMPARE(visit.hash(), changed);
 }
 
-/// Each a step; that there is nothing to clear is told in the headset, too.
+/// Each mask command is one step. The headset, too, is told if there is nothing to clear.
 void TestHeadsetControllerRequests::mask_isInvertedAndCleared()
 {
     using How = core::MaskOperation::Kind;
@@ -404,7 +404,7 @@ void TestHeadsetControllerRequests::brush_fromTheWindow()
     ControllerVisit visit(at("vase.glb"));
     ui::BrushSettings& brush = *visit.program.window.brush();
     const quint64 changes = visit.update().brushChange;
-    brush.scaleRadius(0.9); // the headset has its own
+    brush.scaleRadius(0.9); // radius changes of the window do not affect the headset
     QCOMPARE(visit.update().brushChange, changes);
     brush.setTool(core::Tool::Smooth);
     brush.set(&core::StrokeSettings::symmetry, core::Symmetry::Z);
@@ -488,7 +488,7 @@ void TestHeadsetControllerRequests::avatar_isSeen()
     QVERIFY(!all[1]);
 }
 
-/// The last requests and strokes of a visit are done; then another visit.
+/// The last requests and strokes of a visit are carried out. Then a second visit is possible.
 void TestHeadsetControllerRequests::close_doesWhatWasRequested()
 {
     ControllerVisit visit(at("vase.glb"));
@@ -510,7 +510,7 @@ void TestHeadsetControllerRequests::close_doesWhatWasRequested()
     QVERIFY(visit.port->takePatch()->whole);
 }
 
-/// Each time anew, and a window that closes meanwhile waits for the end.
+/// Each failed attempt reports the error. A window closed meanwhile waits for the attempt to end.
 void TestHeadsetControllerRequests::headset_thatIsNotThereSaysSo()
 {
     qputenv("XR_RUNTIME_JSON", at("none.json").toLocal8Bit());

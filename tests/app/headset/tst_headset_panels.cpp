@@ -1,5 +1,5 @@
-// Each item of the panels in the headset, pressed with a wand that points at it, and looked at in the document and in
-// the window.
+// Tests each item of the headset's panels: a controller presses it, and the document and the window must show the
+// effect.
 #include "tests/app/headset/headset_visit.h"
 #include "tests/support/test_main.h"
 #include "tests/vr/vr_test.h"
@@ -23,7 +23,7 @@ namespace
 {
 constexpr int longPress = HeadsetHand::longPress;
 
-/// The left wand's panel, as far as its places go: where what is depends on its switches only.
+/// Returns the left controller's tool panel. Positions of its items depend only on these switches.
 vr::ToolPanel tools()
 {
     vr::ToolPanel panel;
@@ -31,7 +31,7 @@ vr::ToolPanel tools()
     return panel;
 }
 
-/// With the tool panel open, which is held up beside the model, and painted.
+/// An Alone with the tool panel open and painted, held beside the model.
 struct AtTools : Alone
 {
     explicit AtTools(const vr::HeadsetSettings& settings = {}, const QSize& pixels = HeadsetHand::few)
@@ -43,16 +43,16 @@ struct AtTools : Alone
         for (const core::Tool tool : {core::Tool::Flatten, core::Tool::Pull})
             isOpen = choose(tool, [&] { return brush().tool == tool; });
     }
-    /// Clicks until it has happened.
+    /// Clicks the item until `happened` returns true.
     template <class Happened> bool choose(const vr::PanelAction& item, const Happened& happened, int count = 2)
     {
         return hand.choose(tools(), item, happened, count);
     }
-    /// Opens the panel, which takes the tools' place.
+    /// Opens a panel in place of the tool panel.
     void open(PanelKind kind) { hand.openFromTools(tools(), kind); }
     vr::HeadsetSettings settings() const { return HeadsetSettingsStore().load(); }
 
-    /// What the person sees who turns to that place of the room, and back.
+    /// Returns the view of a user who turns to a place in the room, then turns back.
     Look lookAt(const Vec3& place)
     {
         const Vec3 way = place - hand.head.position;
@@ -72,7 +72,7 @@ struct AtTools : Alone
         hand.put(Side::Right, {0.5, 1.1, -0.1});
         hand.waitForPanels();
     }
-    /// Of a panel that stands ahead: what is seen of an area of it.
+    /// Returns the visible area of a panel in front of the user.
     QImage areaOf(const vr::PanelLayout& layout, const QRectF& area)
     {
         putWandsAside();
@@ -146,7 +146,8 @@ void TestHeadsetPanels::tools_chooseTheBrush()
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 
-/// A trigger adds one ball, where it is pulled, although the hand goes on. At the surface it becomes part of the model.
+/// A trigger pull adds one ball where it begins, even if the controller moves on. A ball at the surface is joined to
+/// the model.
 void TestHeadsetPanels::tools_addABall()
 {
     AtTools v;
@@ -160,7 +161,7 @@ void TestHeadsetPanels::tools_addABall()
     const core::MeshReport joined =
         v.hand.ask([](core::Sculptor& sculptor) { return core::checkMesh(core::extractMesh(sculptor.mesh())); });
     QVERIFY(joined.components == 1 && joined.genus == 0);
-    v.hand.stroke({0, top - 1, 0}, {0, top + 4, 0}); // pulls again
+    v.hand.stroke({0, top - 1, 0}, {0, top + 4, 0}); // the trigger pulls again
     QCOMPARE(v.changes(), 2);
     QVERIFY(v.box().max().y() > top + 0.5);
     QCOMPARE(v.hand.headset().complaints(), QString());
@@ -187,7 +188,7 @@ void TestHeadsetPanels::tools_undoRedoAndRestore()
     QVERIFY(v.isUntouched());
     QVERIFY(v.choose(PanelCommand::Redo, [&] { return v.changes() == 1; }));
     QCOMPARE(v.hash(), pulled);
-    v.hand.click(tools(), PanelCommand::RestoreModel); // not held
+    v.hand.click(tools(), PanelCommand::RestoreModel); // must be held, not clicked
     QCOMPARE(v.hash(), pulled);
     v.hand.setSlow(true);
     QVERIFY(v.choose(
@@ -198,7 +199,7 @@ void TestHeadsetPanels::tools_undoRedoAndRestore()
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 
-/// The head, which has gone elsewhere, is the room's middle again, and the model before it.
+/// Recentring makes the head's current position the middle of the room again and places the model in front of it.
 void TestHeadsetPanels::tools_recentre()
 {
     AtTools v;
@@ -230,12 +231,12 @@ void TestHeadsetPanels::tools_leave()
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 
-/// With either brush, also where the panel stands before the clay, on an item, between items, and where the trigger
-/// stays pulled while the wand goes on into the clay.
+/// Pressing panel items must not sculpt: with either brush, with the panel in front of the clay, between items, and
+/// while a pulled trigger moves into the clay.
 void TestHeadsetPanels::presses_neverSculpt()
 {
     AtTools v;
-    v.hand.put(Side::Left, {0.05, 1.15, -0.25}); // before the ball
+    v.hand.put(Side::Left, {0.05, 1.15, -0.25}); // in front of the ball
     v.hand.settle();
     for (const core::BrushShape shape : {core::BrushShape::Sphere, core::BrushShape::Ray}) {
         v.hand.click(tools(), shape);
@@ -262,7 +263,7 @@ void TestHeadsetPanels::presses_neverSculpt()
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 
-/// A panel behind what is sculpted does not take the trigger.
+/// A panel behind the surface must not take the trigger.
 void TestHeadsetPanels::brushInTheClay_sculptsBeforeAPanel()
 {
     AtTools v;
@@ -277,7 +278,7 @@ void TestHeadsetPanels::brushInTheClay_sculptsBeforeAPanel()
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 
-/// Each has a ray of its own. Before the title, where nothing else is blue.
+/// Each controller shows its own ray. The test looks in front of the panel's title, where nothing else is blue.
 void TestHeadsetPanels::bothWands_pointAtAPanel()
 {
     AtTools v({}, HeadsetHand::enough);
@@ -327,13 +328,13 @@ void TestHeadsetPanels::colors_bySwatchSliderAndChannel()
     v.hand.click(panel(), vr::ChooseChannel{2});
     v.hand.slide(Side::Right, {0, v.brush().color.b > 128 ? -1.0 : 1.0});
     v.hand.settle();
-    QVERIFY(v.brush().color.b != swatch.b); // the thumb sets that one now
+    QVERIFY(v.brush().color.b != swatch.b); // the slide changes the chosen channel
     QCOMPARE(v.brush().color.r, swatch.r);
     QVERIFY(v.isUntouched());
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 
-/// What the files panel shows of the visit's folder.
+/// Returns the content of the files panel for the folder of the visit.
 vr::FilesPanel filesOf(const HeadsetFixture& fixture)
 {
     HeadsetFiles files;
@@ -348,7 +349,7 @@ void TestHeadsetPanels::files_open()
 {
     AtTools v;
     core::writeMesh(v.path("other.stl").toStdU16String(), core::icosphere(3, 20));
-    QTest::qWait(600); // the folder is watched
+    QTest::qWait(600); // gives the folder watcher time to notice
     v.open(PanelKind::Files);
     vr::FilesPanel panel = filesOf(v);
     QCOMPARE(panel.files.size(), 2);
@@ -383,7 +384,7 @@ void TestHeadsetPanels::files_openLosingChanges()
         v.hand.click(panel, vr::ChooseFile{other});
         panel.chosen = other;
         v.hand.waitForPanels();
-        v.hand.click(panel, vr::OpenFile{other, true}); // not held
+        v.hand.click(panel, vr::OpenFile{other, true}); // must be held, not clicked
         QCOMPARE(v.hash(), pulled);
         v.hand.setSlow(true);
         v.hand.click(panel, vr::OpenFile{other, true}, longPress);
@@ -395,7 +396,7 @@ void TestHeadsetPanels::files_openLosingChanges()
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 
-/// The panel then says the file's name.
+/// The panel shows the file name after saving.
 void TestHeadsetPanels::files_save()
 {
     AtTools v({}, {432, 480});
@@ -454,7 +455,7 @@ void TestHeadsetPanels::settings_general()
     QVERIFY2(std::abs(yaw() - turned - 60) < 8, qPrintable(QString::number(yaw() - turned)));
     QVERIFY(v.isUntouched());
     v.hand.leave();
-    v.hand.enter(); // it is kept
+    v.hand.enter(); // settings persist
     v.hand.settle();
     QVERIFY(std::abs((v.model().translation() - before).y() - v.settings().heightOffset) < 1e-3);
     QCOMPARE(v.hand.headset().complaints(), QString());
@@ -479,11 +480,11 @@ void TestHeadsetPanels::settings_swapHands()
 
     v.hand.put(Side::Left, {-0.5, 1.1, -0.2});
     v.hand.put(Side::Right, {0.3, 1.15, -0.2});
-    v.hand.press(Side::Right, "menu"); // the tools go with the other hand, in the settings' stead
+    v.hand.press(Side::Right, "menu"); // the tool panel is now on the other hand, and replaces the settings
     QVERIFY(v.choose(core::Tool::Paint, [&] { return v.brush().tool == core::Tool::Paint; }));
     v.hand.press(Side::Right, "menu");
     v.hand.put(Side::Left, {-0.35, 1.25, -0.3});
-    v.hand.press(Side::Left, "menu"); // so do the colours
+    v.hand.press(Side::Left, "menu"); // the colours have swapped hands, too
     const vr::ColorPanel colors{v.brush().color, 0, v.program.window.findChild<ui::ColorPanel*>()->swatches()};
     const core::Rgb swatch = colors.swatches.at(3);
     QVERIFY(v.brush().color != swatch);
@@ -515,15 +516,15 @@ void TestHeadsetPanels::settings_vibration()
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 
-/// The panel comes and goes, and counts the frames that are lost.
+/// The performance panel can be shown and hidden, and counts lost frames.
 void TestHeadsetPanels::settings_performance()
 {
     AtTools v({}, HeadsetHand::enough);
     v.open(PanelKind::Settings);
-    v.hand.setSlow(true); // the numbers change twice a second
+    v.hand.setSlow(true); // the numbers are updated twice per second
     const auto panel = [&] { return vr::SettingsPanel::of(v.settings(), vr::SettingsPage::General); };
     const vr::PanelLayout layout = layoutOf(vr::PerformancePanel());
-    const QRectF line = layout.items.back().area; // a pixel of the line above, which changes, may reach into it
+    const QRectF line = layout.items.back().area; // the changing line above may reach into the first pixels
     const QRectF lost = line.adjusted(0, line.height() / 3, 0, 0);
     const auto* number = std::get_if<vr::TextLook>(&layout.items.back().look);
     QVERIFY(number && number->text == QStringLiteral("0"));

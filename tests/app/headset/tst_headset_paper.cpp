@@ -1,4 +1,5 @@
-// Each button of the preset Paper (section 4.1 of the paper), pressed in the headset and looked at in the document.
+// Tests each button of the preset Paper (section 4.1 of the paper): it is pressed in the headset and the document must
+// show the effect.
 #include "tests/app/headset/headset_visit.h"
 #include "tests/support/test_main.h"
 #include "tests/vr/vr_test.h"
@@ -14,9 +15,9 @@ using vr::Side;
 
 namespace
 {
-constexpr QSize large{432, 480}; ///< pixels of an eye, where something small is looked at
+constexpr QSize large{432, 480}; ///< pixels of an eye, for tests of small details
 
-/// Degrees about the vertical, anticlockwise from above.
+/// Returns the rotation about the vertical axis in degrees, counter-clockwise from above.
 double yawOf(const Eigen::Affine3d& model)
 {
     const Vec3 x = model.linear().col(0);
@@ -67,11 +68,11 @@ void TestHeadsetPaper::turns(double x, int sign)
     v.hand.settle();
     const double turned = yawOf(v.model()) - before;
     QVERIFY2(sign * turned > 15 && sign * turned < 25,
-             qPrintable(QString::number(turned))); // a third of a second at 60 degrees a second
+             qPrintable(QString::number(turned))); // a third of a second at 60 degrees per second
     QVERIFY(v.isUntouched());
 }
 
-/// In uniform topology a small brush leaves the edges as they are.
+/// A small brush does not refine the mesh in uniform topology.
 void TestHeadsetPaper::togglesTopology(double y)
 {
     Alone v;
@@ -93,7 +94,7 @@ void TestHeadsetPaper::togglesTopology(double y)
     QVERIFY(v.program.document.modelInfo().vertices > vertices + 100);
 }
 
-/// The brush stays as large as it is in the room.
+/// Scaling the model keeps the size of the brush in the room.
 void TestHeadsetPaper::scalesTheModel(Visit& v, Side side)
 {
     const double before = v.scale(), radius = v.hand.seen().brush.value().radius;
@@ -117,7 +118,7 @@ void TestHeadsetPaper::leftMenu_showsTheToolsWhichThePadScrolls()
 {
     using core::Tool;
     Alone v;
-    v.hand.pressPad(Side::Left, 0.8, 0); // without the menu it turns the model
+    v.hand.pressPad(Side::Left, 0.8, 0); // without the menu the pad turns the model
     v.hand.settle();
     QCOMPARE(v.brush().tool, Tool::Pull);
     v.hand.press(Side::Left, "menu");
@@ -160,7 +161,7 @@ void TestHeadsetPaper::leftSideHeld_saves()
 {
     Alone v;
     v.pull();
-    v.hand.press(Side::Left, "squeeze", 20); // by accident
+    v.hand.press(Side::Left, "squeeze", 20); // too short for a long press
     v.hand.settle();
     QCOMPARE(v.files(), QStringList{QStringLiteral("clay.glb")});
     v.hand.hold(Side::Left, "squeeze");
@@ -183,7 +184,7 @@ void TestHeadsetPaper::rightPadTop_togglesTheBrush()
     QTRY_COMPARE_WITH_TIMEOUT(v.brush().brush, core::BrushShape::Ray, longestWait);
     v.hand.put(Side::Right, v.hand.place({0, 0, 90}));
     v.hand.frame();
-    v.hand.press(Side::Right, "trigger", 10); // from afar
+    v.hand.press(Side::Right, "trigger", 10); // far from the model
     v.hand.settle();
     QVERIFY(v.box().max().z() > 50.2);
     v.hand.pressPad(Side::Right, 0, 0.8);
@@ -217,7 +218,7 @@ void TestHeadsetPaper::rightPadLeftAndRight_undoAndRedo()
     v.hand.settle();
     QCOMPARE(v.program.document.history().stack().index(), 1);
     QCOMPARE(v.hash(), pulled);
-    v.program.window.action(QStringLiteral("edit.undo"))->trigger(); // at the desktop it is the same step
+    v.program.window.action(QStringLiteral("edit.undo"))->trigger(); // the window shares the undo step
     v.hand.settle();
     QCOMPARE(v.hash(), v.startHash);
 }
@@ -284,7 +285,8 @@ void TestHeadsetPaper::rightTrigger_pulledBeforeTheSurfaceWaitsForIt_data()
                     << radii << steps << symmetry;
 }
 
-/// A hand in the air presses early. Nothing is refused, and what would have been too close to be added is not missed.
+/// A trigger pulled early, away from the surface, waits for it. Nothing is refused, and no ball is reported as too
+/// close.
 void TestHeadsetPaper::rightTrigger_pulledBeforeTheSurfaceWaitsForIt()
 {
     QFETCH(double, before);
@@ -309,7 +311,7 @@ void TestHeadsetPaper::rightSideHeld_restoresAndThatCanBeUndone()
     Alone v;
     v.pull();
     const std::uint64_t pulled = v.hash();
-    v.hand.press(Side::Right, "squeeze", 20); // by accident
+    v.hand.press(Side::Right, "squeeze", 20); // too short for a long press
     v.hand.settle();
     QCOMPARE(v.hash(), pulled);
     v.hand.hold(Side::Right, "squeeze");
@@ -362,7 +364,7 @@ void TestHeadsetPaper::handsMaySwap()
     v.hand.settle();
 }
 
-/// At the wand, and empties when that is let go.
+/// A ring at the controller fills during a long press and empties after release.
 void TestHeadsetPaper::whatIsHeld_fillsARing()
 {
     Alone v({}, large);
@@ -377,7 +379,7 @@ void TestHeadsetPaper::whatIsHeld_fillsARing()
     v.hand.setSlow(true);
     for (const Side side : {Side::Left, Side::Right}) {
         v.hand.put(side, {side == Side::Left ? -0.3 : 0.3, 1.5, -0.5});
-        v.hand.frames(20); // labels are there
+        v.hand.frames(20); // waits for the labels
         const int none = amber();
         v.hand.set(side, "squeeze", 1);
         v.hand.frames(5);
@@ -394,7 +396,8 @@ void TestHeadsetPaper::whatIsHeld_fillsARing()
     QCOMPARE(v.files(), QStringList{QStringLiteral("clay.glb")});
 }
 
-/// Undo, of which there is nothing, at a wand that stays where it is, 36 degrees aside.
+/// The label of Undo fades after use, although there is nothing to undo. It returns when the user looks at the
+/// controller, 36 degrees aside.
 void TestHeadsetPaper::labels_fadeOnceUsedAndComeBackWhenLookedAt()
 {
     Alone v({}, large);

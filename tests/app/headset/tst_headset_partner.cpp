@@ -1,5 +1,5 @@
-// Two people and one model: who wears the headset, and who stands at the desktop.
-// FETTLE_HEADSET_PICTURES=<folder> keeps what the left eye saw, and the window.
+// Tests two users at one model: one in the headset, one at the desktop.
+// FETTLE_HEADSET_PICTURES=<folder> saves the pictures of the left eye and of the window.
 #include "tests/app/headset/headset_visit.h"
 #include "tests/support/test_main.h"
 #include "tests/vr/vr_test.h"
@@ -49,7 +49,7 @@ int countLight(const QImage& picture)
     return count;
 }
 
-/// A visit, and somebody at the desktop.
+/// A visit with a second user at the desktop.
 struct Pair : Visit
 {
     explicit Pair(const QSize& pixels = HeadsetHand::few) : Visit({}, keepsPictures() ? QSize(540, 600) : pixels)
@@ -69,7 +69,7 @@ struct Pair : Visit
         QTRY_VERIFY_WITH_TIMEOUT(place, longestWait);
         hand.frames(3);
     }
-    /// A stroke of the mouse across the model.
+    /// Draws a stroke across the model with the mouse.
     void drawAtTheDesktop()
     {
         const int before = changes();
@@ -98,7 +98,7 @@ struct Pair : Visit
                })).boundsSolid == true;
     }
 
-    std::optional<core::SurfaceHit> place; ///< that was pointed at last
+    std::optional<core::SurfaceHit> place; ///< last place pointed at
 };
 
 vr::HapticInput tick()
@@ -108,7 +108,7 @@ vr::HapticInput tick()
     return feeling;
 }
 
-/// The document as one in the headset hears of it, without a headset.
+/// A document port without a headset, which receives the updates of a visit.
 struct Listener
 {
     Listener() { port = controller.open(); }
@@ -150,7 +150,7 @@ private Q_SLOTS:
     void classTime_isToldInBoth();
 };
 
-/// Where the mouse is: green in the eye's picture, at that very place, and nowhere before and after.
+/// The pointer of the mouse appears as a green light in the eye's picture, exactly at its place, only while it is on.
 void TestHeadsetPartner::pointing_isALightInBoth()
 {
     Pair v(HeadsetHand::enough);
@@ -194,7 +194,7 @@ void TestHeadsetPartner::pointing_pulsesUnlessCalm_data()
     QTest::newRow("stands still") << true;
 }
 
-/// Of the wave that spreads around the light, in the eye and at the window.
+/// A wave around the light pulses in the eye and in the window, unless motion is reduced.
 void TestHeadsetPartner::pointing_pulsesUnlessCalm()
 {
     QFETCH(bool, isCalm);
@@ -212,7 +212,7 @@ void TestHeadsetPartner::pointing_pulsesUnlessCalm()
     };
     for (int i = 0; i < 4; ++i) {
         v.hand.frames(20);
-        v.pointAt(middle(&v.viewport())); // at rest it would go out
+        v.pointAt(middle(&v.viewport())); // keeps moving, because a resting light goes out
         eye.insert(countLight(v.hand.picture()));
         window.insert(bytes(light->grab().toImage()));
     }
@@ -227,7 +227,7 @@ void TestHeadsetPartner::pointing_sculptsNothing()
     drag(&v.viewport(), {20, 10});
     v.hand.settle();
     QVERIFY(v.isUntouched() && v.place);
-    v.pull(); // who wears the headset goes on meanwhile
+    v.pull(); // the headset's user can sculpt meanwhile
     QCOMPARE(v.changes(), 1);
     QTest::keyClick(&v.viewport(), Qt::Key_Escape);
     QVERIFY(!v.action("vr.point")->isChecked() && !v.viewport().spotlight()->isOn() && !v.place);
@@ -247,13 +247,13 @@ void TestHeadsetPartner::pointing_endsAtRestAndBeside()
     QTRY_VERIFY_WITH_TIMEOUT(!v.place, longestWait);
     v.pointAt(middle(&v.viewport()));
     QVERIFY(v.viewport().spotlight()->isOn());
-    QTRY_VERIFY_WITH_TIMEOUT(!v.place, longestWait); // nobody moves
+    QTRY_VERIFY_WITH_TIMEOUT(!v.place, longestWait); // goes out without motion
     QVERIFY(v.viewport().spotlight()->isOn());
     sendMove(&v.viewport(), middle(&v.viewport()) + QPoint(3, 0));
     QTRY_VERIFY_WITH_TIMEOUT(v.place, longestWait);
 }
 
-/// Struck it stays on, held it goes with the hand.
+/// The light key toggles the light when pressed briefly, and shows it only while held otherwise.
 void TestHeadsetPartner::pointing_byAKeyThatIsHeld()
 {
     Pair v;
@@ -269,7 +269,8 @@ void TestHeadsetPartner::pointing_byAKeyThatIsHeld()
     QVERIFY(!v.viewport().spotlight()->isOn() && !v.action("vr.point")->isChecked());
 }
 
-/// A radius in millimetres is that length on the model as it is shown; the headset's own change of it stays its own.
+/// A radius in mm chosen at the desktop has that size on the displayed model. A change of the radius in the headset
+/// stays local.
 void TestHeadsetPartner::choices_comeToTheHand()
 {
     Pair v;
@@ -317,7 +318,7 @@ void TestHeadsetPartner::choices_areAnnounced()
     listener.port->request(vr::ChooseBrush{paint});
     QTRY_COMPARE_WITH_TIMEOUT(listener.update().brush.tool, core::Tool::Paint, longestWait);
     QTest::qWait(700);
-    QCOMPARE(listener.update().noticeCount, notices); // nobody is told what they did themselves
+    QCOMPARE(listener.update().noticeCount, notices); // own choices are not announced
 
     drag(fixture.program.window.viewport(), {30, 10});
     QTRY_COMPARE_WITH_TIMEOUT(fixture.changes(), 1, longestWait);
@@ -327,7 +328,7 @@ void TestHeadsetPartner::choices_areAnnounced()
     QTRY_COMPARE_WITH_TIMEOUT(listener.update().notice, QStringLiteral("Your partner redid: Paint."), longestWait);
 }
 
-/// Whatever radius the window has for that tool.
+/// Choosing a tool in the headset keeps its own radius, whatever radius the window has for the tool.
 void TestHeadsetPartner::aToolChosenInTheHeadset_leavesTheRadiusThere()
 {
     Listener listener;
@@ -353,10 +354,10 @@ void TestHeadsetPartner::takingOver_refusesTheHeadset()
 {
     Pair v;
     v.pull();
-    v.hand.begin({0, -49, 0}, {0, -54, 0}, 6); // and the trigger stays down
+    v.hand.begin({0, -49, 0}, {0, -54, 0}, 6); // the trigger stays pulled
     v.action("vr.takeOver")->setChecked(true);
     QCOMPARE(v.action("vr.takeOver")->iconText(), QStringLiteral("Give Back"));
-    QTRY_COMPARE_WITH_TIMEOUT(v.changes(), 2, longestWait); // the open stroke is kept as far as it came
+    QTRY_COMPARE_WITH_TIMEOUT(v.changes(), 2, longestWait); // the open stroke is kept up to this point
     const std::uint64_t kept = v.hash();
     v.hand.begin({0, -54, 0}, {0, -70, 0}, 6);
     v.hand.end();
@@ -365,7 +366,7 @@ void TestHeadsetPartner::takingOver_refusesTheHeadset()
     QCOMPARE(v.hash(), kept);
     QVERIFY(pulsesOf(v.hand, Side::Right, {.refused = true}) > 0);
     v.keep("refused");
-    v.hand.pressPad(Side::Right, -0.8, 0); // undo
+    v.hand.pressPad(Side::Right, -0.8, 0); // undo, which is refused, too
     v.hand.settle();
     QCOMPARE(v.hash(), kept);
     QCOMPARE(v.changes(), 2);
@@ -406,7 +407,7 @@ void TestHeadsetPartner::takingOver_isTold()
     core::StrokeSettings paint = listener.last.brush;
     paint.tool = core::Tool::Paint;
     listener.port->request(vr::ChooseBrush{paint});
-    QTRY_VERIFY(listener.update().brushChange > brush); // it is told back what there is
+    QTRY_VERIFY(listener.update().brushChange > brush); // the headset is told the actual brush
     QVERIFY(listener.last.brush.tool != core::Tool::Paint);
     listener.controller.partner().setTakenOver(false);
     QCOMPARE(listener.update().notice, QStringLiteral("It is your turn again."));
@@ -436,11 +437,12 @@ void TestHeadsetPartner::caption_tellsTheBrush()
     QTRY_VERIFY(v.caption().isVisible());
     v.hand.leave();
     QVERIFY(!v.bar().isVisible());
-    v.bar().setVisible(true); // as a kept state of the window would have it
+    v.bar().setVisible(true); // as if a saved window state showed the bar
     QVERIFY(!v.bar().isVisible());
 }
 
-/// 14 mm on a screen of 96 dots an inch, and larger letters with a larger text; in a narrow place all of it is there.
+/// Letters are 14 mm high on a screen of 96 dpi and grow with the text size. A narrow caption wraps instead of
+/// clipping.
 void TestHeadsetPartner::caption_isReadFromThreeMetres()
 {
     ui::BrushCaption caption;
@@ -469,8 +471,7 @@ void TestHeadsetPartner::caption_isReadFromThreeMetres()
     QVERIFY(caption.sizeHint().width() < 500);
 }
 
-/// The step of the window's lesson, its buttons by the wand, and the teacher's brush in the room.
-/// A sentence before the clay, and in the window.
+/// The class time is announced in front of the clay and in the window.
 void TestHeadsetPartner::classTime_isToldInBoth()
 {
     constexpr qint64 minute = 60'000;

@@ -35,8 +35,8 @@ core::StrokeSample sampleAt(const core::Vec3& position)
     return sample;
 }
 
-/// A document with a ball of clay of radius 50, and the port of a visit. Its gui thread handles requests when handle()
-/// is called.
+/// A document with a ball of clay of radius 50 mm, and the port of a visit. Requests are handled when a test calls
+/// handle().
 struct Visit
 {
     Visit()
@@ -71,7 +71,7 @@ struct Visit
         return begun;
     }
 
-    /// What the gui thread does: handles all requests in order.
+    /// Handles all requests in order, as the GUI thread does.
     void handle()
     {
         for (const vr::DocumentRequest& request : port->takeMessages().requests)
@@ -160,7 +160,7 @@ void TestHeadsetPort::strokesAfterAnUndo_comeAfterIt()
     QVERIFY(other.stroke(right));
     QTRY_COMPARE_WITH_TIMEOUT(other.document.history().stack().count(), 1, longestWait);
     other.port->request(vr::Undo());
-    QVERIFY(other.stroke(top)); // nobody has undone yet
+    QVERIFY(other.stroke(top)); // the undo has not been carried out yet
     QVERIFY(other.port->takeEffect().refusals == 0);
     QCOMPARE(other.worker.strokes().begun(), quint64(1));
     other.handle();
@@ -170,7 +170,7 @@ void TestHeadsetPort::strokesAfterAnUndo_comeAfterIt()
     QCOMPARE(other.stateHash(), expected);
 }
 
-/// The gui thread sleeps through all of it.
+/// The GUI thread handles nothing until all strokes and requests are made. Their order must be kept.
 void TestHeadsetPort::strokesBetweenRequests_comeBetweenThem()
 {
     Visit one, other;
@@ -298,7 +298,7 @@ void TestHeadsetPort::heldStroke_isRefusedWhileTheDesktopDraws()
     QCOMPARE(visit.worker.strokes().begun(), quint64(1));
 }
 
-/// A ball beside the clay, and a horn that reaches it.
+/// Adds a ball beside the clay, then pulls a horn that fuses with it.
 void TestHeadsetPort::effects_tellFusions()
 {
     Visit visit;
@@ -424,7 +424,7 @@ void TestHeadsetPort::end_keepsWhatIsHeld()
     QCOMPARE(visit.document.history().stack().count(), 2);
 }
 
-/// A visit that was given up comes back: its strokes and requests have no effect.
+/// After the port has ended, further strokes and requests of an abandoned visit have no effect.
 void TestHeadsetPort::end_isTheHeadsetsEnd()
 {
     Visit visit;
@@ -459,7 +459,7 @@ void TestHeadsetPort::end_isTheHeadsetsEnd()
     QCOMPARE(visit.document.history().stack().count(), 2);
 }
 
-/// It may even come back when everything else has gone.
+/// An abandoned visit may still use its port after everything else is gone.
 void TestHeadsetPort::end_isBeforeTheWorkers()
 {
     std::shared_ptr<HeadsetPort> port;
@@ -538,7 +538,7 @@ void TestHeadsetPort::messages_areAnnouncedOnce()
     QCOMPARE(rings.size(), 2);
 }
 
-/// Answers are under way while it ends, and nobody else holds it.
+/// A port may end and be destroyed while answers to it are in progress.
 void TestHeadsetPort::port_outlivesItsVisit()
 {
     Visit visit;
@@ -554,8 +554,8 @@ void TestHeadsetPort::port_outlivesItsVisit()
     QVERIFY(!visit.worker.strokes().isOpen());
 }
 
-/// A headset that does all there is at once, and a gui thread that hardly follows: each stroke comes, in order, or is
-/// refused.
+/// A headset makes strokes and requests quickly while the GUI thread is slow. No stroke may be lost, and the order must
+/// be kept.
 void TestHeadsetPort::twoThreads_getAlong()
 {
     Visit visit;

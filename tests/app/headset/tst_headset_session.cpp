@@ -1,5 +1,5 @@
-// A whole session in the headset, as a person has it: against the scripted runtime, with Khronos' validation layer
-// between. FETTLE_HEADSET_PICTURES=<folder> keeps what the left eye saw.
+// Tests a complete session in the headset against the scripted runtime, with Khronos' validation layer.
+// FETTLE_HEADSET_PICTURES=<folder> saves the pictures of the left eye.
 #include "tests/app/headset/headset_hand.h"
 #include "tests/support/test_main.h"
 #include "tests/vr/vr_test.h"
@@ -20,11 +20,11 @@ using vr::Side;
 
 namespace
 {
-/// What is left of a session.
+/// Results of a session.
 struct Played
 {
-    QStringList steps;     ///< name and mesh hash
-    QList<quint64> bodies; ///< how many there were after each step; 0: they bound no solid
+    QStringList steps;     ///< name and mesh hash of each step
+    QList<quint64> bodies; ///< number of parts after each step; 0: not a solid
     QStringList files;
     QString complaints;
 };
@@ -35,12 +35,13 @@ public:
     Session() : m_pictures(qEnvironmentVariable("FETTLE_HEADSET_PICTURES"))
     {
         core::writeMesh(m_folder.filePath(QStringLiteral("clay.glb")).toStdU16String(), core::icosphere(4, 50));
-        program.window.viewport()->setMaximumSize(240, 180); // each frame of the headset moves a ghost there
+        // small, because each frame of the headset repaints its avatar in the window
+        program.window.viewport()->setMaximumSize(240, 180);
         openFile(program, m_folder.filePath(QStringLiteral("clay.glb")), {640, 480});
         if (!m_pictures.isEmpty())
             hand.load({540, 600});
     }
-    /// All that was asked for is done, and looked at.
+    /// Waits until all actions are done, and records the step.
     void note(const char* name)
     {
         hand.settle();
@@ -68,13 +69,15 @@ private:
     QString m_pictures;
 };
 
-/// Pull a horn, paint it, undo, redo, turn while pulling, add a ball and fuse it, save, leave, go on at the desktop.
+/// Pulls a horn, paints it, undoes, redoes, turns while pulling, adds a ball and fuses it, saves, leaves, and continues
+/// at the desktop.
 Played play()
 {
     Session s;
     HeadsetHand& hand = s.hand;
     const Vec3 out = Vec3(0.6, 0.8, 0);
-    for (const core::Tool tool : {core::Tool::Pull, core::Tool::Paint}) // dabs of a hand that rests follow the clock
+    // repeated dabs of an airbrush would depend on the clock
+    for (const core::Tool tool : {core::Tool::Pull, core::Tool::Paint})
         s.program.window.brush()->tools()->setAirbrush(tool, false);
     hand.enter();
     s.note("entered");
@@ -84,7 +87,7 @@ Played play()
 
     hand.press(Side::Left, "menu");
     for (int i = 0; i < 4; ++i)
-        hand.pressPad(Side::Left, 0.8, 0); // to Paint, the paper's fifth tool
+        hand.pressPad(Side::Left, 0.8, 0); // selects Paint, the fifth tool of the paper
     hand.press(Side::Right, "menu");
     hand.slide(Side::Right, {0, 1.2});
     s.note("painting-is-chosen");
@@ -113,7 +116,7 @@ Played play()
     hand.set(Side::Left, "pad_touch", 0);
     s.note("turned-while-pulling");
 
-    const Vec3 above(0, 63, 0); // the model turns about its vertical
+    const Vec3 above(0, 63, 0); // on the vertical axis, about which the model turns
     hand.stroke(above, above, 1);
     s.note("ball");
     hand.stroke(above - Vec3(0, 5.5, 0), above - Vec3(0, 15, 0), 40);

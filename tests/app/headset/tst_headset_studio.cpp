@@ -1,4 +1,4 @@
-// Each row of the preset Studio, done in the headset and looked at in the document.
+// Tests each function of the preset Studio: it is used in the headset and the document must show the effect.
 #include "tests/app/headset/headset_visit.h"
 #include "tests/support/test_main.h"
 #include "tests/vr/vr_test.h"
@@ -21,7 +21,7 @@ vr::HeadsetSettings studio()
 struct AtStudio : Alone
 {
     AtStudio() : Alone(studio()) {}
-    Vec3 middle() const { return model().translation(); } ///< the ball's is the document's origin
+    Vec3 middle() const { return model().translation(); } ///< centre of the ball, which is the document's origin
 };
 } // namespace
 
@@ -71,7 +71,7 @@ void TestHeadsetStudio::supportPad_togglesTopology()
     QVERIFY(v.isUntouched());
 }
 
-/// Whose items the other wand presses.
+/// The tool panel opens on the support hand, and the other controller presses its items.
 void TestHeadsetStudio::supportMenu_opensTheTools()
 {
     AtStudio v;
@@ -82,7 +82,8 @@ void TestHeadsetStudio::supportMenu_opensTheTools()
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 
-/// While it is held, within one pull of the other, and the tool is as before after.
+/// Smooth is active only while the support trigger is held, even within one pull of the other trigger. The previous
+/// tool then returns.
 void TestHeadsetStudio::supportTrigger_smooths()
 {
     AtStudio v;
@@ -90,7 +91,8 @@ void TestHeadsetStudio::supportTrigger_smooths()
     const double height = v.box().max().y();
     v.hand.set(Side::Left, "trigger", 1);
     v.hand.frame();
-    v.hand.stroke({0, height - 1, 0}, {0, height - 1, 0}, 60); // held: what was pulled is finer now
+    // many samples at one place, because the pulled area is finer now
+    v.hand.stroke({0, height - 1, 0}, {0, height - 1, 0}, 60);
     const double smoothed = v.box().max().y();
     QVERIFY2(smoothed < height - 0.2, qPrintable(QStringLiteral("%1 %2").arg(height).arg(smoothed)));
     QCOMPARE(v.changes(), 2);
@@ -103,12 +105,13 @@ void TestHeadsetStudio::supportTrigger_smooths()
     v.hand.frames(4);
     v.hand.end();
     v.hand.settle();
-    QCOMPARE(v.changes(), 5); // pulled, smoothed, pulled
+    QCOMPARE(v.changes(), 5); // pulled, smoothed; then pulled, smoothed, pulled in one trigger pull
     QCOMPARE(v.brush().tool, core::Tool::Pull);
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 
-/// A lesson's step, or a class, has its tools and no others: what smooths elsewhere pulls here, within the same stroke.
+/// Lesson steps and classes may exclude Smooth. The support trigger must then not switch the tool, even within a
+/// stroke.
 void TestHeadsetStudio::supportTrigger_hasNoToolThatIsNotOffered()
 {
     AtStudio v;
@@ -150,7 +153,7 @@ void TestHeadsetStudio::bothGrips_scaleAndTurn()
 {
     AtStudio v;
     const auto span = [&](const Vec3& half) {
-        const Vec3 middle(0, 1.2, -0.4), reach(0, 0, -vr::tipReach); // the grips, not the tips
+        const Vec3 middle(0, 1.2, -0.4), reach(0, 0, -vr::tipReach); // positions of the grips, not of the tips
         v.hand.put(Side::Left, middle - half + reach);
         v.hand.put(Side::Right, middle + half + reach);
         v.hand.frames(2);
@@ -203,13 +206,13 @@ void TestHeadsetStudio::sculptingSlide_setsTheRadius()
     v.hand.settle();
     QVERIFY(v.hand.seen().brush->radius > 1.5 * before);
     const double wide = v.hand.seen().brush->radius;
-    v.hand.slide(Side::Right, {1, 0}); // across is none
+    v.hand.slide(Side::Right, {1, 0}); // sliding sideways has no effect
     v.hand.settle();
     QCOMPARE(v.hand.seen().brush->radius, wide);
     QVERIFY(v.isUntouched());
 }
 
-/// A tap, or a hold.
+/// A tap opens the colours, a long press inverts the tool.
 void TestHeadsetStudio::sculptingMenu_opensColorsOrInverts()
 {
     AtStudio v;
@@ -224,7 +227,7 @@ void TestHeadsetStudio::sculptingMenu_opensColorsOrInverts()
 
     v.hand.hold(Side::Right, "menu");
     v.hand.stroke({0, 51, 0}, {0, 47, 0}, 8);
-    QVERIFY(v.box().max().y() < 49.9); // Pull pushes
+    QVERIFY(v.box().max().y() < 49.9); // Pull is inverted and pushes
     v.hand.hold(Side::Right, "menu");
     v.hand.stroke({0, -49, 0}, {0, -54, 0}, 8);
     QVERIFY(v.box().min().y() < -51);

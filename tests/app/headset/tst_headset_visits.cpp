@@ -1,5 +1,5 @@
-// Entering and leaving, two people at one document, and all that can go wrong with a headset: against the scripted
-// runtime, with Khronos' validation layer between.
+// Tests entering and leaving VR, two users at one document, and faults of a headset, against the scripted runtime with
+// Khronos' validation layer.
 #include "tests/app/headset/headset_visit.h"
 #include "tests/support/effort.h"
 #include "tests/support/other_windows_x11.h"
@@ -22,13 +22,13 @@ namespace
 {
 constexpr core::Rgb red{230, 20, 20};
 
-/// Clay that was painted.
+/// Returns whether a pixel shows painted clay.
 bool isRed(const QColor& color)
 {
     return color.red() > 60 && color.red() > 2 * color.green() && color.red() > 2 * color.blue();
 }
 
-/// Red pixels in the middle of a picture.
+/// Returns the number of red pixels in the middle of a picture.
 int redPixels(const QImage& picture)
 {
     int count = 0;
@@ -38,7 +38,7 @@ int redPixels(const QImage& picture)
     return count;
 }
 
-/// At the desktop, across the middle of the view.
+/// Paints across the middle of the view at the desktop.
 void paintRed(HeadsetFixture& fixture)
 {
     ui::BrushSettings& brush = *fixture.program.window.brush();
@@ -49,7 +49,7 @@ void paintRed(HeadsetFixture& fixture)
     QTRY_COMPARE_WITH_TIMEOUT(fixture.changes(), 1, longestWait);
 }
 
-/// The first frame of a visit that had a picture.
+/// Returns the first picture of a visit, or a null image.
 QImage firstPicture(HeadsetHand& hand, int session)
 {
     for (int frame = 0; frame < 8; ++frame)
@@ -58,14 +58,14 @@ QImage firstPicture(HeadsetHand& hand, int session)
     return {};
 }
 
-/// In the status bar while somebody is in the headset, else on the banner.
+/// Returns the headset's message: from the status bar during a visit, otherwise from the banner.
 QString sentence(const Program& program)
 {
     const auto* text = program.window.findChild<QLabel*>(QStringLiteral("headsetText"));
     return text->isVisible() ? text->text() : notice(program);
 }
 
-/// The desktop says so in the end, while frames go on, if there are any.
+/// Returns whether the window shows this text eventually. Frames continue meanwhile, if there are any.
 bool says(HeadsetFixture& fixture, const QString& words)
 {
     const auto isSaid = [&] {
@@ -121,7 +121,7 @@ private Q_SLOTS:
 
 private:
     static void keep(const char* fault, const HeadsetFixture& fixture, const char* kept);
-    static inline QStringList s_table; ///< fault, what the desktop says, what is kept
+    static inline QStringList s_table; ///< columns: fault, message at the desktop, what is kept
 };
 
 void TestHeadsetVisits::keep(const char* fault, const HeadsetFixture& fixture, const char* kept)
@@ -130,7 +130,7 @@ void TestHeadsetVisits::keep(const char* fault, const HeadsetFixture& fixture, c
                    .arg(QLatin1StringView(fault), sentence(fixture.program), QLatin1StringView(kept));
 }
 
-/// The document goes on through all of it, and each change is one step.
+/// Edits continue through all visits, and each change is one step.
 void TestHeadsetVisits::repeatedVisits()
 {
     HeadsetFixture fixture;
@@ -161,7 +161,7 @@ void TestHeadsetVisits::repeatedVisits()
     QCOMPARE(fixture.hand.headset().complaints(), QString());
 }
 
-/// What is drawn when the visit ends is kept.
+/// A stroke in progress is kept when the visit ends.
 void TestHeadsetVisits::repeatedVisits_midStroke()
 {
     HeadsetFixture fixture;
@@ -180,7 +180,7 @@ void TestHeadsetVisits::repeatedVisits_midStroke()
     QCOMPARE(fixture.hand.headset().complaints(), QString());
 }
 
-/// As the desktop has it now, not as the file or the visit before had it.
+/// The first frame must show the model as it is at the desktop now, not as in the file or in the previous visit.
 void TestHeadsetVisits::firstFrame_holdsTheModel()
 {
     HeadsetFixture fixture({}, HeadsetHand::enough);
@@ -202,8 +202,7 @@ void TestHeadsetVisits::firstFrame_holdsTheModel()
     QCOMPARE(fixture.hand.headset().complaints(), QString());
 }
 
-/// Each from its own place and with its own field of view. What is painted is 35 to 60 cm away.
-/// What the runtime is told of depth, beside the picture: the ball, front, side and what is not there.
+/// Tests the depth image that the runtime receives with the picture: the front and sides of the ball, and empty space.
 void TestHeadsetVisits::depth_isTheModels()
 {
     Visit v({}, HeadsetHand::enough);
@@ -254,7 +253,7 @@ void TestHeadsetVisits::partner_changesAndUndoes()
     v.trigger("edit.undo");
     v.hand.settle();
     QVERIFY(v.isUntouched());
-    v.program.window.brush()->setTool(core::Tool::Push); // is in the hand, too
+    v.program.window.brush()->setTool(core::Tool::Push); // the headset has the same tool
     v.hand.settle();
     v.hand.stroke({0, 51, 0}, {0, 46, 0}, 8);
     QVERIFY(v.box().max().y() < 49.9);
@@ -316,7 +315,7 @@ void TestHeadsetVisits::partner_opensAnotherModel()
     Q_EMIT v.program.window.files()->openRequested(v.path("other.glb"));
     QTRY_COMPARE_WITH_TIMEOUT(v.program.document.modelInfo().path, v.path("other.glb"), longestWait);
     v.hand.settle();
-    QVERIFY(std::abs(v.scale() / before - 2.5) < 0.05); // as large in the room as the first
+    QVERIFY(std::abs(v.scale() / before - 2.5) < 0.05); // scaled to the same size in the room as the first model
     v.hand.placeModelAgain();
     v.hand.stroke({0, 19.6, 0}, {0, 22, 0}, 8);
     QCOMPARE(v.changes(), 1);
@@ -353,7 +352,7 @@ void TestHeadsetVisits::undo_fromBothSides()
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 
-/// Stroke, undo, stroke, none of which the window sees before it is all over.
+/// Tests stroke, undo, stroke while the window processes no events.
 void TestHeadsetVisits::undo_whileTheWindowIsStalled()
 {
     const auto second = [](Visit& v) {
@@ -425,7 +424,7 @@ void TestHeadsetVisits::contactAndFusion_feelDifferent()
     QCOMPARE(pulsesOf(v.hand, Side::Right, contact), touched + 1);
     QCOMPARE(v.changes(), 0);
 
-    v.hand.stroke({0, 63, 0}, {0, 63, 0}, 1); // a ball
+    v.hand.stroke({0, 63, 0}, {0, 63, 0}, 1); // adds a ball
     QCOMPARE(v.hand.ask([](core::Sculptor& sculptor) {
         return core::checkMesh(core::extractMesh(sculptor.mesh())).components;
     }),
@@ -456,7 +455,7 @@ void TestHeadsetVisits::faults_beforeAVisit_data()
                                               << "OpenGL";
 }
 
-/// The validation layer does not come through this: it has an answer of its own.
+/// Switches the validation layer off, which would replace this fault by an answer of its own.
 void TestHeadsetVisits::faults_beforeAVisit()
 {
     QFETCH(QString, step);
@@ -497,7 +496,7 @@ void TestHeadsetVisits::faults_thatEndIt_data()
                                   << "xrEndFrame";
 }
 
-/// Each amid a stroke, which is kept as far as it came, and can be undone.
+/// Each fault occurs during a stroke. The stroke so far is kept and can be undone.
 void TestHeadsetVisits::faults_thatEndIt()
 {
     QFETCH(QString, step);
@@ -549,7 +548,7 @@ void TestHeadsetVisits::faults_thatItOutlives_data()
                                       << "'head': {'tracked': true}";
 }
 
-/// Each amid a stroke. A trigger that was pulled before does nothing after.
+/// Each fault occurs during a stroke. A trigger still pulled afterwards has no effect.
 void TestHeadsetVisits::faults_thatItOutlives()
 {
     QFETCH(QString, step);
@@ -587,8 +586,8 @@ void TestHeadsetVisits::faults_thatItOutlives()
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 
-/// Five frames a second, and one that comes late: the clay follows the wand all the same. Slow frames of the same
-/// motion are the same stroke, to the bit.
+/// The clay follows the controller at five frames per second and after a late frame. Slow frames of the same motion
+/// give the same stroke, bit for bit.
 void TestHeadsetVisits::framesThatComeLate()
 {
     Visit v;
@@ -624,7 +623,7 @@ void TestHeadsetVisits::framesThatComeLate()
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 
-/// The stroke ends where the room was, and the model is before the person again.
+/// The stroke ends at the last place before recentring, and the model is in front of the user again.
 void TestHeadsetVisits::recentredByTheRuntime()
 {
     Visit v;
@@ -638,14 +637,15 @@ void TestHeadsetVisits::recentredByTheRuntime()
     QVERIFY(v.hand.seen().head);
     const Vec3 head = v.hand.seen().head->position;
     QVERIFY((head - Vec3(-1, 1.6, -0.5)).norm() < 1e-3);
-    QVERIFY((v.model().translation() - head - Vec3(0, -0.2, -0.6)).norm() < 0.02); // where the model's middle is
-    v.hand.stroke({0, -49, 0}, {0, -54, 0}, 8); // the same place of the world, before the same head
+    // vector from the head to the model's centre
+    QVERIFY((v.model().translation() - head - Vec3(0, -0.2, -0.6)).norm() < 0.02);
+    v.hand.stroke({0, -49, 0}, {0, -54, 0}, 8); // at the same place relative to the head
     QCOMPARE(v.changes(), 2);
     QVERIFY(v.box().min().y() < -51);
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 
-/// A runtime that knows no floor has one taken to be below the eyes.
+/// The floor is assumed below the eyes if the runtime does not give it.
 void TestHeadsetVisits::noFloor()
 {
     HeadsetFixture fixture;
@@ -655,7 +655,7 @@ void TestHeadsetVisits::noFloor()
     keep("a runtime without a floor", fixture, "everything; VR goes on");
     QVERIFY(fixture.hand.seen().head);
     QVERIFY((fixture.hand.seen().head->position - Vec3(0, 1.5, 0)).norm() < 1e-3);
-    fixture.hand.stroke({0, 49, 0}, {0, 54, 0}, 8); // the same place before the same head
+    fixture.hand.stroke({0, 49, 0}, {0, 54, 0}, 8); // at the same place relative to the head
     QCOMPARE(fixture.changes(), 1);
     QVERIFY(fixture.box().max().y() > 51);
     QCOMPARE(fixture.hand.headset().complaints(), QString());
@@ -674,8 +674,8 @@ void TestHeadsetVisits::oneView()
     QCOMPARE(fixture.hand.headset().complaints(), QString());
 }
 
-/// Amid a stroke, which is kept. What the visit does when the runtime wakes comes to nothing, and VR can be entered
-/// again. There is no frame, so that the client waits in xrWaitFrame.
+/// The runtime freezes in xrWaitFrame during a stroke. The stroke is kept, later actions of the abandoned visit are
+/// ignored, and VR can be entered again.
 void TestHeadsetVisits::frozen_isGivenUp()
 {
     Visit v;
@@ -740,7 +740,7 @@ void TestHeadsetVisits::frozen_beforeAVisit()
     QCOMPARE(fixture.hand.headset().complaints(), QString());
 }
 
-/// It leaves first, and asks about the changes then.
+/// Closing the window leaves VR first, and then asks about unsaved changes.
 void TestHeadsetVisits::program_endsDuringAVisit()
 {
     Visit v;
@@ -754,7 +754,7 @@ void TestHeadsetVisits::program_endsDuringAVisit()
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 
-/// The window is there meanwhile, and says what it waits for.
+/// The window stays visible meanwhile and shows what it waits for.
 void TestHeadsetVisits::program_endsThoughAllIsFrozen()
 {
     Visit v;
@@ -774,7 +774,7 @@ void TestHeadsetVisits::program_endsThoughAllIsFrozen()
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 
-/// The program itself, whose headset's program wakes when hardly anything is left, if ever.
+/// Tests the real program with a runtime that freezes and wakes, if at all, during the program's exit.
 void TestHeadsetVisits::process_endsThoughAllIsFrozen()
 {
     constexpr auto* script = R"({"start": {"pace": "fast", "size": [64, 72]}, "steps": [
@@ -783,7 +783,7 @@ void TestHeadsetVisits::process_endsThoughAllIsFrozen()
     QFile file(folder.filePath(QStringLiteral("script.json")));
     QVERIFY(file.open(QIODevice::WriteOnly) && file.write(script) > 0);
     file.close();
-    const ScriptedHeadset here; // says where runtime and layer are
+    const ScriptedHeadset here; // sets the environment for the runtime and the validation layer
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.insert(QStringLiteral("FETTLE_XR_SCRIPT"), file.fileName());
     environment.insert(QStringLiteral("FETTLE_XR_FRAMES"), folder.path());
@@ -806,10 +806,10 @@ void TestHeadsetVisits::process_endsThoughAllIsFrozen()
     QElapsedTimer closing;
     closing.start();
     QTRY_COMPARE_WITH_TIMEOUT(fettle.state(), QProcess::NotRunning, longestWait);
-    QVERIFY(closing.elapsed() > 5'000); // it was given up, not left
+    QVERIFY(closing.elapsed() > 5'000); // the visit was abandoned after a timeout, not left normally
     QCOMPARE(fettle.exitStatus(), QProcess::NormalExit);
     QCOMPARE(fettle.exitCode(), 0);
-    QCOMPARE(journals(), QStringList()); // all that it did at the window has come to its end
+    QCOMPARE(journals(), QStringList()); // the document was closed normally
     QFile said(folder.filePath(QStringLiteral("validation.txt")));
     if (said.open(QIODevice::ReadOnly))
         QCOMPARE(said.readAll(), QByteArray());

@@ -1,4 +1,4 @@
-// The VR simulator as a user at the desktop sees it: keys and mouse on its window, the real loader, the very same
+// Tests the VR simulator as a desktop user sees it: keys and mouse in its window, the real OpenXR loader and the same
 // headset code.
 #include "app/commands/command_line.h"
 #include "app/headset/headset.h"
@@ -59,7 +59,7 @@ struct SimulatorFixture
         frames(4);
     }
     bool isIn() const { return program.window.findChild<Headset*>()->isActive(); }
-    /// The headset shows so many more.
+    /// Waits until the headset has shown `count` more frames.
     void frames(int count)
     {
         for (int i = 0; i < count; ++i) {
@@ -71,7 +71,7 @@ struct SimulatorFixture
     {
         sendMouse(view, QEvent::MouseMove, view->placeOf(place).toPoint(), button, modifiers);
     }
-    /// Where the eye sees a point of the room.
+    /// Returns the place in the eye's view of a point in the room.
     Eigen::Vector2d placeOf(const Vec3& point) const
     {
         const Vec3 own = view->controls().head().inverse() * point;
@@ -80,7 +80,7 @@ struct SimulatorFixture
                -own.z();
     }
     Vec3 tip() const { return view->controls().tip(view->controls().hand()).translation(); }
-    /// Over the middle of the model's front.
+    /// Moves the mouse to the middle of the model's front.
     void touchModel()
     {
         const Vec3 front = seen.model * Vec3(0, 0, 50);
@@ -88,7 +88,7 @@ struct SimulatorFixture
         QTRY_VERIFY_WITH_TIMEOUT((tip() - front).norm() < 0.005, longestWait);
         frames(3);
     }
-    /// With the left button, to the side.
+    /// Drags sideways with the left mouse button.
     void stroke()
     {
         touchModel();
@@ -119,7 +119,7 @@ struct SimulatorFixture
     }
     int changes() { return program.document.history().stack().index(); }
 
-    ScriptedRuntime runtime; ///< hears what the client does wrong
+    ScriptedRuntime runtime; ///< records invalid calls of the client
     Program program;
     ui::SimulatorWindow* window = nullptr;
     ui::SimulatorView* view = nullptr;
@@ -129,7 +129,7 @@ private:
     QTemporaryDir m_folder;
 };
 
-/// Of the picture's middle.
+/// Returns the number of pixels of the model in the middle of the picture.
 int modelPixels(const QImage& picture)
 {
     int count = 0;
@@ -157,8 +157,8 @@ private Q_SLOTS:
     void missing_isSaid();
 };
 
-/// A stroke is one step of the document, and sound; the wand's own undo takes it back; afterwards all goes on at the
-/// desktop and in VR.
+/// A stroke is one step and keeps the model valid. The controller's undo removes it. Afterwards sculpting continues at
+/// the desktop and in VR.
 void TestSimulator::visit_fromTheFirstFrameToTheNextVisit()
 {
     SimulatorFixture fixture;
@@ -184,7 +184,7 @@ void TestSimulator::visit_fromTheFirstFrameToTheNextVisit()
     QTest::keyRelease(fixture.view, Qt::Key_Control);
     QTRY_VERIFY_WITH_TIMEOUT(fixture.seen.brush && fixture.seen.brush->radius > 1.1 * radius, longestWait);
 
-    fixture.click(Qt::Key_Left); // the sculpting wand's pad
+    fixture.click(Qt::Key_Left); // left on the sculpting controller's pad
     QTRY_COMPARE_WITH_TIMEOUT(fixture.changes(), 0, longestWait);
     QCOMPARE(fixture.hash(), before);
 
@@ -200,7 +200,7 @@ void TestSimulator::visit_fromTheFirstFrameToTheNextVisit()
     QCOMPARE(fixture.runtime.clientWarnings(), QStringList());
 }
 
-/// The ball on the surface, and the ray and a panel's laser, which come from the wand, where the mouse is.
+/// The sphere brush follows the mouse on the surface, and so do the controller's ray and the laser at a panel.
 void TestSimulator::mouse_isWhereTheWandSculptsAndPoints()
 {
     SimulatorFixture fixture;
@@ -229,10 +229,10 @@ void TestSimulator::mouse_isWhereTheWandSculptsAndPoints()
         };
         QTRY_VERIFY_WITH_TIMEOUT(missesBy() < 0.005, longestWait);
     }
-    fixture.click(Qt::Key_Tab); // the left wand's menu opens the tools
+    fixture.click(Qt::Key_Tab); // the left controller's menu button opens the tool panel
     fixture.click(Qt::Key_M);
     QTRY_VERIFY_WITH_TIMEOUT(!fixture.seen.panels.empty(), longestWait);
-    QTRY_COMPARE(fixture.view->controls().hand(), ui::SimulatedHand::Right); // points at what the left one carries
+    QTRY_COMPARE(fixture.view->controls().hand(), ui::SimulatedHand::Right); // the other hand points at the panel
     const auto isSeenWhole = [&] {
         const vr::PanelTarget panel = fixture.seen.panels.front();
         double farthest = 0;
@@ -243,7 +243,7 @@ void TestSimulator::mouse_isWhereTheWandSculptsAndPoints()
             }
         return farthest < 1;
     };
-    QTRY_VERIFY_WITH_TIMEOUT(isSeenWhole(), longestWait); // the head turns there
+    QTRY_VERIFY_WITH_TIMEOUT(isSeenWhole(), longestWait); // the head turns to the panel
     fixture.frames(20);
     const vr::PanelTarget panel = fixture.seen.panels.front();
     const Vec3 corner = panel.pose * Vec3(panel.size.x() * 0.4, panel.size.y() * 0.2, 0);
@@ -261,12 +261,12 @@ void TestSimulator::mouse_isWhereTheWandSculptsAndPoints()
     fixture.click(Qt::Key_M);
     QTRY_VERIFY_WITH_TIMEOUT(fixture.seen.panels.empty(), longestWait);
     const auto aside = [&] { return fixture.view->controls().head().linear().col(2).x(); };
-    QTRY_VERIFY_WITH_TIMEOUT(std::abs(aside()) < 0.02, longestWait); // and turns back
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(aside()) < 0.02, longestWait); // the head turns back
     QTest::keyClick(fixture.view, Qt::Key_Escape);
     QTRY_VERIFY_WITH_TIMEOUT(!fixture.isIn(), longestWait);
 }
 
-/// Asks that a panel is whole as soon as the head turns to it. Where nothing is in its way it stands above the hand.
+/// A panel must be completely visible once the head has turned to it. It is above the hand if nothing is in its way.
 void TestSimulator::restingHand_showsItsPanelWhole()
 {
     const ui::SimulatorControls controls;
@@ -287,7 +287,7 @@ void TestSimulator::restingHand_showsItsPanelWhole()
     }
 }
 
-/// In the paper's preset the other hand's trigger grabs.
+/// The trigger of the other hand grabs the model in the preset Paper.
 void TestSimulator::hand_thatRestsMovesTheModel()
 {
     SimulatorFixture fixture;
@@ -307,7 +307,7 @@ void TestSimulator::hand_thatRestsMovesTheModel()
     QTRY_VERIFY_WITH_TIMEOUT(!fixture.isIn(), longestWait);
 }
 
-/// In the preset Studio squeezing grabs: one hand moves the model, both stretch it.
+/// Squeezing grabs in the preset Studio: one hand moves the model, both hands scale it.
 void TestSimulator::bothHands_stretchTheModel()
 {
     vr::HeadsetSettings settings;
@@ -349,12 +349,13 @@ void TestSimulator::window_closedLeavesVr()
     QTRY_VERIFY_WITH_TIMEOUT(!fixture.isIn(), longestWait);
     QVERIFY(fixture.program.window.isVisible());
     fixture.enter();
-    fixture.program.window.close(); // leaves first
+    fixture.program.window.close(); // leaves VR first
     QTRY_VERIFY_WITH_TIMEOUT(!fixture.program.window.isVisible(), longestWait);
     QVERIFY(!fixture.isIn() && !fixture.window->isVisible());
 }
 
-/// As from a shell: no other runtime is asked, VR is entered with the file's model, and closing the windows ends all.
+/// Runs the program as from a shell: VR starts with the file's model without asking another runtime, and closing the
+/// windows ends it.
 void TestSimulator::process_entersAndEnds()
 {
     const QTemporaryDir folder;

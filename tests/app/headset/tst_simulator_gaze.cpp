@@ -14,7 +14,7 @@ namespace
 {
 constexpr double sideTangent = 1.1, tick = 0.016;
 
-/// Places a panel at arm's length, so many radians to the left of the room's middle, facing the head.
+/// Returns a panel at arm's length that faces the head, `left` radians to the left of the room's middle.
 vr::PanelTarget panelAt(double left, PanelKind kind = PanelKind::Tools)
 {
     const Eigen::Quaterniond turn(Eigen::AngleAxisd(left, Vec3::UnitY()));
@@ -53,7 +53,7 @@ class TestSimulatorGaze : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    /// And back when it has gone; in steps, not in leaps.
+    /// The head turns to an opened panel and back after it closes, in small steps.
     void head_turnsToWhatIsOpened()
     {
         for (const double left : {-2.5, -0.9, -0.1, 0.0, 0.3, 0.9, 1.5}) {
@@ -67,7 +67,7 @@ private Q_SLOTS:
         }
     }
 
-    /// Settings take the tools' place; colours open beside them.
+    /// The head turns to a panel that replaces the tools, and to the colours that open beside them.
     void head_turnsToTheNextOne()
     {
         User user;
@@ -93,7 +93,7 @@ private Q_SLOTS:
         QCOMPARE(user.yaw, yaw);
     }
 
-    /// A lesson's panel stands there by itself.
+    /// Panels that open by themselves, such as a lesson's, do not turn the head.
     void head_doesNotTurnToOthers()
     {
         User user;
