@@ -1,5 +1,5 @@
-// glTF that Draco packed: streams made by Draco's own encoder, decoded in the process of the importer; and streams that
-// are broken or lie.
+// Tests glTF compressed by Draco. Streams from Draco's own encoder are decoded in the importer's process. Broken or
+// inconsistent streams must be refused.
 
 #include "app/import/draco_decoder.h"
 #include "app/import/sandboxed_importer.h"
@@ -39,7 +39,7 @@ constexpr unsigned streamSeed = 20261127;
 struct Packing
 {
     int method = draco::MESH_EDGEBREAKER_ENCODING;
-    int bits = 0; ///< of the positions; 0: all of a float
+    int bits = 0; ///< bits per coordinate of positions; 0: unquantised floats
     int speed = 5;
     bool isCloud = false;
 };
@@ -58,8 +58,8 @@ void addAttribute(draco::Mesh& to, draco::GeometryAttribute::Type type, draco::D
                                             &values[i * static_cast<std::uint32_t>(components)]);
 }
 
-/// Returns the mesh as a stream: attribute 0 is the positions, 1 the colours with alpha, 2 the mask, as far as it has
-/// them.
+/// Returns the mesh as a Draco stream: attribute 0 is the positions, 1 the colours with alpha, 2 the mask. Attributes
+/// that the mesh lacks are omitted.
 QByteArray packed(const TriangleMesh& mesh, const Packing& packing)
 {
     draco::Mesh to;
@@ -94,7 +94,7 @@ QByteArray packed(const TriangleMesh& mesh, const Packing& packing)
     return status.ok() ? QByteArray(buffer.data(), static_cast<qsizetype>(buffer.size())) : QByteArray();
 }
 
-/// A glTF that a test changes before it is written.
+/// A glTF that a test modifies before it is written.
 struct Model
 {
     QJsonObject json;
@@ -125,7 +125,7 @@ qsizetype addAccessor(Model& model, int componentType, std::size_t count, const 
     return accessors.size() - 1;
 }
 
-/// Adds the mesh as a primitive that is packed.
+/// Adds the mesh as a Draco-compressed primitive.
 void addPacked(Model& model, const TriangleMesh& mesh, const QByteArray& stream)
 {
     QJsonObject attributes{{QStringLiteral("POSITION"), addAccessor(model, 5126, mesh.points.size(), "VEC3")}};
@@ -150,12 +150,13 @@ void addPacked(Model& model, const TriangleMesh& mesh, const QByteArray& stream)
     model.json[QLatin1StringView("extensionsRequired")] = QJsonArray{QStringLiteral("KHR_draco_mesh_compression")};
 }
 
-/// Adds the mesh as a primitive with accessors alone, positions only.
+/// Adds the mesh as a primitive of plain accessors, with positions only.
 void addPlain(Model& model, const TriangleMesh& mesh)
 {
     QByteArray points, corners;
     for (const Vec3f& p : mesh.points)
-        points.append(reinterpret_cast<const char*>(p.data()), 3 * sizeof(float)); // little-endian machines only
+        // works on little-endian machines only
+        points.append(reinterpret_cast<const char*>(p.data()), 3 * sizeof(float));
     for (const core::Triangle& t : mesh.triangles)
         for (const std::uint32_t corner : t)
             corners.append(reinterpret_cast<const char*>(&corner), sizeof corner);
@@ -200,7 +201,7 @@ QByteArray glbOf(const Model& model)
            number(binary.size()) + QByteArray("BIN\0", 4) + binary;
 }
 
-/// Returns the object after `change` has had the part of it that the path names: keys, and indices of lists.
+/// Returns the object with `change` applied to the part at `path`, which consists of keys and list indices.
 QJsonValue changed(const QJsonValue& value, const QStringList& path,
                    const std::function<QJsonValue(QJsonValue)>& change)
 {
@@ -237,7 +238,7 @@ double volumeIn(const TriangleMesh& mesh)
     return six / 6;
 }
 
-/// Returns the distance from a point to the nearest of the others, in millimetres.
+/// Returns the distance from a point to the nearest of `points`, mm.
 float distanceTo(const std::vector<Vec3f>& points, const Vec3f& point)
 {
     float least = INFINITY;
@@ -246,7 +247,7 @@ float distanceTo(const std::vector<Vec3f>& points, const Vec3f& point)
     return least;
 }
 
-/// A ball of 20 mm, in metres as glTF has it.
+/// Returns a ball of 20 mm in metres, the unit of glTF.
 TriangleMesh ball()
 {
     return core::icosphere(2, 0.01);
@@ -324,7 +325,8 @@ void TestDracoFiles::streams_areDecoded_data()
             }
 }
 
-/// The positions are right to the quantisation's step, or to the bit without one, and so is the shape.
+/// Positions must be exact up to the quantisation step, or bit for bit without quantisation. The triangles must be the
+/// same.
 void TestDracoFiles::streams_areDecoded()
 {
     QFETCH(int, method);
@@ -380,7 +382,7 @@ void TestDracoFiles::colorsAndMasks_areRead()
     }
 }
 
-/// A packed ball, a plain cube and a packed tetrahedron that its node mirrors and moves.
+/// The scene has a compressed ball, a plain cube, and a compressed tetrahedron that its node mirrors and moves.
 void TestDracoFiles::scenes_mixPackedAndPlain()
 {
     const TriangleMesh cube = shapes::scaled(shapes::cube(1), 0.01F),
@@ -404,7 +406,7 @@ void TestDracoFiles::scenes_mixPackedAndPlain()
     QVERIFY(std::abs(volumeIn(result.mesh) / volume - 1) < 1e-3);
 }
 
-/// Nodes share a mesh, and two primitives a stream.
+/// Nodes can share a mesh, and primitives can share a stream.
 void TestDracoFiles::sharedStreams_areInstanced()
 {
     Model model;
@@ -440,17 +442,17 @@ void TestDracoFiles::sparseNumbers_replaceDecoded()
     QCOMPARE(kept, 3);
 }
 
-/// Streams hold triangles, whatever the primitive calls them.
+/// A stream contains triangles, whatever mode the primitive states.
 void TestDracoFiles::stripsAreDecodedToTriangles()
 {
     Model model;
     addPacked(model, ball(), packed(ball(), {}));
     change(model, "meshes/0/primitives/0/mode", 5);
-    change(model, "accessors/1/count", 700); // of a strip
+    change(model, "accessors/1/count", 700); // number of indices of a strip
     QCOMPARE(read(model).mesh.triangles.size(), ball().triangles.size());
 }
 
-/// A file that does not require Draco, and has all its numbers, too.
+/// A file that does not require Draco and contains all uncompressed data is read without a decoder.
 void TestDracoFiles::fallbacks_needNoDecoder()
 {
     Model model;
@@ -484,7 +486,7 @@ void TestDracoFiles::degenerateTriangles_areCounted()
     QCOMPARE(result.remarks.facesOfFewer, std::size_t(1));
 }
 
-/// The process's memory is enough for what Draco packs well: half a million triangles in some 300 kB.
+/// The process's memory limit must suffice for well-compressed models: half a million triangles in about 300 kB.
 void TestDracoFiles::largeModels_areRead()
 {
     const TriangleMesh mesh = core::icosphere(byEffort(7, 8, 8), 0.1);
@@ -493,7 +495,7 @@ void TestDracoFiles::largeModels_areRead()
     write(QStringLiteral("large.bin"), model.binary);
     write(QStringLiteral("large.gltf"), jsonOf(model, QStringLiteral("large.bin")));
     const TriangleMesh result = core::readMesh(file(QStringLiteral("large.gltf")));
-    QVERIFY(result.triangles.size() > mesh.triangles.size() * 99 / 100); // some have become points
+    QVERIFY(result.triangles.size() > mesh.triangles.size() * 99 / 100); // quantisation makes some triangles degenerate
     qInfo("%zu triangles in %lld bytes", mesh.triangles.size(), static_cast<long long>(model.binary.size()));
 }
 
@@ -555,7 +557,7 @@ void TestDracoFiles::lies_areOneSentence()
     change(model, path.constData(), value);
     const auto error = errorOf(model);
     QVERIFY(error);
-    if (fault == static_cast<int>(FileFault::None)) { // out of the file
+    if (fault == static_cast<int>(FileFault::None)) { // the view extends beyond the file
         QVERIFY(error->kind == Kind::CutOff);
         return;
     }
@@ -599,7 +601,7 @@ void TestDracoFiles::brokenStreams_areOneSentence()
     QVERIFY(error && error->fault == FileFault::CompressedWrong);
 }
 
-/// A plane of equal squares packs to next to nothing.
+/// A plane of equal squares compresses to almost nothing.
 void TestDracoFiles::bombs_areRefused()
 {
     constexpr core::Slot side = 1700;
@@ -622,7 +624,7 @@ void TestDracoFiles::bombs_areRefused()
     qInfo("%zu triangles in %lld bytes", plane.triangles.size(), static_cast<long long>(model.binary.size()));
 }
 
-/// A stream says neither where it ends nor that it is whole: the decoder is asked with each of its beginnings.
+/// A stream has neither a length nor an end mark. The decoder must not read beyond any truncated stream.
 void TestDracoFiles::decoder_neverReadsBeyondItsStream()
 {
     const std::uint32_t ids[]{0, 5};

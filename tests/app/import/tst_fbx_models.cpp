@@ -1,4 +1,5 @@
-// FBX files, binary and text, as their models' rotations are righted for Assimp; and files that cannot be followed.
+// Tests the correction of rotations in binary and text FBX files for Assimp, and files whose structure cannot be
+// parsed.
 
 #include "app/import/fbx_models.h"
 #include "app/import/fbx_records.h"
@@ -26,7 +27,7 @@ using Eigen::Vector3d;
 
 constexpr unsigned fbxSeed = 20261127;
 
-/// A record to be written, its values text, numbers or whole numbers.
+/// A record to write. Its values are texts, floating-point numbers or integers.
 struct Record
 {
     using Value = std::variant<std::string, double, std::int64_t>;
@@ -60,7 +61,7 @@ std::string textOf(std::span<const Record> records)
 
 template <class Number> std::string rawBytes(Number number)
 {
-    return {reinterpret_cast<const char*>(&number), sizeof number}; // little-endian machines only
+    return {reinterpret_cast<const char*>(&number), sizeof number}; // works on little-endian machines only
 }
 
 std::string sizeField(std::size_t size, bool isWide)
@@ -68,7 +69,7 @@ std::string sizeField(std::size_t size, bool isWide)
     return isWide ? rawBytes(static_cast<std::uint64_t>(size)) : rawBytes(static_cast<std::uint32_t>(size));
 }
 
-/// `at`: the byte of the file at which they begin.
+/// Returns the records in binary form. `at`: byte offset in the file at which they begin.
 std::string binaryOf(std::span<const Record> records, std::size_t at, bool isWide)
 {
     const std::size_t width = isWide ? 8 : 4;
@@ -149,7 +150,7 @@ std::string righted(const std::string& bytes)
     return app::fbxForAssimp("a.fbx", bytes).changed.value_or(bytes);
 }
 
-/// Returns a property that the records of those names, each within the one before, hold.
+/// Returns a property of the records at `path`, each nested in the previous one.
 std::optional<Vector3d> propertyIn(const std::string& bytes, std::initializer_list<std::string_view> path,
                                    std::string_view name)
 {
@@ -170,7 +171,7 @@ std::optional<Vector3d> propertyIn(const std::string& bytes, std::initializer_li
     return std::nullopt;
 }
 
-/// Returns a property of the file's first model.
+/// Returns a property of the first model in the file.
 std::optional<Vector3d> propertyOf(const std::string& bytes, std::string_view name)
 {
     return propertyIn(bytes, {"Objects", "Model", "Properties70"}, name);
@@ -178,7 +179,7 @@ std::optional<Vector3d> propertyOf(const std::string& bytes, std::string_view na
 
 constexpr std::array<const char*, 6> orderNames{"xyz", "xzy", "yzx", "yxz", "zxy", "zyx"};
 
-/// Returns the turn by the angles, in degrees, in that order: "xyz" is about x first.
+/// Returns the rotation by the angles in degrees, in this order: "xyz" rotates about x first.
 Eigen::Matrix3d turnBy(const Vector3d& degrees, const char* order)
 {
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
@@ -222,8 +223,8 @@ void TestFbxModels::rotations_areRighted_data()
             QTest::addRow("%d %s", form, orderNames[static_cast<std::size_t>(order)]) << form << order;
 }
 
-/// In the model's order the angles of the geometric rotation mean what the file's mean about x, y, z; if its rotations
-/// are inactive, its own do, too.
+/// The corrected geometric rotation, read in the model's order, must equal the original about x, y, z. With inactive
+/// rotations the same applies to the model's own rotation.
 void TestFbxModels::rotations_areRighted()
 {
     QFETCH(int, form);
@@ -255,16 +256,17 @@ void TestFbxModels::rotations_areRighted()
                 QVERIFY(!app::fbxForAssimp("a.fbx", before).models[1].hasActiveRotations);
             }
             if (form != 0)
-                QCOMPARE(after.size(), before.size()); // places in the file are by byte
+                // offsets in binary files are absolute, so the length must not change
+                QCOMPARE(after.size(), before.size());
         }
 }
 
-/// All models that have none of their own share the template's: it can become one other, but not two.
+/// Models without a property of their own share the template's value. It can be corrected if all need the same value.
 void TestFbxModels::rotationsOfTheTemplate_areRighted()
 {
     const auto rightedOf = [&](const std::vector<Record>& models, const std::vector<Record>& usual, Form form) {
         std::vector<Record> records = sceneOf(models, {connection(500, 0)}, usual);
-        records[1].records.erase(records[1].records.begin()); // the type of geometry
+        records[1].records.erase(records[1].records.begin()); // removes the template of geometry
         return righted(fileOf(records, form));
     };
     const auto usualIn = [](const std::string& bytes, const char* name) {
@@ -319,7 +321,7 @@ void TestFbxModels::rightFiles_areLeft()
         };
         QVERIFY(isRight(sceneOf({modelRecord(500, properties), modelRecord(501, ordered)},
                                 {connection(500, 0), connection(501, 500)})));
-        ordered.push_back(numberProperty("RotationOrder", 3)); // a second one counts for nothing
+        ordered.push_back(numberProperty("RotationOrder", 3)); // a repeated property has no effect
         QVERIFY(isRight(sceneOf({modelRecord(500, ordered)}, {connection(500, 0)})));
     }
     for (const char* text :
@@ -327,8 +329,8 @@ void TestFbxModels::rightFiles_areLeft()
         QVERIFY(!app::fbxForAssimp("a.fbx", text).changed);
 }
 
-/// A model has from the template of its kind whatever it lacks. The scene comes first; below it and others stand the
-/// models in the order of the connections.
+/// Missing properties of a model come from the template of its type. The scene is the first model, and children are in
+/// the order of connections.
 void TestFbxModels::models_areHandedOn()
 {
     using Inherit = app::FbxModel::Inherit;
@@ -354,7 +356,8 @@ void TestFbxModels::models_areHandedOn()
             app::fbxForAssimp("a.fbx", fileOf(sceneOf({modelRecord(500, {})}, {connection(500, 0)}), form)).models[1];
         QVERIFY(bare.scale == Vector3d::Ones() && bare.inherit == Inherit::Usual && bare.hasActiveRotations);
     }
-    Record nameless = connection(500, 0), named = nameless; // connections of properties, which one has no name
+    // two connections to properties, one of them without a property name
+    Record nameless = connection(500, 0), named = nameless;
     nameless.values[0] = named.values[0] = std::string("OP");
     nameless.values.emplace_back(std::string());
     named.values.emplace_back(std::string("Visibility"));
@@ -371,7 +374,7 @@ void TestFbxModels::models_areHandedOn()
     }
 }
 
-/// Connections that come again, or that are of no kind that there is, become ones over which Assimp passes.
+/// Repeated connections and connections of unknown kinds are changed so that Assimp ignores them.
 void TestFbxModels::connections_countOnce()
 {
     const auto as = [](const char* kind, Record connection, std::vector<std::string> more = {}) {
@@ -402,7 +405,7 @@ void TestFbxModels::connections_countOnce()
     }
 }
 
-/// Text as few programs write it, but as Assimp reads it.
+/// Tests unusual text files that Assimp accepts.
 void TestFbxModels::carelessText_isFollowed_data()
 {
     QTest::addColumn<QByteArray>("from");
@@ -430,14 +433,14 @@ void TestFbxModels::carelessText_isFollowed()
     QVERIFY(fbx.isFollowed && fbx.changed);
     const auto turn = propertyOf(*fbx.changed, "GeometricRotation");
     QVERIFY(turn && turnBy(*turn, "zyx").isApprox(turnBy({10, 20, 30}, "xyz"), 1e-9));
-    // the same models hold themselves
+    // A cycle of the models must be refused.
     const QByteArray cycle = QByteArray(text).replace(
         R"(C: "OO", 500, 0)", "C: \"OO\", 500, 0\n\tC: \"OO\", 501, 500\n\tC: \"OO\", 500, 500");
     QVERIFY_THROWS_EXCEPTION(FileError,
                              app::fbxForAssimp("a.fbx", (QByteArray(cycle).replace(from, to) + "}").toStdString()));
 }
 
-/// Values without a comma between them, from line to line, and what Assimp refuses.
+/// Tests values without commas across lines, and text that Assimp refuses.
 void TestFbxModels::valuesWithoutComma_areFollowed()
 {
     const auto isFollowed = [](const char* text) { return app::fbxModelRecords(text).has_value(); };
@@ -451,7 +454,7 @@ void TestFbxModels::valuesWithoutComma_areFollowed()
         QVERIFY2(!isFollowed(text), text);
 }
 
-/// Binary records that only Assimp's reader would find.
+/// Tests binary null records, which only Assimp's reader would accept.
 void TestFbxModels::nullRecords_arePassedOver()
 {
     const std::vector<Record> properties{numberProperty("RotationOrder", 5),
@@ -471,10 +474,10 @@ void TestFbxModels::nullRecords_arePassedOver()
     }
 }
 
-/// Maya writes "Z" deep in its sounds. "Z" in texts is none.
+/// Maya writes the byte type "Z" deep in its sounds. A "Z" in a text is not a type.
 void TestFbxModels::byteTypes_areNamedAsKnown()
 {
-    const std::int64_t marker = 1717986918; // an L, the bytes of which become further values
+    const std::int64_t marker = 1717986918; // a 64-bit integer whose bytes are then overwritten by further values
     std::vector<Record> records = sceneOf({modelRecord(500, {vectorProperty("Z", {1, 2, 3})})}, {connection(500, 0)});
     records.push_back({"Sound", {std::string("Z")}, {{"Z", {std::string("ZZ")}, {{"Mute", {marker, marker}}}}}});
     for (const Form form : {Form::Binary, Form::WideBinary}) {
@@ -484,7 +487,7 @@ void TestFbxModels::byteTypes_areNamedAsKnown()
         QVERIFY(at != std::string::npos);
         bytes.replace(at, 9, std::string("S\4\0\0\0four", 9)).replace(at + 9, 9, std::string("S\4\0\0\0four", 9));
         QVERIFY(!app::fbxForAssimp("a.fbx", bytes).changed);
-        bytes.replace(at, 9, std::string("S\2\0\0\0ZZZ\1", 9)); // a text of two, and a byte
+        bytes.replace(at, 9, std::string("S\2\0\0\0ZZZ\1", 9)); // a text of two letters, then a value of type Z
         QVERIFY(app::fbxForAssimp("a.fbx", bytes).isFollowed);
         QVERIFY(app::fbxByteTypes(bytes) == std::vector<std::size_t>{at + 7});
         QCOMPARE(righted(bytes), std::string(bytes).replace(at + 7, 1, "C"));
@@ -509,13 +512,14 @@ void TestFbxModels::spheric_isRefusedWhereItTurns()
         const auto order = propertyOf(tried(properties), "RotationOrder");
         QVERIFY(order && order->isZero(0));
     }
-    QVERIFY(propertyOf(tried({numberProperty("RotationOrder", 7), turn}), "RotationOrder")->x() == 7); // Assimp's XYZ
+    // Assimp reads it as XYZ
+    QVERIFY(propertyOf(tried({numberProperty("RotationOrder", 7), turn}), "RotationOrder")->x() == 7);
 }
 
 void TestFbxModels::cycles_areRefused_data()
 {
     QTest::addColumn<QList<QPair<int, int>>>("connections"); // child, parent
-    QTest::addColumn<QByteArray>("token");                   // empty: it is none
+    QTest::addColumn<QByteArray>("token");                   // token of the refusal; empty: the file is read
     using Pairs = QList<QPair<int, int>>;
     QTest::newRow("itself") << Pairs{{500, 0}, {500, 500}} << QByteArray("models below m500");
     QTest::newRow("two") << Pairs{{500, 0}, {501, 500}, {500, 501}} << QByteArray("models below m500");
@@ -529,7 +533,7 @@ void TestFbxModels::cycles_areRefused_data()
         (i < 4000 ? deep : tooDeep).append({500 + i, 500 + i - 1});
     QTest::newRow("deep") << deep << QByteArray();
     QTest::newRow("too deep") << deep + tooDeep << QByteArray("models below m4596");
-    // the end of a long chain is met first by a short way, and then by a long one
+    // The end of a long chain is first reached by a short path, then by the long one.
     Pairs shortcut{{500, 0}}, allowed{{500, 0}};
     for (const auto& [pairs, length] : {std::pair(&shortcut, 4100), std::pair(&allowed, 4095)}) {
         pairs->append({500 + length / 2, 500});
@@ -541,7 +545,7 @@ void TestFbxModels::cycles_areRefused_data()
     Pairs many;
     for (int i = 0; i < 40; ++i)
         many << qMakePair(500 + i, i == 0 ? 0 : 499 + i) << qMakePair(500 + i, i == 0 ? 0 : 499 + i);
-    QTest::newRow("doubled 40 times") << many << QByteArray(); // ends; the process's memory is another matter
+    QTest::newRow("doubled 40 times") << many << QByteArray(); // must end in time; the memory limit is tested elsewhere
 }
 
 void TestFbxModels::cycles_areRefused()
@@ -566,7 +570,7 @@ void TestFbxModels::cycles_areRefused()
     }
 }
 
-/// Cut anywhere, and changed anywhere: what cannot be followed is left for Assimp to refuse.
+/// Truncated or corrupted files that cannot be parsed are left unchanged, so that Assimp refuses them.
 void TestFbxModels::brokenFiles_areLeft()
 {
     std::mt19937 engine(fbxSeed);

@@ -1,5 +1,5 @@
-// The shapes of files that come in through Assimp: each scene is written out here, and its size, volume or area is
-// known beforehand.
+// Tests shapes of files that are imported through Assimp. Each scene is written here, so that its size, volume or area
+// is known.
 
 #include "app/import/sandboxed_importer.h"
 #include "core/io/mesh_io.h"
@@ -25,7 +25,7 @@ using core::ReadResult;
 using core::Vec3;
 using core::Vec3f;
 
-/// The lengths, in mm, to which what Assimp computes in 32 bits is right.
+/// Precision of coordinates in mm, because Assimp computes in 32 bits.
 constexpr double tolerance = 1e-3;
 
 struct Box
@@ -62,18 +62,18 @@ double volumeOf(const core::TriangleMesh& mesh)
     return six / 6;
 }
 
-/// Returns the definitions with a template of those properties for models.
+/// Returns FBX definitions with a template of these properties for models.
 QByteArray templateOf(const QByteArray& properties)
 {
     return "Definitions:  {\nObjectType: \"Model\" {\nPropertyTemplate: \"FbxNode\" {\nProperties70:  {\n" +
            properties + "}\n}\n}\n}\n";
 }
 
-/// A model of an FBX file, with a cube of 10 from the origin on.
+/// A model of an FBX file, with a cube of side 10 that starts at the origin.
 struct FbxModel
 {
-    QByteArray properties = {}; ///< lines as vector() makes them
-    int parent = -1;            ///< another model, before it; -1: none
+    QByteArray properties = {}; ///< property lines as made by vector()
+    int parent = -1;            ///< index of an earlier model; -1: none
 };
 
 QByteArray vector(const char* name, const Vec3& v)
@@ -99,7 +99,7 @@ QByteArray cube()
                   "3,2,1,-1,4,5,6,-8,0,1,5,-5,1,2,6,-6,2,3,7,-7,3,0,4,-8", 24);
 }
 
-/// An FBX file of version 7.4 as text, by default in millimetres and with Y up.
+/// Returns an FBX file of version 7.4 as text, by default in millimetres and with Y up.
 QByteArray fbx(const QList<FbxModel>& models, const QByteArray& settings = {}, const QByteArray& mesh = cube(),
                const QByteArray& definitions = {})
 {
@@ -192,7 +192,7 @@ private:
         write(name, bytes);
         return core::readModel(file(name));
     }
-    /// Returns the error that the file is refused with.
+    /// Returns the error with which the file is refused, or nothing.
     std::optional<core::FileError> errorOf(const QString& name, const QByteArray& bytes) const
     {
         try {
@@ -214,7 +214,7 @@ private:
                  qPrintable(QStringLiteral("%1, %2, %3").arg(is.x()).arg(is.y()).arg(is.z())));                        \
     } while (false)
 
-/// 3ds Max writes one for each pivot that was moved.
+/// 3ds Max writes geometric transforms for moved pivots. They must not affect child models.
 void TestForeignScenes::fbx_geometricTransformsStayWithTheirMesh()
 {
     const QByteArray geometric = vector("GeometricTranslation", {0, 0, 10}) + vector("GeometricRotation", {0, 90, 0}) +
@@ -237,7 +237,7 @@ void TestForeignScenes::fbx_geometricScaleOfNothingSparesChildren()
     COMPARE_VECTORS(boxOf(flat.mesh).size(), 10, 10, 10);
 }
 
-/// A rotation and its PostRotation cancel each other.
+/// A rotation and an equal PostRotation cancel each other.
 void TestForeignScenes::fbx_postRotationIsInverted()
 {
     const Vec3 angles(20, 30, 40);
@@ -281,7 +281,7 @@ void TestForeignScenes::fbx_ordersAreOfOwnRotationsAlone_data()
         QTest::newRow(name) << order++;
 }
 
-/// Geometric rotations, and those that are inactive, go about x, then y, then z, whatever the order.
+/// Geometric and inactive rotations are about x, then y, then z, whatever the model's rotation order is.
 void TestForeignScenes::fbx_ordersAreOfOwnRotationsAlone()
 {
     QFETCH(int, order);
@@ -307,7 +307,7 @@ void TestForeignScenes::fbx_ordersAreOfOwnRotationsAlone()
     }
 }
 
-/// CR alone ends lines, and a brace too many the file, as for Assimp: the rotations are righted there, too.
+/// CR alone ends lines and an extra brace ends the file, as in Assimp. Rotations must be corrected in such files, too.
 void TestForeignScenes::fbx_carelessTextIsTurnedRight()
 {
     const QByteArray plain = fbx(
@@ -342,11 +342,11 @@ void TestForeignScenes::fbx_scalesAreInherited_data()
     QTest::addColumn<double>("x");
     QTest::addColumn<double>("y");
     QTest::newRow("as matrices") << 1 << 20.0 << 10.0;
-    QTest::newRow("by own axes") << 0 << 10.0 << 20.0; // its x is the world's y
+    QTest::newRow("by own axes") << 0 << 10.0 << 20.0; // the child's x is the world's y
     QTest::newRow("not at all") << 2 << 10.0 << 10.0;
 }
 
-/// The parent is twice as wide; the child is turned by 90 degrees, and stands at twice its distance in all cases.
+/// The parent is scaled by 2 in x. The child is rotated by 90 degrees, and its position is scaled in every case.
 void TestForeignScenes::fbx_scalesAreInherited()
 {
     QFETCH(int, inheritType);
@@ -359,7 +359,8 @@ void TestForeignScenes::fbx_scalesAreInherited()
          {fbx({{scale}, {.properties = inherit + child, .parent = 0}}),
           fbx({{scale}, {.properties = child, .parent = 0}}, {}, cube(), templateOf(inherit))}) {
         core::TriangleMesh mesh = readFbx(bytes).mesh;
-        std::erase_if(mesh.points, [](const Vec3f& p) { return p.isZero(); }); // the parent's, shrunk to its origin
+        // points of the parent, whose mesh is scaled to its origin
+        std::erase_if(mesh.points, [](const Vec3f& p) { return p.isZero(); });
         const Box box = boxOf(mesh);
         COMPARE_VECTORS(box.size(), x, y, 10);
         COMPARE_VECTORS(Vec3(box.max.x(), box.min.y(), box.min.z()), 100, 0, 0);
@@ -369,13 +370,13 @@ void TestForeignScenes::fbx_scalesAreInherited()
 void TestForeignScenes::fbx_mirrorsAreScales_data()
 {
     QTest::addColumn<int>("inheritType");
-    QTest::addColumn<QList<int>>("ends"); // of the child, away from the origin
+    QTest::addColumn<QList<int>>("ends"); // far ends of the child's axes
     QTest::newRow("as matrices") << 1 << QList<int>{20, 10, 10};
-    QTest::newRow("by own axes") << 0 << QList<int>{-10, -20, 10}; // its x is the world's y
+    QTest::newRow("by own axes") << 0 << QList<int>{-10, -20, 10}; // the child's x is the world's y
     QTest::newRow("not at all") << 2 << QList<int>{-10, 10, 10};
 }
 
-/// The parent is mirrored, and twice as wide; the child is turned by 90 degrees.
+/// The parent is mirrored and scaled by 2 in x. The child is rotated by 90 degrees.
 void TestForeignScenes::fbx_mirrorsAreScales()
 {
     QFETCH(int, inheritType);
@@ -391,7 +392,7 @@ void TestForeignScenes::fbx_mirrorsAreScales()
     }
 }
 
-/// Assimp puts numbers behind equal names, and leaves out what it cannot read: each still has its own scale.
+/// Assimp numbers equal names and omits unreadable models. Each model must still get its own scale.
 void TestForeignScenes::fbx_equalNamesAreToldApart()
 {
     const auto inherits = [](int type, double x) {
@@ -401,7 +402,7 @@ void TestForeignScenes::fbx_equalNamesAreToldApart()
         fbx({{vector("Lcl Scaling", {2, 1, 1})}, {inherits(2, 100), 0}, {inherits(1, 200), 0}, {inherits(2, 300), 0}});
     for (const char* name : {"m2", "m3"})
         bytes.replace(QByteArray("Model::") + name, "Model::m1");
-    std::map<int, double> ends; // the ends of the cubes, by where they begin
+    std::map<int, double> ends; // key: start of a cube in x; value: its end
     for (const Vec3f& point : readFbx(bytes).mesh.points) {
         double& end = ends[static_cast<int>(point.x()) / 100];
         end = std::max(end, static_cast<double>(point.x()));
@@ -409,7 +410,7 @@ void TestForeignScenes::fbx_equalNamesAreToldApart()
     QVERIFY(ends == (std::map<int, double>{{0, 20}, {2, 210}, {4, 420}, {6, 610}}));
 }
 
-/// A pair that is connected again, by a property without a name, too, is there once.
+/// A repeated connection, even one of a property without a name, must not duplicate the model.
 void TestForeignScenes::fbx_pairsStandOnce()
 {
     for (const char* again : {"C: \"OO\",%\n", "C: \"OP\",%, \"\"\n", "C: \"PO\",%, \"x\"\n"})
@@ -429,13 +430,12 @@ void TestForeignScenes::fbx_idsAreOf64Bits()
          {"9223372036854775807", "9223372036854775808", "18446744073709551615", "-1", "-5", "-9223372036854775808"}) {
         const QByteArray mirrored = vector("Lcl Scaling", {-2, 1, 1}), child = number("InheritType", 2);
         QByteArray bytes = fbx({{mirrored}, {.properties = child, .parent = 0}});
-        bytes.replace("2000", id).replace("1001", "-77"); // a model's, and a mesh's
+        bytes.replace("2000", id).replace("1001", "-77"); // ids of a model and of a mesh
         COMPARE_VECTORS(boxOf(readFbx(bytes).mesh).size(), 30, 10, 10);
     }
 }
 
-/// Show is of a model alone, Visibility of those below it, too, unless they do not inherit it. The cubes below stand 20
-/// apart.
+/// Show hides only the model itself. Visibility also hides child models that inherit it. The child cubes are 20 apart.
 void TestForeignScenes::fbx_hiddenModelsAreLeftOut()
 {
     const auto sizeOf = [this](const QByteArray& top, const QByteArray& below, const QByteArray& usual = {}) {
@@ -458,22 +458,22 @@ void TestForeignScenes::fbx_hiddenModelsAreLeftOut()
     COMPARE_VECTORS(sizeOf(visible, {}, own), 0, 50, 0);
     COMPARE_VECTORS(sizeOf(visible, {}, invisible), 20, 30, 0);
     QVERIFY(errorOf(QStringLiteral("a.fbx"), fbx({{unseen}}))->kind == core::FileErrorKind::NoFaces);
-    QByteArray bytes = fbx({{}, {unseen}}); // what is hidden is not missing
+    QByteArray bytes = fbx({{}, {unseen}}); // unreadable meshes of hidden models are not reported
     bytes.replace(bytes.lastIndexOf("3,2,1,-1,4"), 10, "3,2,99,-1,4");
     QCOMPARE(readFbx(bytes).remarks.unreadNodes, std::size_t(0));
 }
 
-/// The first one below a group of levels is the finest.
+/// Only the first model below a group of levels of detail is read, which is the finest one.
 void TestForeignScenes::fbx_finestLevelsAlone()
 {
     const auto at = [](double x) { return vector("Lcl Translation", {x, 0, 0}); };
     QByteArray bytes = fbx({{at(100)}, {at(0), 0}, {at(5), 1}, {at(2), 0}, {at(3), 0}});
     bytes.replace("\"Model::m0\", \"Mesh\"", "\"Model::m0\", \"LodGroup\"");
     const core::ReadResult finest = readFbx(bytes);
-    QCOMPARE(finest.remarks.objects, std::size_t(3)); // the group's own mesh, the level and the one below that
+    QCOMPARE(finest.remarks.objects, std::size_t(3)); // the group's own mesh, the finest level, and its child
     COMPARE_VECTORS(boxOf(finest.mesh).min, 100, 0, 0);
     COMPARE_VECTORS(boxOf(finest.mesh).max, 115, 10, 10);
-    // the next level stands for one that shows nothing
+    // If a level shows nothing, the next level is used.
     QByteArray levels = fbx({{at(100)}, {at(0), 0}, {at(5), 0}, {at(30), 0}});
     levels.replace("\"Model::m0\", \"Mesh\"", "\"Model::m0\", \"LodGroup\"").replace("C: \"OO\",1000,2000\n", "");
     COMPARE_VECTORS(boxOf(readFbx(levels).mesh).min, 100, 0, 0);
@@ -494,7 +494,7 @@ void TestForeignScenes::fbx_finestLevelsAlone()
 void TestForeignScenes::fbx_axesAndUnitAreItsOwn_data()
 {
     QTest::addColumn<QByteArray>("settings");
-    QTest::addColumn<QList<int>>("place"); // of the corner (1, 2, 3) of the file, in cm
+    QTest::addColumn<QList<int>>("place"); // image in cm of the file's corner (1, 2, 3)
     const auto axes = [](int right, int up, int front, int frontSign) {
         return number("CoordAxis", right) + number("UpAxis", up) + number("FrontAxis", front) +
                number("FrontAxisSign", frontSign);
@@ -519,7 +519,7 @@ void TestForeignScenes::fbx_axesAndUnitAreItsOwn()
         QVERIFY(std::abs((place[axis] < 0 ? box.min : box.max)[axis] - 10 * place[axis]) < tolerance);
 }
 
-/// A comb, whose teeth a fan of triangles would cover twice.
+/// Tests a comb, whose teeth a fan of triangles would cover twice.
 void TestForeignScenes::fbx_polygonsAreFilledExactly()
 {
     constexpr int teeth = 16;
@@ -540,7 +540,7 @@ void TestForeignScenes::fbx_polygonsAreFilledExactly()
     QVERIFY(std::abs(areaOf(comb.mesh) - twice / 2) < tolerance);
 }
 
-/// A mesh that cannot be read is left out: alone, it is the reason; beside another, it is counted.
+/// An unreadable mesh is omitted. It is the reason of the error if it is the only one, and is counted otherwise.
 void TestForeignScenes::fbx_brokenMeshesAreTold()
 {
     const auto layer = [](const char* values) {
@@ -568,7 +568,7 @@ void TestForeignScenes::fbx_brokenMeshesAreTold()
         QCOMPARE(rest.mesh.triangles.size(), std::size_t(12));
         QCOMPARE(rest.remarks.unreadNodes, std::size_t(1));
     }
-    QByteArray shared = fbx({{}, {vector("Lcl Translation", {20, 0, 0})}}); // by one model
+    QByteArray shared = fbx({{}, {vector("Lcl Translation", {20, 0, 0})}}); // one model has both meshes
     shared.replace("C: \"OO\",1001,2001", "C: \"OO\",1001,2000");
     QCOMPARE(readFbx(shared).mesh.triangles.size(), std::size_t(24));
     QCOMPARE(readFbx(shared).remarks.unreadNodes, std::size_t(0));
@@ -580,20 +580,22 @@ void TestForeignScenes::fbx_brokenMeshesAreTold()
     const QByteArray none = meshOf("0,0,0", 3, "", 0);
     QVERIFY(errorOf(QStringLiteral("a.fbx"), fbx({{}}, {}, none))->kind == core::FileErrorKind::NoFaces);
     QCOMPARE(read(QStringLiteral("a.fbx"), fbx({{}, {}})).remarks.unreadNodes, std::size_t(0));
-    // a shape to blend without normals is no surface that is missing
+    // A blend shape without normals is not a missing surface.
     const QByteArray shape = "Geometry: 3000, \"Geometry::s\", \"Shape\" {\nIndexes: *1 {\na: 0\n}\nVertices: *3 {\n"
                              "a: 1,1,1\n}\n}\n}\nConnections:  {\nC: \"OO\",3000,2000\n";
     QCOMPARE(read(QStringLiteral("a.fbx"), fbx({{}, {}}).replace("}\nConnections:  {\n", shape)).remarks.unreadNodes,
              std::size_t(0));
     const auto huge = errorOf(QStringLiteral("a.fbx"), fbx({{}}, {}, cube().replace("*24", "*4000000000")));
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-    QVERIFY(huge && huge->kind == core::FileErrorKind::ReaderDied); // the sanitizer ends it: no limit of memory holds
+    // sanitizers end the process, because they allow no memory limit
+    QVERIFY(huge && huge->kind == core::FileErrorKind::ReaderDied);
 #else
     QVERIFY(huge && huge->kind == core::FileErrorKind::ReaderOutOfMemory);
 #endif
 }
 
-/// Polygons of one or two corners are left out, whether a mesh has others or not. Curves are none.
+/// Polygons of one or two corners are counted and omitted, whether the mesh has other polygons or not. Curves are not
+/// counted.
 void TestForeignScenes::fbx_polygonsOfFewerCornersAreCounted()
 {
     const ReadResult within = readFbx(fbx({{}}, {}, cube().replace("*24 {\na: 3,2,1", "*27 {\na: -1,0,-2,3,2,1")));
@@ -651,7 +653,7 @@ void TestForeignScenes::fbx_numbersAreFinite()
     }
 }
 
-/// The words of points, corners and settings are read whole; those of normals are not.
+/// Numbers of points, corners and settings must be valid. Normals are ignored.
 void TestForeignScenes::fbx_wordsAreNumbers()
 {
     const auto wordOf = [this](const QByteArray& bytes) {
@@ -687,7 +689,7 @@ void TestForeignScenes::fbx_oldVersionsAreRefusedByName()
     old.replace("FBXVersion: 7400", "FBXVersion: 6100");
     const auto text = errorOf(QStringLiteral("old.fbx"), old);
     QVERIFY(text && text->fault == core::FileFault::OldFbx && text->token == "6.1");
-    const QByteArray header("Kaydara FBX Binary  \0\x1a\0\x88\x13\0\0", 27); // 5000
+    const QByteArray header("Kaydara FBX Binary  \0\x1a\0\x88\x13\0\0", 27); // version 5000
     const auto binary = errorOf(QStringLiteral("old.fbx"), header + QByteArray(100, '\0'));
     QVERIFY(binary && binary->fault == core::FileFault::OldFbx && binary->token == "5.0");
 }
@@ -718,8 +720,9 @@ void TestForeignScenes::x3d_usesAreThere()
 void TestForeignScenes::x3d_solidsAreClosed_data()
 {
     QTest::addColumn<QByteArray>("node");
-    QTest::addColumn<double>("volume");                       // in cubic metres
-    const double ring = 16 * std::sin(std::numbers::pi / 16); // a polygon of 32 sides in a circle of radius 1
+    QTest::addColumn<double>("volume"); // volume in cubic metres
+    // half the perimeter of a polygon of 32 sides inscribed in a circle of radius 1
+    const double ring = 16 * std::sin(std::numbers::pi / 16);
     QTest::newRow("cone") << QByteArray("<Cone height='3'/>") << ring;
     QTest::newRow("cylinder") << QByteArray("<Cylinder radius='2' height='0.5'/>") << 2 * ring;
     QTest::newRow("box") << QByteArray("<Box/>") << 8.0;
@@ -785,7 +788,7 @@ void TestForeignScenes::x3d_inlinedFilesAreExpandedToo()
     QCOMPARE(round->path, file(QStringLiteral("back.x3d")));
 }
 
-/// 2^9 boxes in a chain of files, none of which holds itself.
+/// A chain of files makes 2^9 boxes without any cycle.
 void TestForeignScenes::x3d_manyInlinesAreNoCycle()
 {
     const auto chain = [this](int length) {
@@ -829,7 +832,7 @@ void TestForeignScenes::x3d_inlinesAreFoundByUrl()
     QVERIFY(outside && outside->kind == core::FileErrorKind::OutsideFolder && outside->token == "whole.x3d");
 }
 
-/// Errors name the file that they are in.
+/// An error names the file that contains it.
 void TestForeignScenes::x3d_brokenFilesAreNamed()
 {
     QVERIFY(QDir(m_dir.path()).mkpath(QStringLiteral("parts")));
@@ -844,7 +847,8 @@ void TestForeignScenes::x3d_brokenFilesAreNamed()
     QCOMPARE(own->path, file(QStringLiteral("whole.x3d")));
 }
 
-/// A box of 10 mm at 2 inches from the origin, turned by 90 degrees, and one of an inch that another turns by radians.
+/// A box of 10 mm is 2 inches from the origin, rotated by 90 degrees. A box of one inch is rotated by an angle in
+/// radians.
 void TestForeignScenes::x3d_unitsAreEachFilesOwn()
 {
     write(QStringLiteral("mm.x3d"),
@@ -875,7 +879,7 @@ void TestForeignScenes::x3d_inlinedFilesKeepTheirNames_data()
     }
 }
 
-/// Two boxes of 1 in the inlined file, two of 2 in the file itself: each USE means its own file's.
+/// The inlined file has two boxes of side 1, the main file two of side 2. Each USE must refer to its own file.
 void TestForeignScenes::x3d_inlinedFilesKeepTheirNames()
 {
     QFETCH(QByteArray, scene);
@@ -898,7 +902,7 @@ void TestForeignScenes::x3d_inlinedFilesKeepTheirNames()
         const double end = shapes == box ? 21000 : 22000;
         QVERIFY(std::abs(boxOf(whole.mesh).max.x() - end) < tolerance);
     }
-    // points that are shared by name
+    // Shared points are named per file, too.
     write(QStringLiteral("part.x3d"), QByteArray(partScene).replace("%", tetrahedron(1)));
     const QByteArray faces = "<Shape><IndexedFaceSet coordIndex='0 2 1 -1 0 1 3 -1 1 2 3 -1 0 3 2 -1'>";
     const ReadResult shared =
@@ -961,7 +965,7 @@ void TestForeignScenes::ogex_metricsAreHeeded()
     QVERIFY(std::abs(volumeOf(model.mesh) - unit * unit * unit) < 1e-6 * unit * unit * unit);
 }
 
-/// COLLADA of a tetrahedron, in which a count is wrong and blanks stand before values.
+/// A COLLADA tetrahedron with a wrong count and with leading spaces in values.
 void TestForeignScenes::dae_isReadInUtf16AndWithBlanks()
 {
     const QString text = QStringLiteral(
@@ -991,7 +995,7 @@ void TestForeignScenes::dae_isReadInUtf16AndWithBlanks()
     }
 }
 
-/// A triangle of one by two metres, in the chunks of LightWave's binary format.
+/// A triangle of 1 by 2 metres in LightWave's binary chunk format.
 void TestForeignScenes::lws_isAsLargeAsItsLwo()
 {
     const auto chunk = [](const char* name, const QByteArray& content) {
@@ -1025,7 +1029,7 @@ void TestForeignScenes::words_areWholeAndWithoutPath()
     }
     const auto known = errorOf(QStringLiteral("bad.3ds"), "this is nothing of the kind");
     QVERIFY(known && !known->token.empty());
-    const auto named = errorOf(QStringLiteral("b\u00e4d.3ds"), "abc"); // two bytes of UTF-8
+    const auto named = errorOf(QStringLiteral("b\u00e4d.3ds"), "abc"); // the ä takes two bytes in UTF-8
     QVERIFY(named);
     QVERIFY2(named->token.find("b??d.3ds") != std::string::npos, named->token.c_str());
     const auto longWords =

@@ -1,5 +1,5 @@
-// Formats that come in through Assimp, written by Assimp's own exporters; and what hostile files and broken readers do
-// to us: nothing.
+// Tests formats imported through Assimp with files from Assimp's own exporters. Hostile files and failing readers must
+// not affect the program.
 
 #include "app/import/assimp_import.h"
 #include "app/import/sandboxed_importer.h"
@@ -43,7 +43,7 @@ using Kind = core::FileErrorKind;
 constexpr unsigned seed = 20261122;
 const core::Rgb color{255, 128, 0};
 
-/// One node with the mesh, which has a colour where asked for.
+/// Returns a scene with one node that has the mesh, coloured if requested.
 std::unique_ptr<aiScene> sceneOf(const TriangleMesh& mesh, const aiMatrix4x4& transform, bool isColored)
 {
     auto scene = std::make_unique<aiScene>();
@@ -95,7 +95,7 @@ private Q_SLOTS:
     void initTestCase()
     {
         QVERIFY(m_dir.isValid());
-        app::installSandboxedImporter(); // of this test, which is no such program
+        app::installSandboxedImporter(); // installs the importer's setup in the test, which itself is not an importer
         core::setExternalReader(app::sandboxedImporter(FETTLE_PROGRAM));
     }
 
@@ -165,7 +165,7 @@ void TestSandboxedImporter::formats_areRead_data()
     QTest::addColumn<QString>("exporter");
     QTest::addColumn<QString>("name");
     QTest::addColumn<double>("millimetres");
-    QTest::addColumn<bool>("isTurned"); // its Z is up
+    QTest::addColumn<bool>("isTurned"); // whether the file's Z axis points up
     QTest::addColumn<bool>("isColored");
     QTest::newRow("dae") << "collada"
                          << "a.dae" << 1000.0 << false << true;
@@ -188,7 +188,7 @@ void TestSandboxedImporter::formats_areRead()
     QFETCH(double, millimetres);
     QFETCH(bool, isTurned);
     QFETCH(bool, isColored);
-    const TriangleMesh mesh = shapes::cube(2); // of numbers that all formats hold
+    const TriangleMesh mesh = shapes::cube(2); // its coordinates are exact in every format
     const TriangleMesh read = core::readMesh(written(qPrintable(exporter), name, mesh, isColored));
     QCOMPARE(app::assimpHoldsUnit(file(name)), millimetres != 1);
     QCOMPARE(read.triangles.size(), mesh.triangles.size());
@@ -240,7 +240,7 @@ void TestSandboxedImporter::commands_takeThem()
     QCOMPARE(fettle({QStringLiteral("replay"), QStringLiteral("--strokes"), QStringLiteral("s.json"),
                      QStringLiteral("--in"), path, QStringLiteral("--out"), QStringLiteral("r.ply")}),
              0);
-    QCOMPARE(fettle({QStringLiteral("convert"), path, QStringLiteral("d.fbx")}), 2); // is only read
+    QCOMPARE(fettle({QStringLiteral("convert"), path, QStringLiteral("d.fbx")}), 2); // FBX can be read, but not written
 }
 
 void TestSandboxedImporter::brokenReaders_areOneSentence_data()
@@ -287,10 +287,10 @@ void TestSandboxedImporter::slowReaders_areEnded()
     QCOMPARE(answer.bytes, std::string("begun\n"));
     const app::ChildResult silent = app::runChild(
         {.command = {script("exec >&-; exec sleep 3600")}, .time = std::chrono::seconds(60), .maxBytes = 1});
-    QVERIFY(silent.end != app::ChildResult::End::Exited); // it has closed its output, and still does not go
+    QVERIFY(silent.end != app::ChildResult::End::Exited); // the child closed its output but keeps running
 }
 
-/// A few bytes that ask for a ball of four to the thirtieth triangles; a section of many points along a spine of many.
+/// A few bytes request a ball of 4^30 triangles, or a many-sided section along a long spine.
 void TestSandboxedImporter::hungryFiles_areRefused()
 {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -351,7 +351,7 @@ void TestSandboxedImporter::badFiles_areRefused()
     QVERIFY(blend && blend->kind == Kind::UnknownFormat && blend->token == "blend");
 }
 
-/// A LightWave scene is made of the files that it names.
+/// A LightWave scene consists of the files that it names.
 void TestSandboxedImporter::filesBeyondTheFolder_areNotRead()
 {
     QVERIFY(QDir(m_dir.path()).mkpath(QStringLiteral("scene")));
