@@ -5,7 +5,7 @@
 #include <QAbstractButton>
 #include <QTest>
 
-/// The window of a lesson, by the names of its parts.
+/// Access to the parts of the lesson window by name.
 namespace app
 {
 template <class Widget> Widget* part(Program& program, const char* name)

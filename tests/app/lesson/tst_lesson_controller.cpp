@@ -1,4 +1,4 @@
-// A lesson in the real window: shown, tried, checked, and left.
+// Tests lessons in the real window: playing, trying, checking and leaving them.
 #include "app/lesson/lesson_handout.h"
 #include "app/lesson/lesson_messages.h"
 #include "tests/app/lesson/lesson_window.h"
@@ -39,7 +39,7 @@ QString marks(Program& program)
     return part<QLabel>(program, "lessonMarks")->text();
 }
 
-/// The window with a lesson of ours, at its first step, at four times the teacher's speed.
+/// Opens a bundled lesson at its first step, at four times the teacher's speed.
 void begin(Program& program, const QString& title)
 {
     program.window.resize(1300, 900);
@@ -80,7 +80,7 @@ bool isSettled(Program& program)
     return program.document.queue().isSettled() && !program.document.job().isBusy();
 }
 
-/// The mug at its third step, untouched, where the teacher has begun to do the first two.
+/// Opens the mug at its third step, to which the teacher is still playing the first two steps.
 void beginOnTheWay(Program& program)
 {
     begin(program, QStringLiteral("A mug with a handle"));
@@ -93,15 +93,15 @@ void beginOnTheWay(Program& program)
     QVERIFY(steps.wait(longestWait));
 }
 
-/// Returns how many pieces of text each page of a PDF draws: one for each line.
+/// Returns the number of text pieces on each page of a PDF. Each line is one piece.
 std::vector<qsizetype> linesOfPages(const QByteArray& pdf)
 {
     std::vector<qsizetype> lines;
     for (qsizetype at = 0; (at = pdf.indexOf("\nstream\n", at)) >= 0;) {
         at += 8;
-        if (pdf[at] != 'x') // not compressed
+        if (pdf[at] != 'x') // not a compressed stream
             continue;
-        const QByteArray length(4, '\x7f'); // a guess: it only has to be large enough
+        const QByteArray length(4, '\x7f'); // upper bound of the uncompressed length, which qUncompress() needs
         const QByteArray content = qUncompress(length + pdf.mid(at, pdf.indexOf("\nendstream", at) - at));
         if (content.contains("\nBT\n"))
             lines.push_back(content.count("\nBT\n"));
@@ -128,8 +128,8 @@ class TestLessonController : public QObject
 private Q_SLOTS:
     void init() { QSettings().clear(); }
 
-    /// Strokes and commands alike, through the window's own stroke path: the same bits as by core alone. The pupil has
-    /// done nothing so far, and that is what the panel says.
+    /// Played strokes and commands use the window's stroke path and must give the same bits as core alone. The panel
+    /// must report that the pupil has not done anything.
     void shown_isTheTeachersModelToTheBit()
     {
         Program program;
@@ -147,7 +147,7 @@ private Q_SLOTS:
         }
     }
 
-    /// The pupil's own strokes stay until they are undone, and are checked.
+    /// The pupil's own strokes are kept until they are undone, and are checked against the goals.
     void tried_isThePupils()
     {
         Program program;
@@ -170,8 +170,8 @@ private Q_SLOTS:
         QCOMPARE(meshHash(program.worker), teachersHash("first-clay", 1));
     }
 
-    /// While goals are measured, they keep their lines, pale; whatever becomes of them, all that is pressed stays where
-    /// it is, in the panels below, too.
+    /// Goals keep their lines in pale colour while they are measured, so that no button moves, even in the panels
+    /// below.
     void marks_moveNoButton()
     {
         Program program;
@@ -193,7 +193,7 @@ private Q_SLOTS:
         });
         const auto isMeasuredInPlace = [&] {
             QTRY_VERIFY_WITH_TIMEOUT(!goals->isEnabled(), longestWait);
-            QTest::qWait(1); // laid out
+            QTest::qWait(1); // waits for the layout
             QCOMPARE(places(), before);
             QTRY_VERIFY_WITH_TIMEOUT(goals->isEnabled() && isSettled(program), longestWait);
             QTest::qWait(1);
@@ -215,7 +215,7 @@ private Q_SLOTS:
         QCOMPARE(part<QWidget>(program, "lessonNext")->pos(), navigation.back());
     }
 
-    /// The hand goes first: the teacher lets go, and the pupil's stroke is whole.
+    /// The pupil's stroke ends the teacher's stroke and is complete itself.
     void hand_endsTheTeachersStroke()
     {
         Program program;
@@ -229,7 +229,7 @@ private Q_SLOTS:
         QCOMPARE(program.document.history().stack().count(), 2);
     }
 
-    /// A step has its tools and no others, and the key that smooths none that it has not.
+    /// Only the tools of the current step are enabled, and the key for Smooth must not select it otherwise.
     void tools_areTheStepsOwn()
     {
         Program program;
@@ -238,14 +238,13 @@ private Q_SLOTS:
             return program.window.action(QLatin1StringView(id))->isEnabled();
         };
         QVERIFY(isThere("tool.pull") && !isThere("tool.stamp") && !isThere("tool.smooth"));
-        QTest::keyClick(&program.window, Qt::Key_4); // Smooth's
+        QTest::keyClick(&program.window, Qt::Key_4); // key for Smooth
         QCOMPARE(program.window.brush()->tool(), core::Tool::Pull);
         program.document.opener().openStarter(core::Starter::Ball);
         QTRY_VERIFY_WITH_TIMEOUT(isThere("tool.stamp"), longestWait);
     }
 
-    /// Asks that what the teacher did, and was undone, is the teacher's when it is redone; the pupil's own stroke is
-    /// not.
+    /// A teacher's stroke remains the teacher's after undo and redo. The pupil's own stroke counts as the pupil's.
     void redone_isStillTheTeachers()
     {
         Program program;
@@ -268,8 +267,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(own), longestWait);
     }
 
-    /// Never half of a step: what the teacher has begun is done to its end, whether it is shown, paused, or shown by
-    /// single strokes.
+    /// Next completes a step that the teacher has begun, whether it is playing, paused, or played stroke by stroke.
     void next_whileTheTeacherWorks_doesTheWholeStep()
     {
         Program program;
@@ -284,15 +282,15 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(program.document.history().stack().count(), 3, longestWait);
         QTRY_VERIFY_WITH_TIMEOUT(!isPlaying(program), longestWait);
         press(program, "lessonNext");
-        press(program, "lessonNext"); // impatient
+        press(program, "lessonNext"); // a second press while the first is in progress
         QTRY_VERIFY_WITH_TIMEOUT(isAtStep(program, 3), longestWait);
         QTest::qWait(100);
         QVERIFY(isAtStep(program, 3));
         QCOMPARE(meshHash(program.worker), teachersHash("creature", 2));
     }
 
-    /// Pause and One Stroke take Next back while the teacher hurries: the step stays, half done, and Next can be
-    /// pressed again.
+    /// Pause and One Stroke cancel Next while the teacher completes the step. The step remains half done, and Next can
+    /// be pressed again.
     void next_canBeTakenBack()
     {
         Program program;
@@ -315,8 +313,8 @@ private Q_SLOTS:
         QCOMPARE(meshHash(program.worker), teachersHash("mug", 1));
     }
 
-    /// Next over a goal that is not met goes on and says so; what the teacher has there may be had, as steps, so that
-    /// the pupil's own model is not lost.
+    /// Next continues after an unmet goal and reports it. The teacher's model can be loaded as undoable steps, so that
+    /// the pupil's model is not lost.
     void unmet_canGoOnFromTheTeachersModel()
     {
         Program program;
@@ -344,8 +342,8 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(meshHash(program.worker), pupils, longestWait);
     }
 
-    /// The last step has an end, which counts the goals of all steps, met by the pupil, not by the teacher, says what
-    /// can be done next, and gives all tools back. What is sculpted then changes nothing of it.
+    /// The page after the last step counts the goals that the pupil met, not the teacher, suggests what to do next, and
+    /// enables all tools. Later strokes do not change it.
     void end_saysWhatWasAchieved()
     {
         Program program;
@@ -380,7 +378,7 @@ private Q_SLOTS:
         QSignalSpy steps(&program.document, &Document::stepped);
         drag(program.window.viewport(), {0, 30});
         QVERIFY(!steps.isEmpty() || steps.wait(longestWait));
-        QTest::qWait(1500); // a new measurement would have come
+        QTest::qWait(1500); // long enough for a new measurement
         QVERIFY(text->text().startsWith(achieved));
 
         press(program, "lessonBack");
@@ -393,7 +391,7 @@ private Q_SLOTS:
                                  longestWait);
     }
 
-    /// A stroke while the teacher hurries to the step ends that, and the step is still the one that the panel shows.
+    /// A stroke while the teacher plays towards the step ends the playing. The panel stays at the same step.
     void stroke_onTheWay_staysInTheStep()
     {
         Program program;
@@ -402,7 +400,7 @@ private Q_SLOTS:
         drag(program.window.viewport(), {30, 0});
         QTRY_VERIFY_WITH_TIMEOUT(isSettled(program), longestWait);
         const int count = program.document.history().stack().count();
-        QVERIFY(count >= 2 && count < 7); // the teacher has six strokes there
+        QVERIFY(count >= 2 && count < 7); // the teacher has six strokes in these steps
         QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(QStringLiteral("○ This is the teacher's model")), longestWait);
         QVERIFY(!marks(program).contains(QStringLiteral("✓")));
         for (const QVariantList& notice : notices)
@@ -421,7 +419,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(isSettled(program) && program.document.history().stack().index() == 0, longestWait);
     }
 
-    /// Takes back the half, and shows the step's strokes on the model as it was.
+    /// Try and Show during the teacher's playing undo the unfinished part and start the step on its original model.
     void tryOrShow_onTheWay_beginTheStep()
     {
         Program program;
@@ -467,7 +465,7 @@ private Q_SLOTS:
                 QTest::addRow("%s, %s", shares ? "one radius" : "radii", quits ? "quits" : "leaves") << shares << quits;
     }
 
-    /// Radius, strength and tool are the pupil's own again, and so they are at the next start.
+    /// After the lesson, and at the next start, radius, strength and tool are the pupil's own again.
     void leaving_givesTheBrushBack()
     {
         QFETCH(bool, shares);
@@ -518,7 +516,7 @@ private Q_SLOTS:
         QCOMPARE(goal, QStringLiteral("flat base: at least 10.0 cm² (now 0.0 cm²)"));
     }
 
-    /// The longest way across is not the width of the status bar, and is not called so.
+    /// The longest extent seen from above is not the width in the status bar, so its text must differ.
     void longestFromAbove_isNotCalledTheWidth()
     {
         const auto goalOf = [](core::Fact fact) {
@@ -528,13 +526,14 @@ private Q_SLOTS:
         QCOMPARE(goalOf(core::Fact::Widest), QStringLiteral("at least 120 mm long, seen from above (now 100 mm)"));
     }
 
-    /// A text that is longer than a page goes on with the next, and begins below the title.
+    /// A text longer than a page continues on the next page and begins below the title.
     void handout_hasAllLines()
     {
         core::Lesson lesson = core::readLesson(lessonsFolder / "first-clay");
         lesson.steps.resize(1);
         std::string text;
-        constexpr qsizetype lines = 119, fit = 56; // of 13 points on a page of 261 mm
+        // number of lines, and the maximum of 13-point lines on a page of 261 mm
+        constexpr qsizetype lines = 119, fit = 56;
         for (qsizetype line = 1; line <= lines; ++line)
             text += "line " + std::to_string(line) + "\n";
         lesson.steps.front().text = core::LessonText{{{"en", text}}};
@@ -545,11 +544,11 @@ private Q_SLOTS:
             QVERIFY2(page <= fit, qPrintable(QString::number(page)));
             all += page;
         }
-        QVERIFY2(all >= lines + 3, qPrintable(QString::number(all))); // with title, summary and the step's title
+        QVERIFY2(all >= lines + 3, qPrintable(QString::number(all))); // plus title, summary and the step's title
         QVERIFY(pages.front() > 10);
     }
 
-    /// Size and strength are the teacher's, with each tool that is taken up, until the pupil changes them or leaves.
+    /// Each selected tool gets the teacher's radius and strength until the pupil changes them or leaves the lesson.
     void brush_isTheSteps()
     {
         Program program;
@@ -575,7 +574,7 @@ private Q_SLOTS:
         QCOMPARE(program.window.brush()->tools()->of(core::Tool::Push).strength, before);
     }
 
-    /// Asks that each step is seen from its side, with all that will be done in the picture.
+    /// Each step is viewed from its own side, and all of its strokes are in view.
     void view_isTheSteps()
     {
         Program program;
@@ -599,7 +598,7 @@ private Q_SLOTS:
         }
     }
 
-    /// Strokes go all around the pear, and the model is seldom before the teacher's brush.
+    /// Strokes go all around the pear. The camera must follow, so that the model seldom hides the teacher's brush.
     void shown_isSeen()
     {
         Program program;
@@ -623,7 +622,7 @@ private Q_SLOTS:
             hidden += outward.normalized().dot(viewport->camera().viewDirection()) > 0.5 ? 1 : 0;
         });
         auto* speed = program.window.findChild<ui::LessonPanel*>()->findChild<QComboBox*>();
-        speed->setCurrentIndex(2); // the teacher's own
+        speed->setCurrentIndex(2); // the teacher's own speed
         showStep(program);
         QVERIFY(shown > 50);
         QVERIFY2(hidden < shown / 5, qPrintable(QStringLiteral("%1 of %2").arg(hidden).arg(shown)));
@@ -638,11 +637,11 @@ private Q_SLOTS:
             QTRY_COMPARE_WITH_TIMEOUT(program.document.history().stack().count(), strokes, longestWait);
             QTRY_VERIFY_WITH_TIMEOUT(!isPlaying(program) && program.document.queue().isSettled(), longestWait);
         }
-        showStep(program); // the rest
+        showStep(program); // plays the rest
         QCOMPARE(meshHash(program.worker), teachersHash("creature", 1));
     }
 
-    /// Texts and pictures of the lesson that is open go to the file that is chosen; a folder that is not there is told.
+    /// The handout contains the texts and pictures of the open lesson. A missing folder is reported.
     void handout_isWritten()
     {
         const QTemporaryDir folder;
@@ -670,7 +669,7 @@ private Q_SLOTS:
         QVERIFY(!QFileInfo::exists(folder.filePath(QStringLiteral("no"))));
     }
 
-    /// The lesson's own model, to the bit as core has it.
+    /// A lesson's own start model must equal core's bit for bit.
     void startFromAFile_isGiven()
     {
         core::Lesson lesson = core::readLesson(lessonsFolder / "first-clay");
@@ -724,7 +723,7 @@ private Q_SLOTS:
         QVERIFY(!isPlaying(program));
     }
 
-    /// The class goes on: a sentence, and the lesson that was open is as it was.
+    /// A lesson that cannot be read is reported in one sentence, and the open lesson stays unchanged.
     void badLesson_isToldAndNothingChanges()
     {
         Program program;

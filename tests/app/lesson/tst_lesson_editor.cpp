@@ -1,4 +1,5 @@
-// A teacher's lesson in the real window: recorded by strokes, written, read back and played; opened and changed.
+// Tests the lesson editor in the real window: a lesson is recorded by strokes, written, read and played, and an
+// existing one is changed.
 #include "tests/app/lesson/lesson_window.h"
 #include "tests/support/ask_worker.h"
 #include "tests/support/program_driver.h"
@@ -44,7 +45,7 @@ bool rests(Program& program)
     return program.document.queue().isSettled() && !program.document.job().isBusy();
 }
 
-/// The window with its lesson editor, and nothing recorded.
+/// Opens the window with the lesson editor, without a recording.
 void show(Program& program)
 {
     program.window.resize(1400, 1000);
@@ -56,7 +57,7 @@ void show(Program& program)
     QTRY_VERIFY(part<ui::SidePanel>(program, "lessonEditor")->isVisible());
 }
 
-/// A lesson begins; -1: with the model as it is.
+/// Starts a recording. `starter`: start model; -1: the current model.
 void record(Program& program, int starter)
 {
     auto* start = part<QComboBox>(program, "lessonStart");
@@ -98,7 +99,7 @@ void save(Program& program, const QString& path)
     QVERIFY(!dialog->selectedFiles().isEmpty());
     if (path.endsWith(QStringLiteral(".zip"))) {
         chooseFile(program, "lessonTargetDialog", path);
-    } else { // where other files are it may choose one of them before a name is typed
+    } else { // the dialog must not choose an existing file before the name is entered
         Q_EMIT dialog->filterSelected(dialog->nameFilters().constLast());
         QCOMPARE(dialog->defaultSuffix(), QString());
         Q_EMIT dialog->fileSelected(path);
@@ -113,7 +114,7 @@ void saveAndWait(Program& program, const QString& path)
     QTRY_VERIFY_WITH_TIMEOUT(QFileInfo::exists(path) && rests(program), longestWait);
 }
 
-/// Waits for what the window asks or says, and reads it.
+/// Waits for a message box and returns it.
 QMessageBox* question(Program& program, const char* name)
 {
     QMessageBox* box = nullptr;
@@ -153,8 +154,8 @@ class TestLessonEditor : public QObject
 private Q_SLOTS:
     void init() { QSettings().clear(); }
 
-    /// Two steps by hand, as one file and as a folder: both are the teacher's model to the bit, with words, tools,
-    /// goals and pictures.
+    /// Two recorded steps, saved as one file and as a folder, must give the teacher's model bit for bit, with texts,
+    /// tools, goals and pictures.
     void recorded_isReadBackToTheBit()
     {
         Program program;
@@ -203,7 +204,7 @@ private Q_SLOTS:
         QCOMPARE(QDir(folder.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot | QDir::Hidden).size(), 2);
     }
 
-    /// The model that is there becomes the lesson's start, and is from then on what the file says.
+    /// The current model becomes the lesson's start. From then on it is the model that the file will contain.
     void asItIs_beginsWithTheModelInTheWindow()
     {
         Program program;
@@ -211,7 +212,7 @@ private Q_SLOTS:
         stroke(program, {40, 20});
         const auto before = program.document.modelInfo().size;
         record(program, -1);
-        QVERIFY(program.document.savedState().isModified()); // it is in no file of its own
+        QVERIFY(program.document.savedState().isModified()); // no file contains the lesson yet
         QVERIFY(!program.document.modelInfo().name.isEmpty());
         QCOMPARE(program.document.history().stack().count(), 0);
         QVERIFY((program.document.modelInfo().size - before).norm() < 1e-3);
@@ -224,7 +225,7 @@ private Q_SLOTS:
         QCOMPARE(playedHash(path), meshHash(program.worker));
     }
 
-    /// Called as the lesson is, as far as files may be.
+    /// The suggested file name is the lesson's title without characters that file names cannot contain.
     void title_isTheFileThatIsOffered()
     {
         Program program;
@@ -241,7 +242,7 @@ private Q_SLOTS:
         part<QFileDialog>(program, "lessonTargetDialog")->reject();
     }
 
-    /// Asks that all rows of a goal are there at once: the column scrolls, not the page in it.
+    /// All fields of a goal are visible at once: the column scrolls, not the page inside it.
     void goal_isSeenWhole()
     {
         Program program;
@@ -278,7 +279,7 @@ private Q_SLOTS:
         QCOMPARE(playedHash(path), meshHash(program.worker));
     }
 
-    /// A wand's strokes are steps of the same document, and so are commands for the whole model.
+    /// Strokes of the headset and commands for the whole model are recorded, too.
     void strokesOfTheHeadset_areRecorded()
     {
         Program program;
@@ -302,7 +303,7 @@ private Q_SLOTS:
         QCOMPARE(playedHash(path), meshHash(program.worker));
     }
 
-    /// What needs a file that the lesson has not is taken back at once.
+    /// An entry that needs a file outside the lesson is undone at once.
     void insertedModel_isTakenBack()
     {
         Program program;
@@ -322,8 +323,8 @@ private Q_SLOTS:
         QVERIFY(isRecording(program));
     }
 
-    /// A lesson of the program is opened, a stroke cut, which ends the recording; what that breaks is said, and it may
-    /// be saved all the same.
+    /// Cutting strokes of a bundled lesson ends the recording. Unmet goals are reported, and the lesson can be saved
+    /// anyway.
     void cutStroke_isSaidAndMaySavedAllTheSame()
     {
         Program program;
@@ -355,7 +356,7 @@ private Q_SLOTS:
         QVERIFY(playedHash(path) != 0);
     }
 
-    /// What a kill would leave on disk comes back as it was, still not saved, and goes when it is given up.
+    /// A lesson found after a kill is restored, still unsaved, and is removed from disk once it is discarded.
     void killed_isKept()
     {
         const QTemporaryDir home;
@@ -383,7 +384,7 @@ private Q_SLOTS:
             QTRY_COMPARE_WITH_TIMEOUT(strokesKept(), std::size_t(1), longestWait);
             std::filesystem::copy(root, left, std::filesystem::copy_options::recursive);
         }
-        QVERIFY(!isKept(root)); // this one ended in order
+        QVERIFY(!isKept(root)); // the first program ended normally
         Program program;
         connectLessonAutosave(program.document, left);
         show(program);
@@ -396,7 +397,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(program.window.findChild<ui::LessonEditor*>()->isOpen(), longestWait);
         QCOMPARE(part<QLineEdit>(program, "lessonName")->text(), QStringLiteral("Mine"));
         QCOMPARE(part<QPlainTextEdit>(program, "lessonStepText")->toPlainText(),
-                 QString()); // no word that nobody wrote
+                 QString()); // no invented text
         QCOMPARE(strokesOf(program), 1);
         QCOMPARE(lessons->count(), 3);
         press(program, "lessonSave");
@@ -408,8 +409,8 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(!isKept(left), longestWait);
     }
 
-    /// Steps change places, a text in one language is another one, and recording goes on from the end of what was
-    /// opened.
+    /// Steps can be reordered, a text can be changed in one language, and recording continues at the end of the opened
+    /// lesson.
     void opened_isChangedAndRecordedOn()
     {
         Program program;
@@ -442,7 +443,8 @@ private Q_SLOTS:
         QCOMPARE(lesson.steps.size(), std::size_t(4));
         QCOMPARE(lesson.steps[2].text.in("de"), std::string("Anders."));
         QVERIFY(lesson.steps[2].text.in("en") != "Anders.");
-        QCOMPARE(lesson.steps[3].text.in("en"), std::string("Noch etwas.")); // no other is there
+        // the only text, so it is used for every language
+        QCOMPARE(lesson.steps[3].text.in("en"), std::string("Noch etwas."));
         QCOMPARE(playedHash(path), meshHash(program.worker));
     }
 
@@ -464,7 +466,7 @@ private Q_SLOTS:
         QCOMPARE(QDir(folder.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot | QDir::Hidden).size(), 1);
     }
 
-    /// What cannot be done on what is left of the model is said by its step and stroke.
+    /// A command that fails on the changed model is reported with its step and stroke.
     void brokenCommand_isSaidByStepAndStroke()
     {
         core::LessonDraft draft(readLesson(QStringLiteral("first-clay")));
@@ -476,7 +478,7 @@ private Q_SLOTS:
                  qPrintable(tried.problem));
     }
 
-    /// One sentence, and nothing on disk.
+    /// One sentence is reported, and nothing is written.
     void unwritable_isTold()
     {
         const core::Lesson lesson = readLesson(QStringLiteral("first-clay"));
@@ -502,8 +504,8 @@ private Q_SLOTS:
         QVERIFY(QDir(folder.path()).isEmpty());
     }
 
-    /// Another model ends the recording, and what was recorded stays; a window with an unsaved lesson asks before it
-    /// closes.
+    /// Opening another model ends the recording and keeps what was recorded. Closing the window asks about an unsaved
+    /// lesson.
     void unsaved_isAskedFor()
     {
         Program program;
