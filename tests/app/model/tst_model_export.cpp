@@ -35,7 +35,7 @@ template <class Widget> Widget* in(const QDialog* dialog, const char* name)
 {
     return dialog->findChild<Widget*>(QLatin1StringView(name));
 }
-/// A shell script in a slicer's place, while it lives.
+/// Puts a shell script on the PATH in place of a slicer, for the lifetime of the object.
 class SlicerOnPath
 {
 public:
@@ -55,14 +55,14 @@ private:
     QByteArray m_before;
 };
 
-/// On its circle: what is right of the words is not the button.
+/// Clicks the circle of a radio button, because the space right of its text is not clickable.
 void press(QRadioButton* button)
 {
     QTest::mouseClick(button, Qt::LeftButton, {}, {gapToCircle, button->height() / 2});
 }
 } // namespace
 
-/// What leaves for other programs is what it says it is.
+/// Tests that exported files are what the program reports them to be.
 class TestModelExport : public QObject
 {
     Q_OBJECT
@@ -122,7 +122,7 @@ void TestModelExport::verdict_tellsWhatSlicersMisread()
 void TestModelExport::damagedFile_isFound_data()
 {
     QTest::addColumn<QString>("name");
-    QTest::addColumn<int>("at"); ///< the byte that is turned over; -1: the file is gone
+    QTest::addColumn<int>("at"); ///< offset of the byte that is inverted; -1: the file is deleted
     QTest::newRow("STL, a coordinate") << QStringLiteral("a.stl") << 84 + 12;
     QTest::newRow("STL, the count") << QStringLiteral("a.stl") << 80;
     QTest::newRow("PLY, a coordinate") << QStringLiteral("a.ply") << 400;
@@ -130,7 +130,7 @@ void TestModelExport::damagedFile_isFound_data()
     QTest::newRow("gone") << QStringLiteral("a.stl") << -1;
 }
 
-/// By a failing disk, between writing and reading.
+/// Damages the file between writing and verification, as a failing disk might.
 void TestModelExport::damagedFile_isFound()
 {
     QFETCH(QString, name);
@@ -212,7 +212,7 @@ void TestModelExport::dialog_writesWhatItIsAskedFor()
     most->selectAll();
     QTest::keyClicks(most, QStringLiteral("321"));
     QTest::keyClick(most, Qt::Key_Return);
-    chooseFile(program, "exportDialog", path("game")); // its ending comes from the preset
+    chooseFile(program, "exportDialog", path("game")); // the file's ending comes from the preset
     QTRY_VERIFY2(notice(program).contains(QStringLiteral("watertight")), qPrintable(notice(program)));
     const core::TriangleMesh game = core::readMesh(path("game.glb").toStdString());
     QVERIFY(game.triangles.size() <= 321 && game.triangles.size() > 300);
@@ -242,7 +242,7 @@ void TestModelExport::dialog_presetsSetTheBudget()
     QVERIFY(!program.window.findChild<QDialog*>(QStringLiteral("exportDialog")));
 }
 
-/// What was agreed to is there again, what was given up is not.
+/// The dialog remembers accepted settings, but not cancelled ones.
 void TestModelExport::dialog_comesBackAsItWasAgreedTo()
 {
     QSettings().clear();
@@ -281,7 +281,8 @@ void TestModelExport::dialog_comesBackAsItWasAgreedTo()
     QTRY_VERIFY(in<QRadioButton>(dialog, "3mf")->hasFocus());
     QVERIFY(in<QCheckBox>(dialog, "limits")->isChecked() && in<QSpinBox>(dialog, "most")->isEnabled());
     QCOMPARE(in<QSpinBox>(dialog, "most")->value(), 777);
-    press(in<QRadioButton>(dialog, "glb")); // no slicer reads it, but the wish for it is not forgotten
+    // slicing is disabled because no slicer reads GLB, but the choice is remembered
+    press(in<QRadioButton>(dialog, "glb"));
     QVERIFY(!in<QCheckBox>(dialog, "slices")->isEnabled() && in<QCheckBox>(dialog, "slices")->isChecked());
     QTest::keyClick(dialog, Qt::Key_Escape);
     QTRY_VERIFY(!dialog);
@@ -298,7 +299,7 @@ void TestModelExport::fewerTriangles_carryNoNotes_data()
     QTest::newRow("fewer triangles, palette in a comment") << QStringLiteral("few.ply") << quint64(500) << false;
 }
 
-/// Lattice, view and brush are of the model as it is in the window.
+/// Lattice, view and brush belong to the full model, so a reduced export must not contain them.
 void TestModelExport::fewerTriangles_carryNoNotes()
 {
     QFETCH(QString, name);
@@ -326,7 +327,7 @@ void TestModelExport::stop_endsAnExport()
 {
     Program program;
     const QString large = path("large.ply");
-    core::writeMesh(large.toStdString(), core::icosphere(7, 50)); // 327,680 triangles: seconds of work
+    core::writeMesh(large.toStdString(), core::icosphere(7, 50)); // 327,680 triangles take seconds to export
     program.window.show();
     program.document.opener().open(large);
     QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy() && program.document.modelInfo().path == large,
@@ -343,7 +344,7 @@ void TestModelExport::stop_endsAnExport()
 
 void TestModelExport::slicer_tellsWhatItSays_data()
 {
-    QTest::addColumn<QByteArray>("program"); ///< after --export-gcode --output G-CODE MODEL
+    QTest::addColumn<QByteArray>("program"); ///< called with --export-gcode --output G-CODE MODEL
     QTest::addColumn<QString>("said");
     QTest::newRow("slices")
         << QByteArray(
@@ -356,7 +357,7 @@ void TestModelExport::slicer_tellsWhatItSays_data()
     QTest::newRow("crashes") << QByteArray("echo ouch; kill -SEGV $$") << QStringLiteral("does not slice it: ouch");
 }
 
-/// A program of that name on the PATH.
+/// The script on the PATH has the name of the slicer.
 void TestModelExport::slicer_tellsWhatItSays()
 {
     QFETCH(QByteArray, program);
