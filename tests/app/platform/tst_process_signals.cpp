@@ -1,4 +1,4 @@
-// Signals that the window survives, and that the programs it starts do not inherit.
+// Tests signals that the window must survive and that its child processes must not inherit as ignored.
 #include "app/platform/child_process.h"
 #include "app/platform/process_signals.h"
 #include "tests/support/effort.h"
@@ -15,7 +15,7 @@
 
 namespace
 {
-/// Whether a process ignores SIGPIPE, by the text of its /proc/PID/status.
+/// Returns whether a process ignores SIGPIPE, given the text of its /proc/PID/status.
 bool ignoresBrokenPipes(const QByteArray& status)
 {
     const qsizetype at = status.indexOf("SigIgn:");
@@ -93,12 +93,12 @@ void TestProcessSignals::children_doNotIgnoreBrokenPipes()
     QVERIFY(!ignoresBrokenPipes(status));
 }
 
-/// As when the client library of an OpenXR runtime writes to its service that has just died.
+/// Simulates the client library of an OpenXR runtime that writes to a service that has just ended.
 void TestProcessSignals::window_survivesABrokenPipe()
 {
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.insert(QStringLiteral("DBUS_SESSION_BUS_ADDRESS"),
-                       QStringLiteral("disabled:")); // libdbus would ignore the signal, too
+                       QStringLiteral("disabled:")); // libdbus would ignore SIGPIPE itself
     QProcess fettle;
     fettle.setProcessEnvironment(environment);
     fettle.setProcessChannelMode(QProcess::ForwardedErrorChannel);
