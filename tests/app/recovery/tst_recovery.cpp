@@ -36,9 +36,10 @@ namespace fs = std::filesystem;
 namespace
 {
 constexpr core::Rgb red{250, 10, 20};
-constexpr core::JournalLimits smallLimits{.segmentBytes = 256 << 10, .logBytes = 2 << 20}; ///< so that bases come, too
+/// small limits, so that bases are written, too
+constexpr core::JournalLimits smallLimits{.segmentBytes = 256 << 10, .logBytes = 2 << 20};
 
-/// What a change left behind; what a victim says of each, and what must come back.
+/// State after a change. The killed process prints it for each change, and recovery must restore it.
 struct State
 {
     std::uint64_t mesh = 0, state = 0;
@@ -61,10 +62,10 @@ State stateIn(const QByteArray& line)
                : State();
 }
 
-/// Comes back as soon as it is so: every posted task wakes the event loop, so that the wait is short.
+/// Processes events until the condition holds. Posted tasks wake the event loop, so the wait is short.
 template <class Condition> void until(Condition isSo)
 {
-    QTimer tick; // wakes the loop: tasks posted before this call may not wake it again
+    QTimer tick; // wakes the loop even if tasks were posted before this call
     tick.start(20);
     QElapsedTimer clock;
     clock.start();
@@ -74,7 +75,7 @@ template <class Condition> void until(Condition isSo)
         qFatal("waited too long");
 }
 
-/// A document whose changes are recorded.
+/// A document whose changes are recorded in a journal.
 struct Session
 {
     explicit Session(const fs::path& root) : home(root.parent_path()), store(root, smallLimits), document(&worker)
@@ -93,7 +94,7 @@ struct Session
             return !document.job().isBusy() && document.queue().isSettled() && document.modelInfo().faces > 0;
         });
     }
-    /// As it is now; with `recorded` not before that would survive the program.
+    /// Returns the current state. `recorded`: waits until it would survive the end of the program.
     State state(bool recorded = true)
     {
         std::optional<State> answer;
@@ -137,7 +138,7 @@ struct Session
         document.changer().apply(command);
         wait();
     }
-    /// One change of any kind. Whether "finished" is what strokeFinished() says, or must be asked for.
+    /// Makes one random change. Returns whether strokeFinished() reports its end; otherwise the end must be awaited.
     bool act(StrokeFuzzer& random)
     {
         const auto steps = static_cast<std::uint64_t>(document.history().stack().count());
@@ -159,7 +160,7 @@ struct Session
             return randomStroke(random), true;
         }
     }
-    /// Nothing, if the last step is no stroke.
+    /// Changes the radius of the last stroke by `factor`. Does nothing if the last step is not a stroke.
     void editLast(double factor)
     {
         const auto last = document.lastStroke().step();
@@ -204,9 +205,9 @@ struct Session
         }
     }
 
-    /// Of those that the test made beside the root.
+    /// Returns the path of a file beside the root.
     QString file(const char* name) const { return QString::fromStdString((home / name).string()); }
-    /// A small ball beside the model.
+    /// Inserts a small ball beside the model.
     void insert()
     {
         document.changer().insert({file("ball.stl")});
@@ -220,7 +221,7 @@ struct Session
     Document document;
 };
 
-/// What the test starts and kills: changes from a seed, each told as soon as it is finished.
+/// Main function of the process that a test kills: makes random changes and prints the state after each.
 int runVictim(const fs::path& root, std::uint64_t seed, int changes)
 {
     Session session(root);
@@ -232,7 +233,7 @@ int runVictim(const fs::path& root, std::uint64_t seed, int changes)
         std::cout << lineOf(session.state(!isStroke)) << std::endl;
     }
     std::cout << "done" << std::endl;
-    std::quick_exit(0); // as if it were killed: the journal stays
+    std::quick_exit(0); // ends like a kill, so that the journal remains
 }
 
 struct Kind
@@ -253,7 +254,7 @@ template <class Command> void whole(Session& session, StrokeFuzzer&)
     session.apply(Command{});
 }
 
-/// Every kind of change that a document knows, each of which does something.
+/// Every kind of change that a document can make. Each of them changes something.
 constexpr Kind kinds[] = {
     {"strokes", strokes},
     {"edit the last stroke", [](Session& s, StrokeFuzzer&) { s.editLast(1.2); }},
@@ -297,7 +298,7 @@ constexpr Kind kinds[] = {
     {"lose the file", [](Session& s, StrokeFuzzer&) { s.document.savedState().onFileDeleted(), s.wait(); }},
 };
 
-/// Those up to that one; says the state after each, and rests.
+/// Makes the changes up to index `last`, prints the state after each, and waits to be killed.
 int runKinds(const fs::path& root, int last)
 {
     Session session(root);
@@ -311,7 +312,7 @@ int runKinds(const fs::path& root, int last)
         ::pause();
 }
 
-/// On a display of its own: a window, and a document with a change that no file holds, or with none.
+/// Main function of a process on a separate display, with an unsaved change or without.
 int runOnDisplay(const fs::path& root, bool changes)
 {
     RecoveryStore store(root);
@@ -338,8 +339,8 @@ State stateOf(const core::RecoveredDocument& document)
             static_cast<int>(document.history.steps.size())};
 }
 
-/// Whether it was on its way from the one to the other, step by step: from there its own steps lead back, as far as a
-/// base has left them.
+/// Returns whether the document was in a jump between two states, step by step. Its remaining deltas must lead back to
+/// `from`, unless a base has dropped them.
 bool isJumping(core::RecoveredDocument& found, const State& from, const State& to)
 {
     const int present = static_cast<int>(found.history.present), count = static_cast<int>(found.history.steps.size());
@@ -356,7 +357,7 @@ bool isJumping(core::RecoveredDocument& found, const State& from, const State& t
     return found.mesh->stateHash() == from.state;
 }
 
-/// Whether the last stroke is taken back, to be done otherwise: it can still be done again as it was.
+/// Returns whether the last stroke was undone to be edited. Its delta must redo it.
 bool isEditing(core::RecoveredDocument& found, const State& from, const State& to)
 {
     const std::size_t present = found.history.present;
@@ -376,7 +377,7 @@ fs::path onlyFolderIn(const fs::path& root)
     return {};
 }
 
-/// A display server of our own.
+/// A display server for one test.
 class XServer
 {
 public:
@@ -402,7 +403,7 @@ private:
 };
 } // namespace
 
-/// Programs end as they should not, and their documents come back.
+/// Tests programs that end abnormally and the recovery of their documents.
 class TestRecovery : public QObject
 {
     Q_OBJECT
@@ -431,9 +432,9 @@ private Q_SLOTS:
 private:
     fs::path newRoot() { return fs::path(m_home.path().toStdString()) / std::to_string(m_roots++); }
     void startVictim(QProcess& victim, const fs::path& root, std::uint64_t seed, int changes);
-    /// A journal whose program was killed after some changes.
+    /// Leaves the journal of a program that was killed after some changes. Returns the last state.
     State leaveJournal(const fs::path& root, std::uint64_t seed, int changes);
-    /// What the program told after each of the kinds up to `last`, and then was killed.
+    /// Returns the output of a program that made the changes up to `last` and was then killed.
     QList<QByteArray> killAfter(const fs::path& root, int last);
     QByteArray killDisplayOf(const fs::path& root, const QString& changes);
 
@@ -477,8 +478,9 @@ void TestRecovery::kill_losesNothingThatWasFinished_data()
         QTest::addRow("%llu", seed) << seed;
 }
 
-/// The same changes each time, and SIGKILL at any moment: what comes back is the last state that was told of, or the
-/// one after it, or one that a jump passes between them, or the one without a stroke that is being done otherwise.
+/// Kills a process at random moments of the same changes.
+/// Recovery must give the last reported state, or the next one, or one inside a jump between them, or the one before a
+/// stroke that is being edited.
 void TestRecovery::kill_losesNothingThatWasFinished()
 {
     QFETCH(quint64, seed);
@@ -494,7 +496,7 @@ void TestRecovery::kill_losesNothingThatWasFinished()
     std::vector<State> states;
     for (const QByteArray& line : whole.readAllStandardOutput().trimmed().split('\n'))
         states.push_back(stateIn(line));
-    states.pop_back(); // "done"
+    states.pop_back(); // the line "done"
     QCOMPARE(states.size(), std::size_t(changes) + 1);
 
     StrokeFuzzer random(seed);
@@ -503,13 +505,13 @@ void TestRecovery::kill_losesNothingThatWasFinished()
         const fs::path root = newRoot();
         QProcess victim;
         startVictim(victim, root, seed, changes);
-        if (random.below(10) > 0) // it has a model
+        if (random.below(10) > 0) // waits until it has a model
             QVERIFY(victim.waitForReadyRead(longestWait));
         QTest::qWait(static_cast<int>(random.below(lasts)));
-        victim.kill(); // it may be done already
+        victim.kill(); // the process may have finished
         QTRY_COMPARE_WITH_TIMEOUT(victim.state(), QProcess::NotRunning, longestWait);
         QList<QByteArray> lines = victim.readAllStandardOutput().split('\n');
-        lines.pop_back(); // perhaps half of one
+        lines.pop_back(); // may be truncated
         lines.removeAll("done");
         if (lines.isEmpty()) {
             ++early;
@@ -551,7 +553,7 @@ void TestRecovery::kill_afterEachKindOfChange()
     QCOMPARE(lines.size(), last + 1);
     QVERIFY2(last == 0 || lines[last] != lines[last - 1], "it did nothing");
     const bool isModified = lines[last].endsWith(" 1");
-    int found = 0; // the model before may be there yet
+    int found = 0; // the journal of the previous model may still exist
     for (const auto& folder : fs::directory_iterator(root)) {
         const auto document = core::recoverJournal(folder.path());
         if (!document || stateOf(*document) != stateIn(lines[last]) || document->isUnsaved() != isModified)
@@ -604,7 +606,7 @@ void TestRecovery::recovered_goesOnWithItsHistory()
         QVERIFY(session.document.savedState().isModified());
         QCOMPARE(offers.size(), 2);
         QCOMPARE(offers[1][0].value<RecoveryOffer>().id, quint64(0));
-        // As far as it goes, back and forth again, and on.
+        // Undoes as far as possible, redoes everything, and continues with new strokes.
         session.document.history().goTo(0);
         QCOMPARE(session.document.history().stack().index(), session.document.history().store().firstIndex());
         session.document.history().goTo(left.present);
@@ -618,10 +620,10 @@ void TestRecovery::recovered_goesOnWithItsHistory()
         const auto again = core::recoverJournal(folder);
         QVERIFY(again && stateOf(*again) == last);
     }
-    QVERIFY(fs::is_empty(root)); // both documents were given up in order
+    QVERIFY(fs::is_empty(root)); // both documents were closed normally
 }
 
-/// As if the program had not been killed in between.
+/// The last stroke can be edited as if the program had not been killed.
 void TestRecovery::recovered_itsLastStrokeCanBeEdited()
 {
     const QList<QByteArray> edited = killAfter(newRoot(), 1);
@@ -678,7 +680,7 @@ void TestRecovery::discarded_isNeverOfferedAgain()
         QTRY_COMPARE(offers.size(), 1);
         store.discard(offers[0][0].value<RecoveryOffer>().id);
         QCOMPARE(offers.size(), 2);
-        QVERIFY(offers[1][0].value<RecoveryOffer>().id != 0); // the other one
+        QVERIFY(offers[1][0].value<RecoveryOffer>().id != 0); // the other document
     }
     {
         RecoveryStore store(root);
@@ -699,7 +701,8 @@ void TestRecovery::closed_leavesNothing()
         session.openBall();
         session.apply(core::Fill{red});
         session.openBall();
-        QTRY_COMPARE(std::distance(fs::directory_iterator(root), {}), 1); // the model before is given up
+        // the journal of the previous model is removed
+        QTRY_COMPARE(std::distance(fs::directory_iterator(root), {}), 1);
     }
     QVERIFY(fs::is_empty(root));
 }
@@ -711,7 +714,7 @@ void TestRecovery::earlierVersions_areKeptIfAskedFor()
     const auto kept = [&](int version) { return core::NumberedBackup::nameOf(file.toStdU16String(), version); };
     Session session(newRoot());
     session.openBall();
-    for (int i = 0; i < 6; ++i) { // the last four with the request
+    for (int i = 0; i < 6; ++i) { // the setting is on for the last four rounds
         ui::Settings().set(ui::Preferences{.input = {}, .keepsBackups = i >= 2});
         session.apply(core::Fill{{static_cast<std::uint8_t>(i), 0, 0}});
         session.document.saver().save(file);
@@ -729,7 +732,7 @@ void TestRecovery::another_program_isLeftAlone()
     const fs::path root = newRoot();
     QProcess victim;
     startVictim(victim, root, 8, 100'000);
-    for (int told = 0; told < 8;) { // a victim that has something to lose
+    for (int told = 0; told < 8;) { // until the process has unsaved changes
         QVERIFY(victim.canReadLine() || victim.waitForReadyRead(longestWait));
         told += victim.canReadLine() && !victim.readLine().isEmpty();
     }
@@ -747,7 +750,7 @@ void TestRecovery::another_program_isLeftAlone()
     QVERIFY(victim.waitForFinished(longestWait));
     const auto found = core::recoverJournal(onlyFolderIn(root));
     QVERIFY(found && !found->history.steps.empty());
-    // Two that start at once: one of them offers it.
+    // If two programs start at once, only one of them offers the document.
     const auto first = core::JournalFolder::abandoned(root), second = core::JournalFolder::abandoned(root);
     QCOMPARE(first.size(), std::size_t(1));
     QVERIFY(second.empty());
@@ -763,14 +766,14 @@ void TestRecovery::damagedBeyondUse_isPutAsideAndSaid()
     for (const auto& base : core::filesIn(folder).bases)
         cut(core::baseFile(folder, base.first));
     {
-        core::JournalFolder::make(root); // of a program that ended before it had a model: nothing is lost with that
+        core::JournalFolder::make(root); // a program that ended before it had a model, which is no loss
         RecoveryStore store(root);
         QSignalSpy offers(&store, &RecoveryStore::offered), told(&store, &RecoveryStore::noticed);
         store.findAbandoned();
         QTRY_COMPARE(told.size(), 1);
         QVERIFY(told[0][0].toString().contains(QString::fromStdString((aside / folder.filename()).string())));
         QCOMPARE(offers[0][0].value<RecoveryOffer>().id, quint64(0));
-        store.findAbandoned(); // it is not said again
+        store.findAbandoned(); // must not report it again
         QTRY_COMPARE(offers.size(), 2);
         QCOMPARE(told.size(), 1);
     }
@@ -778,17 +781,18 @@ void TestRecovery::damagedBeyondUse_isPutAsideAndSaid()
     QVERIFY(!core::filesIn(aside / folder.filename()).segments.empty());
 }
 
-/// A byte in the middle: what was before it is open again, recorded anew, and the rest is kept.
+/// Damages a byte in the middle. The changes before it are restored and recorded in a new journal, and the damaged
+/// files are kept.
 void TestRecovery::damagedInPart_comesBackAndIsKept()
 {
     const fs::path root = newRoot(), aside = fs::path(root) += "-damaged";
     const State left = leaveJournal(root, 11, 30);
     const fs::path folder = onlyFolderIn(root);
     const core::JournalFiles files = core::filesIn(folder);
-    auto segment =
-        files.segments.lower_bound(files.bases.empty() ? 0 : files.bases.rbegin()->first); // those before are of no use
+    // earlier segments are not read
+    auto segment = files.segments.lower_bound(files.bases.empty() ? 0 : files.bases.rbegin()->first);
     if (std::next(segment) != files.segments.end())
-        ++segment; // so that something comes back, however large the first change is
+        ++segment; // skips one segment, so that something is recovered even if the first change is large
     {
         std::fstream file(core::segmentFile(folder, segment->first), std::ios::in | std::ios::out | std::ios::binary);
         file.seekp(static_cast<std::streamoff>(segment->second / 2)).write("damaged!", 8);
@@ -840,9 +844,9 @@ void TestRecovery::fullDisk_recordsAgainWhenThereIsRoom()
             session.randomStroke(random);
         QVERIFY(session.document.journaling().journal()->isBroken());
         session.randomStroke(random);
-        session.document.history().undo(); // nothing hears of it
+        session.document.history().undo(); // the broken journal does not record it
         session.wait();
-        QTest::qWait(200); // there is no room yet
+        QTest::qWait(200); // without free space
         QCOMPARE(told("recorded again"), round - 1);
         fs::remove(largerDisk->folder() / "filler");
         until([&] { return told("recorded again") == round; });
@@ -851,7 +855,7 @@ void TestRecovery::fullDisk_recordsAgainWhenThereIsRoom()
         const State now = session.state();
         until([&] {
             return !session.document.journaling().journal()->stats().isCompacting;
-        }); // what is read comes and goes else
+        }); // compaction would remove files while the test reads them
         const auto found = core::recoverJournal(session.document.journaling().journal()->folder());
         QVERIFY(found && stateOf(*found) == now && found->isUnsaved() == session.document.savedState().isModified());
         for (int i = 0; i < now.count; ++i)
@@ -894,7 +898,7 @@ void TestRecovery::fullDisk_isSaidOnceAndLosesNoWork()
         const auto found = core::recoverJournal(session.document.journaling().journal()->folder());
         QVERIFY(found && std::ranges::find(states, found->mesh->stateHash(), &State::state) != states.end());
     }
-    session.openBall(); // there is no room for that, either, and it is not said again
+    session.openBall(); // the disk is still full, which must not be reported again
     for (const auto& notice : notices)
         told -= notice[0].toString().contains(QStringLiteral("disk is full"));
     QCOMPARE(told, 0);
@@ -974,7 +978,7 @@ static int recoveryMain(int argc, char* argv[])
         return runOnDisplay(argv[2], qstrcmp(argv[3], "changed") == 0);
     }
     const bool isVictim = is(5, "--victim"), isOfKinds = is(4, "--kinds");
-    if (!isVictim && !isOfKinds) { // before there are threads
+    if (!isVictim && !isOfKinds) { // before any thread starts
         places::obeyPermissions();
         smallDisk = std::make_unique<places::SmallDisk>(
             fs::temp_directory_path() / ("fettle-journal-" + std::to_string(QCoreApplication::applicationPid())));
