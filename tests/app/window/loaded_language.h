@@ -10,7 +10,7 @@
 
 namespace app
 {
-/// Makes the program speak one language while it lives.
+/// Sets the program's language for the lifetime of the object.
 class LoadedLanguage
 {
 public:

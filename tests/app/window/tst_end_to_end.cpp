@@ -85,13 +85,13 @@ void TestEndToEnd::openPullUndoExport()
     QVERIFY(report.printReady());
     QCOMPARE(quint64(report.faces), program.document.modelInfo().faces);
     QVERIFY(report.volume.value_or(0) > core::checkMesh(core::readMesh(in.toStdString())).volume.value_or(0));
-    QVERIFY(program.window.isWindowModified()); // an export is no saving
+    QVERIFY(program.window.isWindowModified()); // exporting does not count as saving
     const ui::ViewportStats stats = program.window.viewport()->stats();
     qInfo("input to patch %.1f ms, worst %.1f ms; to the screen %.1f ms", program.worker.stats().latencyMs,
           program.worker.stats().worstLatencyMs, stats.latencyMs);
 }
 
-/// Held in one place, without a move: a dab at the press, and ten a second.
+/// A press held in one place makes one dab at once and then ten per second. Esc cancels the stroke.
 void TestEndToEnd::heldPull_goesOnAndEscTakesItBack()
 {
     QTemporaryDir folder;
@@ -138,7 +138,7 @@ void TestEndToEnd::toolsByModifier()
     QVERIFY(program.document.history().stack().text(1) != program.document.history().stack().text(2));
 }
 
-/// From the menus' keys to the export, no mouse is touched.
+/// Sculpts from the menus to the export by keys only, without the mouse.
 void TestEndToEnd::sculptedByKeysAlone()
 {
     QTemporaryDir folder;
@@ -152,7 +152,7 @@ void TestEndToEnd::sculptedByKeysAlone()
     QTest::keyClick(&program.window, Qt::Key_K, Qt::ControlModifier);
     QVERIFY(view->keyboardCursor()->isOn() && view->hasFocus());
     QVERIFY(program.window.findChild<QWidget*>(QStringLiteral("keyCross"))->isVisible());
-    QTest::keyClick(view, Qt::Key_1); // Pull
+    QTest::keyClick(view, Qt::Key_1); // key for Pull
     QTest::keyPress(view, Qt::Key_Space);
     for (int i = 0; i < 10; ++i)
         QTest::keyClick(view, Qt::Key_Right);
@@ -167,7 +167,7 @@ void TestEndToEnd::sculptedByKeysAlone()
     QTest::keyClick(view, Qt::Key_Down);
     QTest::keyClick(view, Qt::Key_Return);
     QTRY_COMPARE_WITH_TIMEOUT(steps.count(), 2, longestWait);
-    QVERIFY(steps.text(0) != steps.text(1)); // Push
+    QVERIFY(steps.text(0) != steps.text(1)); // the second step is a Push
 
     QTest::keyClick(&program.window, Qt::Key_K, Qt::ControlModifier);
     QVERIFY(!view->keyboardCursor()->isOn());
@@ -181,7 +181,7 @@ void TestEndToEnd::sculptedByKeysAlone()
     QVERIFY(isSound(out));
 }
 
-/// They are kept; one hand given up is the usual two again.
+/// The choice of hands is saved. Switching one-handed mode off restores two hands.
 void TestEndToEnd::handsOfTheNextVisit_areChosenInTheMenu()
 {
     const auto hands = [] { return HeadsetSettingsStore().load().wands; };
@@ -238,7 +238,7 @@ void TestEndToEnd::closing_asksOnlyWithChanges()
     program.document.strokes().beginStroke({});
     program.document.strokes().addSample(sample);
     program.document.strokes().endStroke();
-    QVERIFY(!program.window.close()); // the stroke has not even reported yet
+    QVERIFY(!program.window.close()); // the stroke has not been reported yet
     QTRY_COMPARE(asked, 1);
     QCOMPARE(program.document.history().stack().count(), 1);
     program.document.history().undo();
@@ -247,7 +247,7 @@ void TestEndToEnd::closing_asksOnlyWithChanges()
     QCOMPARE(asked, 1);
 }
 
-/// Nobody has said yet that the press is on the model when the window is to close.
+/// The window closes while it is still unknown whether a press is on the model.
 void TestEndToEnd::closing_waitsForThePress()
 {
     Program program;
@@ -269,7 +269,7 @@ void TestEndToEnd::closing_waitsForThePress()
     QCOMPARE(asked, 2);
 }
 
-/// The second press of the key finds the file that the first one gave.
+/// The second press of the save key writes to the file that the first one chose.
 void TestEndToEnd::saving_byKey()
 {
     QTemporaryDir folder;
@@ -328,7 +328,7 @@ void TestEndToEnd::swatches_areSavedWithTheModel()
     colors->setSwatches(persons);
     program.document.opener().open(path);
     QTRY_VERIFY(!program.document.job().isBusy() && colors->swatches() == own);
-    QVERIFY(ui::Settings().get(&ui::Setting::swatches) == persons); // other models keep the person's
+    QVERIFY(ui::Settings().get(&ui::Setting::swatches) == persons); // other models keep the user's own swatches
 }
 
 void TestEndToEnd::closing_maySaveFirst()
@@ -341,7 +341,7 @@ void TestEndToEnd::closing_maySaveFirst()
     QVERIFY(!program.window.close());
     QVERIFY(program.window.isVisible());
     chooseFile(program, "saveDialog", path);
-    QTRY_VERIFY(!program.window.isVisible()); // it closes by itself
+    QTRY_VERIFY(!program.window.isVisible()); // the window closes without another action
     QVERIFY(isSound(path));
 }
 
@@ -364,7 +364,7 @@ void TestEndToEnd::opening_maySaveFirst()
     QVERIFY(core::readMesh(path.toStdString()).points.size() > 162);
 }
 
-/// Who changes their mind in the dialog stays; a later save is only a save.
+/// Cancelling the save dialog cancels the close or open that waited for it. A later save has no such effect.
 void TestEndToEnd::aSaveGivenUp_givesUpWhatWaitedForIt()
 {
     QTemporaryDir folder;
@@ -387,7 +387,7 @@ void TestEndToEnd::aSaveGivenUp_givesUpWhatWaitedForIt()
     QVERIFY(isSound(path));
 }
 
-/// The brush is far finer than the surface that it is to refine.
+/// The brush is much finer than the surface, so the work limit of a dab is reached.
 void TestEndToEnd::tooMuchWork_isSaid()
 {
     Program program;
@@ -396,7 +396,7 @@ void TestEndToEnd::tooMuchWork_isSaid()
     program.window.brush()->setValue(core::Parameter::Detail, 0.05);
     QSignalSpy noticed(&program.document, &Document::noticed);
     QTest::mouseClick(program.window.viewport(), Qt::LeftButton, {}, middle(program.window.viewport()));
-    QTRY_COMPARE_WITH_TIMEOUT(noticed.size(), 1, longestWait); // a sanitizer is ten times slower
+    QTRY_COMPARE_WITH_TIMEOUT(noticed.size(), 1, longestWait); // sanitizers are ten times slower
     QCOMPARE(notice(program), ui::ErrorMessages::shortfall(core::Shortfall::Capped));
     QTRY_VERIFY(program.document.queue().isSettled());
     QCOMPARE(noticed.size(), 1);

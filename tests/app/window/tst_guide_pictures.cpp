@@ -45,10 +45,10 @@ using namespace app;
 namespace
 {
 constexpr QSize windowSize{1000, 640}, narrowSize{820, 640};
-constexpr int maxWidth = 700; ///< pixels of a picture: the guide's text is as wide
+constexpr int maxWidth = 700; ///< maximum width of a picture in pixels, equal to that of the guide's text
 constexpr qint64 maxBytes = 3'000'000;
-constexpr int flightMs = 600; ///< of the view, to another side
-constexpr int settleMs = 300; ///< for layouts, and for what other threads find out
+constexpr int flightMs = 600; ///< ms that the camera takes to fly to another side
+constexpr int settleMs = 300; ///< ms that layouts and results of other threads take
 const QString languageKey = QStringLiteral("Language"), textsKey = QStringLiteral("Texts");
 
 QString textOf(const QWidget& widget)
@@ -64,7 +64,7 @@ QString textOf(const QWidget& widget)
     return {};
 }
 
-/// Returns the words that can be read in a part of a widget, sorted and without numbers, which depend on the machine.
+/// Returns the visible texts in a part of a window, sorted and without numbers, which depend on the machine.
 QString visibleTexts(const QWidget& window, const QRect& part)
 {
     QStringList texts;
@@ -82,7 +82,7 @@ QString visibleTexts(const QWidget& window, const QRect& part)
     return texts.join(u'\n');
 }
 
-/// Paints a white number in a dark circle, by which the text names a part of the window.
+/// Paints a white number in a dark circle. The guide refers to parts of the window by such numbers.
 void paintNumber(QPainter& painter, const QPoint& middle, int number)
 {
     QRect circle(0, 0, 26, 26);
@@ -98,7 +98,7 @@ void paintNumber(QPainter& painter, const QPoint& middle, int number)
     painter.drawText(circle, Qt::AlignCenter, QString::number(number));
 }
 
-/// Returns whether the last preset has its picture.
+/// Returns whether the picture of the last preset has been drawn.
 bool isDrawn(const QListView* presets)
 {
     const QAbstractItemModel* model = presets->model();
@@ -107,7 +107,8 @@ bool isDrawn(const QListView* presets)
     return !icon.isNull() && icon.pixmap(size).toImage().pixelColor(size.width() / 2, size.height() / 2).alpha() > 0;
 }
 
-/// Returns the picture without the two lowest bits of each colour, which nobody sees: the file is half as large.
+/// Returns the picture without the two lowest bits of each colour component. The difference is invisible and halves the
+/// file.
 QImage withoutNoise(const QImage& picture)
 {
     QImage calm = picture.convertToFormat(QImage::Format_RGB888);
@@ -124,7 +125,7 @@ void waitForRest(Program& program)
                              longestWait);
 }
 
-/// Draws a stroke by the mouse, in shares of the view.
+/// Draws a mouse stroke. Coordinates are shares of the view's width and height, 0 to 1.
 void stroke(Program& program, const QList<QPointF>& way)
 {
     ui::Viewport* view = program.window.viewport();
@@ -143,10 +144,10 @@ void stroke(Program& program, const QList<QPointF>& way)
 }
 } // namespace
 
-/// The pictures of the guide, drawn from the running program in each language: resources/help/<language>/pictures. With
-/// FETTLE_WRITE_PICTURES=1 they are written anew (tests/README.md). Otherwise those of the tree must show the words
-/// that the program has now, in that language, at about the same size. Each file carries its words, because pixels
-/// differ from driver to driver.
+/// Draws the pictures of the guide from the running program in each language: resources/help/<language>/pictures.
+/// FETTLE_WRITE_PICTURES=1 writes them again (see tests/README.md). Otherwise the existing pictures must have the
+/// program's current texts and about the same size.
+/// Each picture file contains its texts as metadata, because pixels differ between graphics drivers.
 class TestGuidePictures : public QObject
 {
     Q_OBJECT
@@ -225,7 +226,7 @@ void TestGuidePictures::pictures()
     takeLesson(program);
 }
 
-/// Takes `part` of the widget, or all of it.
+/// Takes a picture of `part` of the widget, or of the whole widget if `part` is invalid.
 void TestGuidePictures::take(const QWidget& widget, const QString& name, QRect part)
 {
     QTest::qWait(settleMs);
@@ -263,7 +264,7 @@ void TestGuidePictures::takeStart(Program& program)
     start->close();
 }
 
-/// Takes a head in the making, with a number on each part of the window.
+/// Takes a picture of a partly sculpted head, with a number on each part of the window.
 void TestGuidePictures::takeWindow(Program& program)
 {
     program.window.action(QStringLiteral("view.front"))->trigger();
@@ -314,20 +315,20 @@ void TestGuidePictures::takePalette(Program& program)
     palette->close();
 }
 
-/// Opens the panel, and folds the others.
+/// Opens the panel and folds all others.
 static void openAlone(Program& program, ui::SidePanel* panel)
 {
     for (ui::SidePanel* other : program.window.findChild<ui::SideColumn*>()->panels())
         if (other != panel && other->state() == ui::SidePanel::State::Open)
             other->setState(ui::SidePanel::State::Folded);
     panel->bringForward();
-    QTest::qWait(settleMs); // it is scrolled to
+    QTest::qWait(settleMs); // waits for scrolling to the panel
 }
 
-/// Returns where the panel is, and the view beside it.
+/// Returns the area of the panel and the view beside it.
 static QRect panelAndView(Program& program, ui::SidePanel* panel)
 {
-    QTest::qWait(settleMs); // the column is laid out
+    QTest::qWait(settleMs); // waits for the layout of the column
     const QPoint corner = panel->mapTo(&program.window, QPoint());
     const int right = corner.x() + panel->width();
     const ui::Viewport* view = program.window.viewport();
@@ -361,7 +362,7 @@ void TestGuidePictures::takePrint(Program& program)
     QVERIFY(panel);
     openAlone(program, panel);
     const auto* findings = panel->findChild<QListWidget*>(QStringLiteral("print.findings"));
-    panel->findChild<QComboBox*>(QStringLiteral("print.picture"))->setCurrentIndex(2); // overhangs
+    panel->findChild<QComboBox*>(QStringLiteral("print.picture"))->setCurrentIndex(2); // colours of overhangs
     QTRY_VERIFY_WITH_TIMEOUT(findings->isEnabled() && findings->count() > 0, longestWait);
     take(program.window, QStringLiteral("print"), panelAndView(program, panel));
     panel->setState(ui::SidePanel::State::Hidden);
@@ -389,7 +390,7 @@ void TestGuidePictures::takeRepair(Program& program)
     takeDialog(program, {}, QStringLiteral("repair"));
 }
 
-/// Takes the first step of the mug.
+/// Takes a picture of the mug's first step.
 void TestGuidePictures::takeLesson(Program& program)
 {
     program.window.action(QStringLiteral("help.lessons"))->trigger();
@@ -404,7 +405,7 @@ void TestGuidePictures::takeLesson(Program& program)
     take(program.window, QStringLiteral("lesson"), panelAndView(program, panel));
 }
 
-/// Takes the dialog that the action opens, or that is open, and closes it.
+/// Takes a picture of the dialog that the action opens, or of the open dialog if the action is empty, and closes it.
 void TestGuidePictures::takeDialog(Program& program, const QString& action, const QString& name)
 {
     if (!action.isEmpty())
@@ -416,7 +417,7 @@ void TestGuidePictures::takeDialog(Program& program, const QString& action, cons
     QTRY_VERIFY(!QApplication::activeModalWidget());
 }
 
-/// Takes the simulator's window, with a head in the room.
+/// Takes a picture of the simulator's window with a head in the room.
 void TestGuidePictures::simulator()
 {
     if (!ui::graphicsProblem().isEmpty())

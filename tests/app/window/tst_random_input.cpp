@@ -27,9 +27,9 @@ using namespace app;
 namespace
 {
 constexpr int smallSeconds = 4, longSeconds = 8, soakSeconds = 150;
-constexpr quint64 maxVertices = 60'000; ///< more, and the hand begins anew
+constexpr quint64 maxVertices = 60'000; ///< with more vertices a new model is opened
 
-/// Somebody who presses, drags, types and chooses whatever comes, on the window and in every dialog that opens.
+/// A simulated user who presses, drags, types and chooses at random in the window and in every dialog that opens.
 class RandomInput
 {
 public:
@@ -40,7 +40,7 @@ public:
     }
 
     void act();
-    /// Nobody answers dialogs any more; those that are open are closed.
+    /// Stops answering dialogs and closes open ones.
     void rest();
 
 private:
@@ -118,7 +118,7 @@ void RandomInput::type()
                     key == Qt::Key_Z ? Qt::KeyboardModifiers(Qt::ControlModifier) : modifiers());
 }
 
-/// Any command but the end of the program, and those that change files.
+/// Triggers a random command, except for quitting and commands that change files.
 void RandomInput::choose()
 {
     const auto table = ui::actionTable();
@@ -132,7 +132,7 @@ void RandomInput::act()
     if (QWidget* popup = QApplication::activePopupWidget())
         popup->close();
     if (QApplication::activeModalWidget())
-        return QTest::qWait(10); // answer() is at it
+        return QTest::qWait(10); // answer() handles the dialog
     if (m_program.document.modelInfo().vertices > maxVertices && !m_program.document.job().isBusy())
         m_program.window.action(QStringLiteral("model.reset"))->trigger();
     switch (below(10)) {
@@ -154,7 +154,7 @@ void RandomInput::act()
     }
 }
 
-/// Dialogs get keys and clicks, too, but not for ever.
+/// Sends keys and clicks to an open dialog, and closes it after a while.
 void RandomInput::answer()
 {
     if (QWidget* popup = QApplication::activePopupWidget()) {
@@ -187,8 +187,8 @@ void RandomInput::rest()
 }
 } // namespace
 
-/// Minutes of senseless work on the real window (FETTLE_EFFORT=soak; seconds otherwise). What goes wrong shows as a
-/// crash, under the sanitizers best, as a model that is not sound, or as steps that cannot be undone and done again.
+/// Random input to the real window for minutes (FETTLE_EFFORT=soak) or seconds. Errors are crashes, best found by
+/// sanitizers, unsound models, and steps that cannot be undone and redone.
 class TestRandomInput : public QObject
 {
     Q_OBJECT
@@ -210,7 +210,7 @@ void TestRandomInput::theModelStaysSound()
         QSKIP("There is no OpenGL here.");
     QFETCH(unsigned, seed);
     Program program;
-    program.window.resize(800, 600); // software draws it
+    program.window.resize(800, 600); // small, because the view is drawn in software
     program.window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&program.window));
     program.document.opener().openBall();
@@ -245,7 +245,7 @@ void TestRandomInput::theModelStaysSound()
 
 static int randomInputMain(int argc, char* argv[])
 {
-    const QTemporaryDir home; // where its dialogs write
+    const QTemporaryDir home; // dialogs write their files here
     qputenv("HOME", home.path().toLocal8Bit());
     ui::prepareGraphics();
     QApplication application(argc, argv);

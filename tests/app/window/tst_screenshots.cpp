@@ -58,20 +58,20 @@ using namespace app;
 namespace
 {
 constexpr QSize smallScreen{1280, 720}, largeScreen{1920, 1080};
-constexpr int flightMs = 600; ///< of the view, to a place
-constexpr int settleMs = 250; ///< layouts, and what comes from other threads: facts
+constexpr int flightMs = 600; ///< ms that the camera takes to fly to a place
+constexpr int settleMs = 250; ///< ms that layouts and results of other threads take
 
 int widthOf(const QWidget* widget, const QString& text)
 {
     return widget->fontMetrics().size(Qt::TextShowMnemonic, text).width();
 }
 
-/// Empty, or the text that does not have the room that it needs.
+/// Returns a text of the widget that has too little space, or an empty text.
 QString clippedText(const QWidget* widget)
 {
     if (const auto* label = qobject_cast<const QLabel*>(widget)) {
         static const QRegularExpression key(QStringLiteral("&\\w"));
-        if (!label->buddy() && label->text().contains(key)) // the sign is shown, and the key leads nowhere
+        if (!label->buddy() && label->text().contains(key)) // the & would be visible, and its key would have no effect
             return label->text();
         const int needed = label->wordWrap() ? label->heightForWidth(label->width()) : label->sizeHint().height();
         const bool isWide = label->wordWrap() || label->width() >= label->sizeHint().width();
@@ -86,7 +86,8 @@ QString clippedText(const QWidget* widget)
             box->style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, box);
         return room.width() >= widthOf(box, box->currentText()) ? QString() : box->currentText();
     }
-    if (const auto* line = qobject_cast<const QLineEdit*>(widget)) { // what a person types may be longer, our words not
+    // typed text may be longer than the field, but texts of the program may not
+    if (const auto* line = qobject_cast<const QLineEdit*>(widget)) {
         const QString words = line->text().isEmpty() ? line->placeholderText()
                               : line->isReadOnly()   ? line->text()
                                                      : QString();
@@ -100,12 +101,12 @@ QString clippedText(const QWidget* widget)
     return {};
 }
 
-/// What cannot be read in the window, each with its widget's kind.
+/// Returns all clipped texts in the window, each with the type of its widget.
 QStringList clippedTexts(const QWidget& window)
 {
     QStringList clipped;
     for (const QWidget* widget : window.findChildren<QWidget*>()) {
-        if (widget->visibleRegion().isEmpty()) // panels behind others are elsewhere
+        if (widget->visibleRegion().isEmpty()) // excludes panels behind others, which have no layout
             continue;
         const QString text = clippedText(widget);
         if (!text.isEmpty())
@@ -114,7 +115,7 @@ QStringList clippedTexts(const QWidget& window)
     return clipped;
 }
 
-/// Whether the last preset has its picture.
+/// Returns whether the picture of the last preset has been drawn.
 bool isDrawn(const QListWidget& presets)
 {
     const QListWidgetItem* last = presets.item(presets.count() - 1);
@@ -122,8 +123,8 @@ bool isDrawn(const QListWidget& presets)
 }
 } // namespace
 
-/// The main states of the window as pictures, to be looked at: build/<preset>/screenshots. What a test can see is seen
-/// here: nothing is clipped, and the window fits a small screen.
+/// Takes pictures of the window's main states for visual checks: build/<preset>/screenshots. Checks that no text is
+/// clipped and that the window fits a small screen.
 class TestScreenshots : public QObject
 {
     Q_OBJECT
@@ -170,14 +171,14 @@ void TestScreenshots::states_data()
     };
     using enum ui::ThemeChoice;
     const bool isLong = effort() != Effort::Small;
-    if (qApp->devicePixelRatio() > 1) { // tests/app/window/CMakeLists.txt
+    if (qApp->devicePixelRatio() > 1) { // set in tests/app/window/CMakeLists.txt
         add(Light, "de", true);
         add(Dark, "zh_CN", isLong);
         return;
     }
     for (const ui::ThemeChoice theme : {Light, Dark}) {
         for (const char* locale : {"en", "de", "zh_CN"}) {
-            const bool isGerman = qstrcmp(locale, "de") == 0; // its words are the longest
+            const bool isGerman = qstrcmp(locale, "de") == 0; // German texts are the longest
             if (isLong || isGerman == (theme == Dark))
                 add(theme, locale, isLong || isGerman);
         }
@@ -253,7 +254,7 @@ void TestScreenshots::takeKeyHand(Program& program)
     QTRY_VERIFY(program.document.queue().isSettled());
 }
 
-/// On a larger screen: who wants large texts has one, or hides panels.
+/// Large texts are tested on a larger screen. Users of large texts have one, or hide panels.
 void TestScreenshots::largerTexts_data()
 {
     QTest::addColumn<ui::TextSize>("size");
@@ -273,7 +274,7 @@ void TestScreenshots::largerTexts()
     const QFont usual = QApplication::font();
     QApplication::setFont(ui::scaled(usual, ui::factorOf(size)));
     {
-        const LoadedLanguage words(QStringLiteral("de")); // the longest
+        const LoadedLanguage words(QStringLiteral("de")); // German texts are the longest
         Program program(Program::anyView);
         program.window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&program.window));
@@ -325,7 +326,7 @@ void TestScreenshots::takeUnits(Program& program)
     }
 }
 
-/// The vase's wall, jumped to, with its thickness in colours; then its overhangs.
+/// Takes pictures of the vase's thinnest wall with thickness colours, then of its overhangs.
 void TestScreenshots::takePrint(Program& program)
 {
     program.window.action(QStringLiteral("model.printCheck"))->trigger();
@@ -405,7 +406,7 @@ void TestScreenshots::takeExport(Program& program)
     take(program.window, QStringLiteral("export-verdict"));
 }
 
-/// The one that is open, which is closed.
+/// Takes a picture of the open dialog and closes it.
 void TestScreenshots::takeDialog(const QString& state)
 {
     QDialog* dialog = nullptr;
@@ -499,13 +500,13 @@ void TestScreenshots::takeHelp(Program& program)
     for (int page = 0; page < pages->count(); ++page) {
         pages->setCurrentRow(page);
         QVERIFY(!guide->findChild<QTextBrowser*>()->toPlainText().contains(
-            QLatin1StringView("**"))); // else Markdown was not understood
+            QLatin1StringView("**"))); // would show that Markdown was not interpreted
         take(*guide, QStringLiteral("guide-%1").arg(page + 1));
     }
     guide->close();
 }
 
-/// From the first question to the warning, with a work that waits.
+/// Takes pictures of a class from the first question to the time warning, with an undelivered work.
 void TestScreenshots::takeClass()
 {
     const QTemporaryDir own;
@@ -534,7 +535,7 @@ void TestScreenshots::takeClass()
     const auto isReadable = [&program] {
         return program.window.viewport()->stats().patches > 0 && clippedTexts(program.window).isEmpty();
     };
-    // The question covers the view, which takes the clay when it is seen.
+    // The name panel covers the view. The view receives the clay when it is shown.
     QTRY_COMPARE(panel->geometry(), program.window.viewport()->rect());
     QTRY_VERIFY_WITH_TIMEOUT(program.document.modelInfo().vertices > 0 && clippedTexts(program.window).isEmpty(),
                              longestWait);
@@ -566,8 +567,8 @@ void TestScreenshots::takeClass()
     takeDialog(QStringLiteral("class-pin"));
 }
 
-/// The form on half of the screen, as 1280 x 720 is at 200 %, has each point in sight or can be scrolled to it, and
-/// nothing in it is clipped.
+/// The form must be usable at 640 x 360, a screen of 1280 x 720 at 200 %: each answer is visible or can be scrolled to,
+/// and no text is clipped.
 void TestScreenshots::takeSmallForm(QWidget& window)
 {
     constexpr QSize size(smallScreen.width() / 2, smallScreen.height() / 2);
@@ -591,7 +592,7 @@ void TestScreenshots::takeSmallForm(QWidget& window)
     QTRY_VERIFY(window.size() == smallScreen && clippedTexts(window).isEmpty());
 }
 
-/// Takes the panel before anything is done, while the teacher works, and after it.
+/// Takes pictures of the lesson panel before the step, while the teacher plays, and afterwards.
 void TestScreenshots::takeLesson(Program& program)
 {
     program.document.opener().setDiscardPrompt([](const std::function<void()>&) { return true; });
@@ -606,11 +607,12 @@ void TestScreenshots::takeLesson(Program& program)
     dock->findChild<QPushButton*>(QStringLiteral("lessonPlay"))->click();
     QTRY_VERIFY_WITH_TIMEOUT(program.worker.strokes().isOpen(), longestWait);
     take(program.window, QStringLiteral("lesson-shown"));
-    QTRY_COMPARE_WITH_TIMEOUT(marks->text().count(QChar(0x25CB)), 1, longestWait); // the model is the teacher's
+    // one unmet mark: the model is the teacher's
+    QTRY_COMPARE_WITH_TIMEOUT(marks->text().count(QChar(0x25CB)), 1, longestWait);
     take(program.window, QStringLiteral("lesson-done"));
 }
 
-/// With what to begin, and each page of a step.
+/// Takes pictures of the lesson editor: the choice of the start model, and each page of a step.
 void TestScreenshots::takeLessonEditor(Program& program)
 {
     program.window.action(QStringLiteral("lesson.record"))->trigger();

@@ -1,5 +1,5 @@
-// Every language says everything: the files in translations/ against the sources, against themselves, and in the
-// program.
+// Tests that every language is complete: the files in translations/ are compared with the sources, checked for
+// consistency, and used in the program.
 #include "ui/actions/actions.h"
 
 #include "tests/support/test_main.h"
@@ -25,7 +25,7 @@ namespace
 struct Message
 {
     QString context, source, comment, type;
-    QStringList translations; ///< more than one: plural forms
+    QStringList translations; ///< more than one entry: plural forms
     bool isPlural = false;
 
     QString key() const { return context + QStringLiteral(" | ") + source + QStringLiteral(" | ") + comment; }
@@ -108,7 +108,8 @@ QStringList languages()
     return all;
 }
 
-/// "%1", "%L2", "%n", "[*]", the patterns of a file filter: what must be there as often as in the source.
+/// Returns the placeholders of a text: "%1", "%L2", "%n", "[*]", patterns of file filters. A translation must contain
+/// each as often as the source.
 QStringList marks(const QString& text)
 {
     static const QRegularExpression mark(QStringLiteral(R"(%L?(\d|n)|\[\*\]|\(\*\)|…)"));
@@ -119,7 +120,7 @@ QStringList marks(const QString& text)
     return found;
 }
 
-/// The letters after a '&'; "&&" is none.
+/// Returns the mnemonic letters, each marked by a preceding '&'. "&&" is a literal ampersand.
 QStringList mnemonics(const QString& text)
 {
     static const QRegularExpression mnemonic(QStringLiteral("&(\\w)"), QRegularExpression::UseUnicodePropertiesOption);
@@ -152,7 +153,7 @@ qsizetype formsIn(const QString& language)
     return language.startsWith(QStringLiteral("zh")) ? 1 : 2;
 }
 
-/// What the program says in a language; the language need not be installed.
+/// Returns the program's output in a language, which need not be installed.
 QString fettle(const QStringList& arguments, const QString& language)
 {
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
@@ -247,7 +248,8 @@ void TestTranslations::fault_isFound()
     QCOMPARE(!fault(message, translation).isEmpty(), isFault);
 }
 
-/// What lupdate finds in the sources now is what the file has: the target update_translations updates it.
+/// The file must contain exactly the texts that lupdate finds in the sources. The target update_translations updates
+/// it.
 void TestTranslations::everySource_isThere()
 {
     QFETCH(QString, language);
@@ -286,7 +288,7 @@ void TestTranslations::everyMessage_isTranslated()
     }
 }
 
-/// Texts are looked up under the name of their class. Where lupdate misread the sources it wrote something else.
+/// Texts are looked up by class name. If lupdate misreads a source, it writes another context.
 void TestTranslations::everyContext_isAClass()
 {
     QFETCH(QString, language);
@@ -295,7 +297,7 @@ void TestTranslations::everyContext_isAClass()
         QVERIFY2(ofARoom.match(message.context).hasMatch(), qPrintable(message.key()));
 }
 
-/// One of those that run.sh installs.
+/// Some installed font must contain all Chinese characters; run.sh installs one.
 void TestTranslations::chineseHasAFont()
 {
     QSet<QChar> letters;
@@ -363,7 +365,7 @@ void TestTranslations::menuKeys_areInMenusOnly()
     }
 }
 
-/// English is in the sources, all but its plurals.
+/// Excludes English, which is in the sources except for plural forms.
 void TestTranslations::theProgram_speaksIt_data()
 {
     QTest::addColumn<QString>("language");
@@ -372,7 +374,7 @@ void TestTranslations::theProgram_speaksIt_data()
             QTest::newRow(qPrintable(language)) << language;
 }
 
-/// From ":/i18n", by the way main() takes.
+/// Translations are loaded from ":/i18n" in the same way as in main().
 void TestTranslations::theProgram_speaksIt()
 {
     QFETCH(QString, language);
