@@ -21,7 +21,7 @@ std::shared_ptr<core::Sculptor> ball(int subdivisions)
     return std::make_shared<core::Sculptor>(core::buildMesh(core::icosphere(subdivisions, 50)).mesh);
 }
 
-/// The mesh thread with a ball, the drawing thread, and what came of them. (The threads' signals come here in events.)
+/// The mesh thread with a ball, the drawing thread, and the received results. Signals of the threads arrive as events.
 struct Studio
 {
     explicit Studio(int subdivisions = 4)
@@ -94,7 +94,7 @@ private Q_SLOTS:
         Studio studio;
         studio.pull();
         studio.drawings.watch(true, false);
-        QTRY_VERIFY(studio.height() > 101); // what happened before is there
+        QTRY_VERIFY(studio.height() > 101); // earlier changes are in the drawing
         studio.drawings.watch(false, false);
         bool isDone = false;
         ui::ThreadMailbox mail;
@@ -152,7 +152,7 @@ private Q_SLOTS:
         QTRY_COMPARE(studio.noticed.size(), 1);
         QVERIFY(studio.noticed[0].contains(QStringLiteral("ball.svg")));
         QVERIFY(content(path).contains("my ball"));
-        QVERIFY(!content(path).contains("100.0 × 100.0")); // it was pulled
+        QVERIFY(!content(path).contains("100.0 × 100.0")); // the ball was pulled, so it is no longer 100 mm wide
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 1);
     }
 

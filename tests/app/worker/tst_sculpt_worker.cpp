@@ -49,7 +49,7 @@ core::Vec3 onSphere(std::mt19937_64& random)
     return 50 * p.normalized();
 }
 
-/// What a signal brought.
+/// Collects the values that a signal delivers.
 template <class Value> struct SignalValues
 {
     template <class Sender, class Signal> SignalValues(Sender& sender, Signal signal)
@@ -169,7 +169,7 @@ void TestSculptWorker::queue_answersTheNewestQuestionFirst()
     QVERIFY(!queue.next());
 }
 
-/// As a headset asks whose questions take longer than its frames.
+/// Simulates a headset whose queries take longer than its frames.
 void TestSculptWorker::queue_whoAsksWithoutEnd_keepsNoJobWaiting()
 {
     JobQueue queue;
@@ -201,7 +201,7 @@ void TestSculptWorker::worker_reportsEachStrokeOnce()
         worker.strokes().addSample(Source::Desktop, sampleAt(onSphere(random)));
         worker.strokes().endStroke(Source::Desktop);
     }
-    // a stroke that touches nothing is reported too
+    // A stroke that touches nothing is reported, too.
     QVERIFY(worker.strokes().beginStroke(Source::Desktop, settings()));
     worker.strokes().addSample(Source::Desktop, sampleAt({0, 300, 0}));
     worker.strokes().endStroke(Source::Desktop);
@@ -228,7 +228,7 @@ void TestSculptWorker::worker_refusesASecondSource()
     QTRY_COMPARE(refused.size(), 1);
     QVERIFY(refused.at(0) == Source::Desktop);
     worker.strokes().addSample(Source::Desktop, sampleAt({50, 0, 0}));
-    worker.strokes().endStroke(Source::Desktop); // not its stroke
+    worker.strokes().endStroke(Source::Desktop); // has no effect, because another source's stroke is open
     QVERIFY(worker.strokes().isOpen());
     worker.strokes().endStroke(Source::Headset);
     QVERIFY(!worker.strokes().isOpen());
@@ -332,12 +332,13 @@ void TestSculptWorker::worker_answersWhatABallTouches()
     const auto near = at({0, 0, 60}, settings());
     QVERIFY(near && (near->position - core::Vec3(0, 0, 50)).norm() < 2 && near->distance < 15);
     QVERIFY(!at({0, 0, 70}, settings()));
-    core::StrokeSettings byRay = settings(); // which this ray misses
+    core::StrokeSettings byRay = settings(); // the ray from this place misses the model
     byRay.place = core::Placement::Ray;
     QVERIFY(!at({0, 0, 60}, byRay));
 }
 
-/// A stroke adds one ball and pulls it, however far the wand goes on. One that was refused waits for the surface.
+/// A stroke adds at most one ball, however far the controller moves on. If the ball is refused, the stroke becomes a
+/// pull when it meets the surface.
 void TestSculptWorker::worker_addsOneSphereAStroke()
 {
     SculptWorker worker;
@@ -369,7 +370,7 @@ void TestSculptWorker::worker_addsOneSphereAStroke()
     QVERIFY(!none.delta && none.dabs == 0);
 }
 
-/// It is that very pull.
+/// The refused stroke must equal an ordinary pull.
 void TestSculptWorker::worker_pullsWhereASphereWouldTouch()
 {
     std::vector<std::uint64_t> states;
@@ -380,7 +381,7 @@ void TestSculptWorker::worker_pullsWhereASphereWouldTouch()
         core::StrokeSettings pull = settings();
         pull.add = adds;
         worker.strokes().beginStroke(Source::Headset, pull);
-        for (const double x : {60.0, 55.0, 100.0, 58.0}) // the third touches nothing
+        for (const double x : {60.0, 55.0, 100.0, 58.0}) // the third sample touches nothing
             worker.strokes().addSample(Source::Headset, sampleAt({x, 0, 0}));
         worker.strokes().endStroke(Source::Headset);
         std::atomic<std::uint64_t> state = 0;
@@ -482,7 +483,7 @@ void TestSculptWorker::worker_stopsWithWorkLeft()
         worker.strokes().addSample(Source::Desktop, sampleAt(onSphere(random)));
     worker.stop();
     worker.stop();
-    worker.strokes().endStroke(Source::Desktop); // too late, harmless
+    worker.strokes().endStroke(Source::Desktop); // must have no effect after stop()
 }
 
 void TestSculptWorker::inbox_mergedEqualsWhole_data()
@@ -492,7 +493,7 @@ void TestSculptWorker::inbox_mergedEqualsWhole_data()
         QTest::newRow(qPrintable(QString::number(n))) << n;
 }
 
-/// A viewer that draws every n-th patch, or only the last, has what the mesh is.
+/// A viewer that draws only every n-th patch, merged, must show the same mesh.
 void TestSculptWorker::inbox_mergedEqualsWhole()
 {
     QFETCH(int, patchesPerTake);
