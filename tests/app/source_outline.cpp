@@ -7,7 +7,7 @@ namespace
 {
 struct Token
 {
-    std::string text; ///< a word, a sign, "::", or "\"" for any literal text
+    std::string text; ///< a word, an operator, "::", or "\"" for any literal
     int line = 0;
 };
 
@@ -21,7 +21,7 @@ bool isWord(const Token& token)
     return isWordCharacter(token.text.front());
 }
 
-/// Splits a source into tokens without comments, preprocessor lines and the contents of literals.
+/// Splits a source into tokens, omitting comments, preprocessor lines and the contents of literals.
 class Scanner
 {
 public:
@@ -44,7 +44,7 @@ private:
         m_at = end;
     }
 
-    /// Moves behind the next occurrence of `text`.
+    /// Moves past the next occurrence of `text`.
     void skipPast(std::string_view text, std::size_t from = 0)
     {
         const std::size_t found = m_source.find(text, m_at + from);
@@ -92,7 +92,7 @@ private:
         }
     }
 
-    /// Numbers may have separators: 1'000.
+    /// Returns the length of the word. Numbers may contain separators: 1'000.
     std::size_t wordLength() const
     {
         const bool isNumber = std::isdigit(static_cast<unsigned char>(m_source[m_at]));
@@ -118,7 +118,7 @@ private:
     std::vector<Token> m_tokens;
 };
 
-/// Reads declarations one after another, at the level of namespaces and of classes; bodies of functions are skipped.
+/// Parses declarations in namespaces and classes, and skips the bodies of functions.
 class Parser
 {
 public:
@@ -145,7 +145,7 @@ private:
         return true;
     }
 
-    /// Moves from an opening bracket behind the one that closes it.
+    /// Moves from an opening bracket past the matching closing one.
     void skipBalanced(std::string_view open, std::string_view close)
     {
         for (++m_at; m_at < m_tokens.size(); ++m_at) {
@@ -178,7 +178,7 @@ private:
         take(";");
     }
 
-    /// Reads declarations until the brace that closes the scope. `members`: of the class, null in a namespace.
+    /// Reads declarations up to the closing brace of the scope. `members`: outline of the class, null in a namespace.
     void readScope(const std::string& scope, ClassOutline* members, bool isPublic = true)
     {
         while (m_at < m_tokens.size() && !is("}")) {
@@ -219,7 +219,7 @@ private:
             readFunctionOrVariable(scope, members, isPublic);
     }
 
-    /// Q_OBJECT, Q_PROPERTY(...)
+    /// Skips a macro such as Q_OBJECT or Q_PROPERTY(...). Returns false if there is none.
     bool skipMacro()
     {
         if (m_at >= m_tokens.size() || !m_tokens[m_at].text.starts_with("Q_"))
@@ -234,7 +234,7 @@ private:
     {
         std::string inner = scope;
         for (; m_at < m_tokens.size() && !is("{"); ++m_at) {
-            if (is(";") || is("=")) // an alias; extern "C" of one function
+            if (is(";") || is("=")) // a namespace alias, or extern "C" of one function
                 return skipStatement();
             if (isWord(m_tokens[m_at]) && !is("namespace") && !is("inline") && !is("extern"))
                 inner += "::" + m_tokens[m_at].text;
@@ -250,14 +250,14 @@ private:
             m_outline.isBalanced = false;
     }
 
-    /// False, and nothing is read, if this is no definition of a class.
+    /// Returns false and reads nothing if no class definition follows.
     bool readClass(const std::string& scope)
     {
         const std::size_t begin = m_at;
         const bool isPublic = !is("class");
         std::string name;
         for (++m_at; m_at < m_tokens.size() && !is("{") && !is(":"); ++m_at) {
-            if (is("<")) { // a specialisation
+            if (is("<")) { // template arguments of a specialisation
                 skipBalanced("<", ">");
                 --m_at;
             } else if (is("[")) {
@@ -265,7 +265,7 @@ private:
                 --m_at;
             } else if (is("::") || (isWord(m_tokens[m_at]) && !is("final"))) {
                 name += m_tokens[m_at].text;
-            } else if (!is("final")) { // a name in another declaration
+            } else if (!is("final")) { // a class name in some other declaration
                 m_at = begin;
                 return false;
             }
@@ -277,7 +277,7 @@ private:
         readScope(scope + "::" + name, &members, isPublic);
         close();
         m_outline.classes.push_back(members);
-        skipStatement(); // the variables of that type
+        skipStatement(); // variables declared with the class
         return true;
     }
 
@@ -286,7 +286,8 @@ private:
         return scope.empty() ? name : scope.substr(2) + "::" + name;
     }
 
-    /// The parameter list decides: it is the first bracket that comes before any '=' and '{' and after a name.
+    /// Reads a function or a variable. A function has a parameter list: a bracket after its name and before any '=' or
+    /// '{'.
     void readFunctionOrVariable(const std::string& scope, ClassOutline* members, bool isPublic)
     {
         const std::string name = readDeclarator();
@@ -294,7 +295,7 @@ private:
             return skipStatement();
         const int line = m_line;
         skipBrackets();
-        if (is("(")) // int (*pointer)(int)
+        if (is("(")) // pointer to a function: int (*pointer)(int)
             return skipStatement();
         const bool isDefaulted = skipSpecifiers();
         if (members && !isDefaulted)
@@ -306,7 +307,8 @@ private:
         take(";");
     }
 
-    /// Moves to the parameter list and returns the name before it; empty, and somewhere in the statement, if none.
+    /// Moves to the parameter list and returns the name before it. Without one, returns an empty text at some position
+    /// inside the statement.
     std::string readDeclarator()
     {
         std::string name;
@@ -336,11 +338,11 @@ private:
         return {};
     }
 
-    /// Behind the word "operator".
+    /// Reads the name of an operator function. Precondition: the position is after the word "operator".
     std::string readOperator()
     {
         std::string name = "operator";
-        if (is("(")) { // operator()
+        if (is("(")) { // the name operator()
             m_at += 2;
             return name + "()";
         }
@@ -349,7 +351,8 @@ private:
         return name;
     }
 
-    /// Reads const, noexcept(...), a trailing type, members' initialisers. True if defaulted or deleted.
+    /// Skips const, noexcept(...), trailing return types and member initialisers. Returns whether the function is
+    /// defaulted or deleted.
     bool skipSpecifiers()
     {
         while (m_at < m_tokens.size() && !is("{") && !is(";") && !is("}")) {
@@ -374,7 +377,7 @@ private:
 
     std::vector<Token> m_tokens;
     std::size_t m_at = 0;
-    int m_line = 0; ///< of the declaration
+    int m_line = 0; ///< line of the declaration
     SourceOutline m_outline;
 };
 } // namespace

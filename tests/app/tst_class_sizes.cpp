@@ -1,6 +1,6 @@
-// How large the classes and the functions of the program are. Those over the limits stand in class_sizes.txt, with the
-// reason; the sizes there are exact, so what shrinks makes the table shrink. To write the table anew, with the reasons
-// that are known:
+// Checks the sizes of classes and functions. Those over the limits are listed in class_sizes.txt with a reason. Listed
+// sizes are exact, so the table must be updated when a class shrinks.
+// The following command writes the table again and keeps known reasons:
 //     FETTLE_WRITE_SIZES=1 ctest --test-dir build/release -R TestClassSizes
 #include "tests/app/source_outline.h"
 #include "tests/support/test_main.h"
@@ -18,7 +18,7 @@ constexpr int maxLines = 60;
 
 const QString tableFile = QStringLiteral(FETTLE_SOURCE_DIR "/tests/app/class_sizes.txt");
 
-/// The table begins so.
+/// First lines of the table.
 const char* const tableHead = "# Classes of more than 15 public or 12 private functions, and functions of more than 60 "
                               "lines: name | size | reason.\n"
                               "# tst_class_sizes compares this with the sources, and writes it.\n";
@@ -41,7 +41,7 @@ QStringList sources()
     return files;
 }
 
-/// Returns "name | size" of what is over the limits.
+/// Returns "name | size" of each class and function over the limits.
 QStringList largeParts(const SourceOutline& outline)
 {
     QStringList found;
@@ -70,7 +70,7 @@ QStringList largePartsOfProgram()
 
 struct Row
 {
-    QString part; ///< "name | size"
+    QString part; ///< text "name | size"
     QString reason;
 
     QString name() const { return part.section(" | ", 0, 0); }
@@ -86,7 +86,7 @@ QList<Row> rowsOf(const QString& table)
     return rows;
 }
 
-/// Returns what is wrong with a table; empty if nothing is.
+/// Returns the errors of a table, or an empty list.
 QStringList faults(const QList<Row>& rows, const QStringList& large)
 {
     QStringList listed, found;
@@ -104,7 +104,7 @@ QStringList faults(const QList<Row>& rows, const QStringList& large)
     return found;
 }
 
-/// Reasons are kept; a part that is new has none.
+/// Returns the table with the reasons of the old one. New entries have no reason.
 QString tableOf(const QStringList& large, const QList<Row>& old)
 {
     QMap<QString, QString> reasons;
@@ -116,12 +116,12 @@ QString tableOf(const QStringList& large, const QList<Row>& old)
     return table;
 }
 
-/// A source that defines one class, and what counts in it.
+/// A source with one class, and the expected outline.
 struct Example
 {
     const char* name;
     const char* source;
-    const char* outline; ///< "name public private"
+    const char* outline; ///< text "name public private"
 };
 
 const Example examples[] = {

@@ -1,5 +1,5 @@
-// The layout of the sources: which folder may include which, from the project's root; which libraries belong to which
-// folder; how many files a folder holds; and that the build names every file.
+// Checks the layout of the sources: which folders may include which others, which libraries a folder may use, the
+// number of files in a folder, and that the build lists every file.
 
 #include "tests/support/test_main.h"
 
@@ -18,11 +18,11 @@ namespace
 struct FolderRule
 {
     const char* folder;
-    const char* mayInclude; ///< besides itself
+    const char* mayInclude; ///< folders that it may include besides itself
 };
 
-/// Every folder of the program, and the folders that it may include. A folder stands below those that it includes; only
-/// core/io/mesh includes upwards: core/io and its formats are one module.
+/// Every folder of the program with the folders that it may include. A folder comes after those that it includes.
+/// Exception: core/io/mesh includes core/io, because both are one module.
 const FolderRule folderRules[] = {
     {"core/util", ""},
     {"core/geometry", "core/util"},
@@ -127,10 +127,10 @@ const FolderRule folderRules[] = {
 
 const QStringList libraries{"core", "ui", "vr", "app"};
 constexpr qsizetype maxFiles = 40;
-/// Many formats; one file for each part of the specification.
+/// Folders that may exceed maxFiles: one has many formats, the other a file for each part of a specification.
 const QStringList largeFolders{"core/io/mesh", "vr/simulator"};
 
-// Not a raw string, because moc loses count of the quotes in one.
+// not a raw string, because moc miscounts the quotes in one
 const QRegularExpression includeLine("^[ \\t]*#[ \\t]*include[ \\t]*([<\"])([^>\"]+)[>\"]");
 const QRegularExpression platformHeader(
     R"(^(GL/(glx|wgl)\w*\.h|(X11|xcb|EGL|sys|linux|mach|wayland-\w+)/.*|(windows|unistd|fcntl|dlfcn|poll|)"
@@ -138,14 +138,14 @@ const QRegularExpression platformHeader(
     QRegularExpression::CaseInsensitiveOption);
 const QRegularExpression platformFile(R"(_(glx|wgl|egl|x11|linux|posix|windows|macos)\.(cpp|h|mm)$)");
 
-/// A line that no source of the program may hold, and why.
+/// A pattern that no source line may match, and the reason.
 struct LineRule
 {
     QRegularExpression line;
     const char* reason;
 };
 const LineRule lineRules[] = {
-    // Namespaces are not indented.
+    // Only unindented lines match, because namespaces are not indented.
     {QRegularExpression(R"(^using[ \t]+(enum|namespace)\b)"),
      "at namespace scope it reaches the next files of a unity build"},
     {QRegularExpression(R"(\bXR_CURRENT_API_VERSION\b)"),
@@ -158,7 +158,7 @@ struct Include
     bool isQuoted = false;
 };
 
-/// Returns the folder of a file, "core/mesh" of "core/mesh/mesh.h".
+/// Returns the folder of a file, for example "core/mesh" for "core/mesh/mesh.h".
 QString folderOf(const QString& path)
 {
     return path.section('/', 0, -2);
@@ -172,7 +172,8 @@ QMap<QString, QStringList> allowedFolders()
     return allowed;
 }
 
-/// Returns "QtWidgets" for QPushButton, qpushbutton.h and QtWidgets/QPushButton; empty if it is no header of Qt.
+/// Returns the Qt module of a header, for example "QtWidgets" for QPushButton, qpushbutton.h and QtWidgets/QPushButton.
+/// Empty if the header is not Qt's.
 QString qtModule(const QString& header)
 {
     const QDir headers(QLibraryInfo::path(QLibraryInfo::HeadersPath));
@@ -186,7 +187,7 @@ QString qtModule(const QString& header)
     return {};
 }
 
-/// Returns what is wrong with the include of a file of ours; empty if nothing is.
+/// Returns the error of including a header of this project, or an empty text.
 QString ownFault(const QString& path, const QString& header)
 {
     static const QMap<QString, QStringList> allowed = allowedFolders();
@@ -198,7 +199,7 @@ QString ownFault(const QString& path, const QString& header)
     return {};
 }
 
-/// Returns what is wrong with the include of a library or of the system; empty if nothing is.
+/// Returns the error of including a header of a library or the system, or an empty text.
 QString otherHeaderFault(const QString& path, const QString& header)
 {
     const QString library = path.section('/', 0, 0), module = qtModule(header);
@@ -220,7 +221,7 @@ QString otherHeaderFault(const QString& path, const QString& header)
     return {};
 }
 
-/// Returns what is wrong with an include; empty if nothing is.
+/// Returns the error of an include, or an empty text.
 QString fault(const QString& path, const Include& include)
 {
     if (include.header.endsWith(".moc"))
@@ -287,7 +288,7 @@ QStringList sources(const QString& folder)
     return filesBelow(folder, {"*.h", "*.cpp", "*.mm"});
 }
 
-/// A line of a file, to test the scan with.
+/// A line of a file, as a test case for includes.
 struct Example
 {
     const char* name;
@@ -346,12 +347,12 @@ const Example goodIncludes[] = {
     {"text that names an include", "core/mesh/a.cpp", "// see #include <QString>"},
 };
 
-/// A line to test the rules of lines with.
+/// A line, as a test case for the line rules.
 struct LineExample
 {
     const char* name;
     const char* line;
-    int broken; ///< rules
+    int broken; ///< number of broken rules
 };
 
 const LineExample lineExamples[] = {
@@ -422,7 +423,7 @@ void TestSourceLayout::scan_passesGoodInclude()
     QCOMPARE(faults(path, line), QStringList());
 }
 
-/// Each folder comes after those that it includes, so the table has no cycle.
+/// Each folder in the table must come after those that it includes, so that there is no cycle.
 void TestSourceLayout::folders_haveNoCycle()
 {
     const QMap<QString, QStringList> allowed = allowedFolders();
@@ -437,7 +438,7 @@ void TestSourceLayout::folders_haveNoCycle()
     }
 }
 
-/// Every source is in a folder of the table, and no folder of the table is gone. Only main.cpp is in none.
+/// Every source except main.cpp must be in a folder of the table, and every folder of the table must exist.
 void TestSourceLayout::folders_areInTheTable()
 {
     QStringList present;
