@@ -277,7 +277,7 @@ private:
         readScope(scope + "::" + name, &members, isPublic);
         close();
         m_outline.classes.push_back(members);
-        skipStatement(); // variables declared with the class
+        skipStatement(); // skips the variables declared with the class
         return true;
     }
 
@@ -295,7 +295,7 @@ private:
             return skipStatement();
         const int line = m_line;
         skipBrackets();
-        if (is("(")) // pointer to a function: int (*pointer)(int)
+        if (is("(")) // pointer to a function, for example int (*pointer)(int)
             return skipStatement();
         const bool isDefaulted = skipSpecifiers();
         if (members && !isDefaulted)

@@ -70,7 +70,7 @@ QStringList largePartsOfProgram()
 
 struct Row
 {
-    QString part; ///< text "name | size"
+    QString part; ///< "name | size" as in the table
     QString reason;
 
     QString name() const { return part.section(" | ", 0, 0); }
@@ -121,7 +121,7 @@ struct Example
 {
     const char* name;
     const char* source;
-    const char* outline; ///< text "name public private"
+    const char* outline; ///< expected result: "name public private"
 };
 
 const Example examples[] = {

@@ -25,13 +25,13 @@ struct Clocks
     Clocks since(const Clocks& start) const;
 };
 
-/// Sculpts the stroke and sets counters. Units: microseconds per dab, medians unless stated.
-/// Medians and percentiles: cpu, cpu_p99, cpu_first (the first dab), cpu_all (all threads), wall, wall_p99, per_vertex,
-/// verify, patch. Over the whole stroke: per_vertex_mean.
-/// Means of all dabs except the first, which is how Blender is timed: wall_mean, cpu_all_mean. Beginning and ending the
-/// stroke: stroke.
-/// Other counters: touched (vertices); whole (share of dabs that committed on the fast path with all of their
-/// displacement); vertices.
-/// The times include all work that a dab needs, including its patch for viewers.
+/// Sculpts the stroke and sets counters. Units: microseconds per dab, including its patch for viewers.
+/// Medians: cpu (calling thread), cpu_all (all threads), wall, per_vertex, verify, patch. 99th percentiles: cpu_p99,
+/// wall_p99. First dab: cpu_first.
+/// Means without the first dab, which is how Blender is timed: wall_mean, cpu_all_mean. Mean of the whole stroke:
+/// per_vertex_mean.
+/// `stroke`: time to begin and end the stroke, in microseconds.
+/// Other counters: `touched`, vertices per dab (median); `whole`, share of dabs that committed on the fast path with
+/// all of their displacement; `vertices` of the mesh.
 void measure(benchmark::State& state, core::Sculptor& sculptor, const GreatCircle& stroke);
 } // namespace bench

@@ -123,7 +123,7 @@ void largeDab(benchmark::State& state)
 BENCHMARK(largeDab)
     ->ArgNames({"cuts", "radius_e-6", "detail_e-4", "dabs"})
     ->Args({64, 250'000, 2'500, 100})
-    ->Args({128, 173'000, 1'792, 100}) // 5,000 touched vertices
+    ->Args({128, 173'000, 1'792, 100}) // these values make a dab touch 5,000 vertices
     ->Args({128, 250'000, 1'240, 100})
     ->Args({256, 250'000, 624, 40})
     ->Iterations(1)

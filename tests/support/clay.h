@@ -28,7 +28,7 @@ TriangleMesh spiral();
 /// Returns two elongated balls side by side, separated by `gap` at their closest points.
 TriangleMesh twoFingers(double gap);
 
-constexpr double ballRadius = 50; ///< in mm
+constexpr double ballRadius = 50; ///< radius of ball(), mm
 
 std::unique_ptr<core::Sculptor> ball(int subdivisions = 5);
 /// Returns a sculptor of a ball of radius 1.

@@ -12,7 +12,7 @@ class StrokeFuzzer
 public:
     explicit StrokeFuzzer(std::uint64_t seed) : m_engine(seed) {}
 
-    double uniform() { return static_cast<double>(m_engine() >> 11) * 0x1p-53; } ///< in [0, 1)
+    double uniform() { return static_cast<double>(m_engine() >> 11) * 0x1p-53; } ///< uniformly distributed in [0, 1)
     double uniform(double low, double high) { return low + (high - low) * uniform(); }
     std::uint64_t below(std::uint64_t n) { return m_engine() % n; }
     core::Vec3 direction();

@@ -50,7 +50,7 @@ template <class Test, class Application = NoApplication> int run(int argc, char*
     }
     [[maybe_unused]] const Application application(argc, argv);
     if constexpr (std::is_base_of_v<QCoreApplication, Application>)
-        QCoreApplication::setAttribute(Qt::AA_Use96Dpi); // as QTEST_MAIN does
+        QCoreApplication::setAttribute(Qt::AA_Use96Dpi); // QTEST_MAIN sets this attribute, too
     Test test;
     return QTest::qExec(&test, argc, argv);
 }

@@ -534,7 +534,7 @@ void TestClassroom::resuming_withoutAChangeKeepsOneWork()
     c.press("classResume");
     QTRY_VERIFY_WITH_TIMEOUT(!c.asks() && c.isIdle(), longestWait);
     c.mode.tick();
-    QCOMPARE(c.text("classTime"), QStringLiteral("11 minutes left")); // time continues during the turn
+    QCOMPARE(c.text("classTime"), QStringLiteral("11 minutes left")); // the turn's time has continued
     c.press("classLeave");
     c.typePin(pin);
     QTRY_VERIFY_WITH_TIMEOUT(!c.program.window.isVisible(), longestWait);
@@ -688,7 +688,7 @@ void TestClassroom::aLesson_isGivenInATurn()
     c.part<QComboBox>("lessonSpeed")->setCurrentIndex(4);
     c.press("lessonPlay");
     QTRY_VERIFY_WITH_TIMEOUT(c.program.worker.strokes().isOpen(), longestWait);
-    c.press("lessonNext"); // finishes the rest of the step
+    c.press("lessonNext"); // plays the rest of the step at once
     QTRY_COMPARE_WITH_TIMEOUT(c.text("lessonTitle"), step.arg(2), longestWait);
     QCOMPARE(c.program.window.brush()->tool(), core::Tool::Push);
     const std::uint64_t hash = c.hash();
@@ -717,7 +717,7 @@ void TestClassroom::aLesson_isGivenInATurn()
     c.press("lessonPlay");
     c.press("lessonOne");
     QTRY_VERIFY_WITH_TIMEOUT(c.program.document.history().stack().count() > 0, longestWait);
-    c.next(); // the teacher's strokes are playing
+    c.next(); // Next Pupil is pressed while the teacher's strokes are playing
     QTRY_COMPARE_WITH_TIMEOUT(WorkArchive::worksIn(home.works).size(), 2, longestWait);
     QVERIFY(turnIn(WorkArchive::worksIn(home.works).constLast())
                 .value(QStringLiteral("lesson"))
@@ -925,7 +925,7 @@ void TestClassroom::noCommand_leadsOut()
         QVERIFY2(!action->isEnabled() && !action->isVisible(), row.id);
         for (const QKeySequence& key : action->shortcuts()) {
             QTest::keySequence(&window, key);
-            if (key == QKeySequence(Qt::Key_F1)) { // opens the guide in a class
+            if (key == QKeySequence(Qt::Key_F1)) { // F1 opens the guide in a class
                 QTRY_VERIFY(c.part<QDialog>("guide") && c.part<QDialog>("guide")->isVisible());
                 c.part<QDialog>("guide")->reject();
             }
@@ -1136,7 +1136,7 @@ void TestClassroom::theTeachersDialog_writesTheFile()
     QTRY_VERIFY((files = dialog->findChild<QFileDialog*>(QStringLiteral("classDialog"))) && files->isVisible());
     QVERIFY(files->selectedFiles().constFirst().endsWith(QStringLiteral("/5b.fettleclass")));
     files->reject();
-    QTRY_VERIFY(!files); // the typed values must remain
+    QTRY_VERIFY(!files); // closing the file dialog must keep the typed values
     QVERIFY(dialog->isVisible() && fault().isEmpty());
     const QString path = root.filePath(QStringLiteral("5b.fettleclass"));
     chooseFile(program, "classDialog", path);

@@ -296,7 +296,7 @@ void TestTurnAnswers::theReport_sumsAllWorks()
     QCOMPARE(kept.keepWith(QStringLiteral("1"), QStringLiteral("Anna"), {7, 1, 0, 4, 4, 4}), QString());
     QCOMPARE(kept.keepWith(QStringLiteral("2"), QStringLiteral("Ben"), {5, 1, 0, 4, 3, 0}), QString());
     QCOMPARE(kept.keepWith(QStringLiteral("3"), QStringLiteral("Cem"), {5, 2, 0, 4, 0, 0}), QString());
-    kept.add(QStringLiteral("4"), QStringLiteral("Dana")); // answered no questions
+    kept.add(QStringLiteral("4"), QStringLiteral("Dana")); // a work whose pupil skipped the questions
     QCOMPARE(kept.archive().deliver().moved.size(), 4);
     const QByteArray page = kept.report();
     QCOMPARE(page.count("<bdi>"), 4);

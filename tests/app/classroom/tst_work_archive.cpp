@@ -83,7 +83,7 @@ class TestWorkArchive : public QObject
     Q_OBJECT
 
 public:
-    static inline const places::SmallDisk* disk = nullptr; ///< mounted by main()
+    static inline const places::SmallDisk* disk = nullptr; ///< small disk, mounted by main()
 
 private Q_SLOTS:
     void aWorkIsWholeAndGoesToItsFolder();
@@ -308,7 +308,7 @@ void TestWorkArchive::leftovers_areSwept()
     const QString here = places.outbox + QStringLiteral("/.unfinished-1"),
                   there = places.works + QStringLiteral("/.unfinished-2");
     QVERIFY(QDir().mkpath(here) && QDir().mkpath(there));
-    QVERIFY(places.archive().deliver().undelivered == 0); // neither is mistaken for a work
+    QVERIFY(places.archive().deliver().undelivered == 0); // neither unfinished folder is mistaken for a work
     places.archive().removeUnfinished();
     QVERIFY(!QDir(here).exists());
     QVERIFY(QDir(there).exists()); // another computer may still be writing it

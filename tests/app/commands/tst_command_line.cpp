@@ -564,7 +564,8 @@ void TestCommandLine::class_isRefusedWithItsReason()
     const auto start = [](const QStringList& arguments) { return CommandLine::windowStart(arguments); };
     QCOMPARE(start({word, file}).classFile, file);
     QVERIFY(start({QStringLiteral("--vr"), word, file}).entersVr && start({file}).classFile.isEmpty());
-    QVERIFY_THROWS_EXCEPTION(app::CommandFailure, start({QStringLiteral("--"), word})); // no file has this name
+    // after -- the word is a file name, and there is no such file
+    QVERIFY_THROWS_EXCEPTION(app::CommandFailure, start({QStringLiteral("--"), word}));
     QVERIFY_THROWS_EXCEPTION(app::CommandFailure, start({word}));
     QVERIFY_THROWS_EXCEPTION(app::CommandFailure, start({word, file, at("a.stl")}));
     QVERIFY_THROWS_EXCEPTION(app::CommandFailure, start({word, file, word, file}));
@@ -590,7 +591,8 @@ void TestCommandLine::window_startsInVrIfAsked()
     const QString before = QDir::currentPath();
     write(at("--vr"), "");
     QVERIFY(QDir::setCurrent(m_folder->path()));
-    const app::WindowStart named = start({QStringLiteral("--"), vr}); // a file has this name
+    // after -- the word is a file name, and there is such a file
+    const app::WindowStart named = start({QStringLiteral("--"), vr});
     QVERIFY(QDir::setCurrent(before));
     QVERIFY(named.file.endsWith(vr) && !named.entersVr);
     QVERIFY_THROWS_EXCEPTION(app::CommandFailure, start({QStringLiteral("--vr2")}));
@@ -613,7 +615,8 @@ void TestCommandLine::window_startsInTheSimulatorIfAsked()
     const app::WindowStart lesson = start({simulator, QStringLiteral("--classroom"), file});
     QVERIFY(lesson.simulatesVr && lesson.classFile == file);
     QVERIFY(!start({QStringLiteral("--vr")}).simulatesVr);
-    QVERIFY_THROWS_EXCEPTION(app::CommandFailure, start({QStringLiteral("--"), simulator})); // no file has this name
+    // after -- the word is a file name, and there is no such file
+    QVERIFY_THROWS_EXCEPTION(app::CommandFailure, start({QStringLiteral("--"), simulator}));
     QVERIFY(fettle({QStringLiteral("--help")}).out.contains("--vr-simulator [FILE]"));
     VERIFY_REFUSED(fettle({simulator}), "display");
     const QMap<QString, QString> quiet{{QStringLiteral("XDG_RUNTIME_DIR"), m_folder->path()}};
@@ -631,7 +634,7 @@ void TestCommandLine::check_cube()
     Answer plain = fettle({QStringLiteral("check"), at("cube.obj")});
     QCOMPARE(plain.status, 0);
     QVERIFY(plain.err.isEmpty() && plain.out.contains("is watertight."));
-    // plain words, not JSON keys
+    // the page uses plain words, not JSON keys
     QVERIFY2(!plain.out.replace(at("cube.obj").toUtf8(), "").contains('_'), plain.out.constData());
     QVERIFY(plain.out.contains("bounds a solid") && plain.out.contains("holes through it"));
 
@@ -1043,7 +1046,7 @@ void TestCommandLine::convert_unitAndSize()
     QCOMPARE(sizeAfter({QStringLiteral("--unit=m")}), 1000.0);
     QCOMPARE(float(sizeAfter({QStringLiteral("--unit"), QStringLiteral("in")})), 25.4f);
     QCOMPARE(sizeAfter({QStringLiteral("--size"), QStringLiteral("80")}), 80.0);
-    QCOMPARE(sizeAfter({QStringLiteral("--size"), QStringLiteral("1e-300")}), -1.0); // the model would vanish
+    QCOMPARE(sizeAfter({QStringLiteral("--size"), QStringLiteral("1e-300")}), -1.0); // the scaled model would vanish
 
     write(at("more.obj"), QByteArray(cube) + "v 90 0 0\n"); // adds a point that no face uses
     QCOMPARE(fettle({QStringLiteral("convert"), at("more.obj"), at("more.stl"), QStringLiteral("--size"),

@@ -141,7 +141,7 @@ const LeafPlace leafPlace;
 const std::vector<Vec3> stemPath = {{0, 18, 0}, {1, 32, 0}, {0, 52, 0}, {-6, 70, 0}, {-9, 88, 0}};
 const std::vector<Vec3> armPaths[] = {{{-9, 89, 0}, {8, 94, -2}, {28, 97, -8}},
                                       {{-9, 89, 0}, {-32, 90, 3}, {-54, 95, 8}}};
-const Vec3 petioleJoint = leafPlace(0, -24); ///< inside the leaf
+const Vec3 petioleJoint = leafPlace(0, -24); ///< point inside the leaf at which the petiole ends
 const std::vector<Vec3> petiolePath = {{4, 43, 7}, {13, 42, 11}, {25, 43, 15}, petioleJoint - 8 * leafPlace.face};
 const Ball petioleKnot = {petioleJoint - 5.5 * leafPlace.face, 6}, tendrilKnot = {{-40, 84, 7}, 5.5};
 

@@ -333,7 +333,7 @@ void TestReplayCommand::strokesAfterACommand_areCheckedAgainstItsModel()
     far["samples"][0]["position"] = {50, 0, 0};
     far["radius"] = 0.2;
     Replay replay;
-    QCOMPARE(replay(Json::array({far})), 2); // beyond the working volume
+    QCOMPARE(replay(Json::array({far})), 2); // the stroke is beyond the working volume
     QVERIFY(replay.complaint.contains("strokes[0]"));
     QCOMPARE(replay(Json::array({{{"command", "scale"}, {"factor", 50}}, far})),
              2); // inside it after scaling, but the brush is then too fine

@@ -204,7 +204,7 @@ void TestDocument::analysis_isOfThePresentModelOnly()
     analysis->setActive(true);
     QTRY_COMPARE(faces, session.document.modelInfo().faces);
     session.stroke({50, 0, 0});
-    QCOMPARE(faces, 0u); // outdated at once
+    QCOMPARE(faces, 0u); // the change outdates the answer at once
     session.settle();
     QTRY_COMPARE(faces, session.document.modelInfo().faces);
     QCOMPARE(answers, 2);
@@ -421,7 +421,7 @@ void TestDocument::strokeThatFellShort_isSaidOnce_data()
     core::StrokeSettings brush;
     brush.radius = 12;
     core::StrokeSettings fine = brush, apart = brush, strong = brush, sphere = brush;
-    fine.detail = 0.05; // needs tens of thousands of splits
+    fine.detail = 0.05; // this detail needs tens of thousands of splits
     QTest::newRow("too much work") << fine << QList<core::Vec3>(3, {0, 50, 0}) << Shortfall::Capped;
     apart.tool = core::Tool::Push;
     apart.place = core::Placement::Ray;

@@ -236,7 +236,7 @@ void TestDocumentModel::undo_rightAfterACommandUndoesThatCommand()
     ViewedSession session;
     const std::uint64_t start = session.state();
     session.document.changer().apply(core::Mirror{1});
-    session.document.history().undo(); // waits for the command
+    session.document.history().undo(); // undo waits for the command
     session.wait();
     QCOMPARE(session.state(), start);
     QVERIFY(session.document.history().canRedo());
@@ -299,7 +299,7 @@ void TestDocumentModel::stop_leavesAllAsItIs()
     QCOMPARE(session.state(), before);
     QCOMPARE(session.document.history().stack().count(), 0);
     QVERIFY(refused.isEmpty() && !session.document.savedState().isModified());
-    session.apply(core::Mirror{0}); // later commands work normally
+    session.apply(core::Mirror{0}); // later commands work normally after the stop
     QCOMPARE(session.document.history().stack().count(), 1);
 }
 
@@ -318,7 +318,7 @@ void TestDocumentModel::change_isToldOnceItIsMade()
     QVERIFY(!session.document.savedState().isModified() && !session.document.history().canUndo() &&
             session.document.job().isBusy());
     session.stroke({0, 0, 50});
-    session.document.cancelJob(); // too late to cancel
+    session.document.cancelJob(); // the change can no longer be cancelled
     session.document.history().undo();
     delay.release();
     session.wait();
@@ -490,7 +490,7 @@ void TestDocumentModel::reset_isTheStartAndOneStep()
     session.apply(core::Reset{});
     QCOMPARE(noticed.size(), 1); // a notice reports that there is nothing to reset
     session.stroke({50, 0, 0});
-    session.apply(core::Scale{40}); // needs a coarser lattice
+    session.apply(core::Scale{40}); // the scaled model needs a coarser lattice
     session.stroke({0, 2000, 0});
     const std::uint64_t changed = session.state();
     session.apply(core::Reset{});

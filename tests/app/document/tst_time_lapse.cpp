@@ -244,7 +244,7 @@ void TestTimeLapse::handsRestMeanwhile()
         [&isDone] { isDone = true; }));
     QVERIFY(!visitHistory(s.program.document, {}, {}, {}));
     QTRY_VERIFY(!s.program.worker.strokes().beginStroke(Source::Headset, {}));
-    s.program.document.history().undo(); // waits for the time lapse
+    s.program.document.history().undo(); // undo waits for the end of the time lapse
     QCOMPARE(s.program.document.history().stack().index(), 3);
     mayGoOn = true;
     QTRY_VERIFY_WITH_TIMEOUT(isDone, longestWait);
@@ -290,13 +290,14 @@ void TestTimeLapse::byTheCommandLine()
         return program.waitForFinished(-1) && program.exitStatus() == QProcess::NormalExit ? program.exitCode() : -1;
     };
     const QString frames = folder.filePath(QStringLiteral("frames"));
-    QCOMPARE(run({QStringLiteral("--frames"), frames}), 2); // the folder does not exist
+    QCOMPARE(run({QStringLiteral("--frames"), frames}), 2); // the folder for the pictures does not exist
     QVERIFY(QDir().mkdir(frames));
     QCOMPARE(run({QStringLiteral("--frames"), frames, QStringLiteral("--every"), QStringLiteral("0")}), 2);
     QCOMPARE(run({QStringLiteral("--every"), QStringLiteral("2")}), 2);
     QCOMPARE(filesIn(frames), QStringList());
     QCOMPARE(run({QStringLiteral("--frames"), frames}), 0);
-    QCOMPARE(filesIn(frames), TimeLapse::frameNames(0, 3, 1)); // entries that changed nothing have no picture
+    // commands and strokes that changed nothing have no picture
+    QCOMPARE(filesIn(frames), TimeLapse::frameNames(0, 3, 1));
     for (const QString& name : filesIn(frames))
         QCOMPARE(QImage(QDir(frames).filePath(name)).size(), QSize(1280, 720));
     const QByteArray first = contentOf(QDir(frames).filePath(QStringLiteral("frame-0001.png")));

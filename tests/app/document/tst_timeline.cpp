@@ -353,7 +353,7 @@ void TestTimeline::edit_theNextStrokeEndsIt()
     fixture.stroke(across());
     fixture.beginEdit();
     fixture.set("radius.box", 11);
-    fixture.set("radius.box", 14); // not applied yet
+    fixture.set("radius.box", 14); // the value is not applied yet
     Q_EMIT fixture.program.window.viewport()->input()->strokeBegan(across(core::Tool::Push).settings);
     for (const core::StrokeSample& sample : across().samples)
         Q_EMIT fixture.program.window.viewport()->input()->strokeSampled(sample);

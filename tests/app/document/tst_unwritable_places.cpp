@@ -175,7 +175,7 @@ class TestUnwritablePlaces : public QObject
     Q_OBJECT
 
 public:
-    static inline const places::SmallDisk* disk = nullptr; ///< mounted by main()
+    static inline const places::SmallDisk* disk = nullptr; ///< small disk, mounted by main()
 
 private Q_SLOTS:
     void save_losesNothing_data() { faults(); }

@@ -322,12 +322,12 @@ private:
 
     Program& m_program;
     ScriptedHeadset m_headset;
-    std::array<vr::Pose, vr::sideCount> m_grips; ///< index: Side
+    std::array<vr::Pose, vr::sideCount> m_grips; ///< poses of the grips; index: Side
     std::map<vr::PanelKind, vr::Pose> m_ahead;   ///< poses of panels in front of the user
     std::optional<vr::Pose> m_tools;             ///< last pose of the tool panel
     vr::ModelPlacement m_room;
     vr::AvatarState m_seen;
     bool m_isStalled = false;
-    int m_framesBefore = 0; ///< frames before the current visit
+    int m_framesBefore = 0; ///< number of frames before the current visit
 };
 } // namespace app

@@ -126,7 +126,7 @@ private Q_SLOTS:
     void headset_thatIsNotThereSaysSo();
 
 public:
-    static inline const places::SmallDisk* disk = nullptr; ///< mounted by main()
+    static inline const places::SmallDisk* disk = nullptr; ///< small disk, mounted by main()
 
 private:
     QString at(const char* name) const { return m_folder->filePath(QLatin1StringView(name)); }
@@ -253,7 +253,7 @@ void TestHeadsetControllerRequests::open_wouldLoseChanges()
     sample.position = {50, 0, 0};
     visit.port->addSample(sample);
     visit.port->endStroke();
-    visit.request(vr::OpenModel{at("cup.stl")}); // immediately after the stroke
+    visit.request(vr::OpenModel{at("cup.stl")}); // the request comes immediately after the stroke
     QTRY_COMPARE_WITH_TIMEOUT(noticed.size(), 1, longestWait);
     QVERIFY(visit.update().notice.contains(QStringLiteral("cup.stl")));
     QCOMPARE(visit.program.document.modelInfo().path, at("vase.glb"));

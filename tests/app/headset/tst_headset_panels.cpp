@@ -161,7 +161,7 @@ void TestHeadsetPanels::tools_addABall()
     const core::MeshReport joined =
         v.hand.ask([](core::Sculptor& sculptor) { return core::checkMesh(core::extractMesh(sculptor.mesh())); });
     QVERIFY(joined.components == 1 && joined.genus == 0);
-    v.hand.stroke({0, top - 1, 0}, {0, top + 4, 0}); // the trigger pulls again
+    v.hand.stroke({0, top - 1, 0}, {0, top + 4, 0}); // this trigger pull sculpts instead of adding a ball
     QCOMPARE(v.changes(), 2);
     QVERIFY(v.box().max().y() > top + 0.5);
     QCOMPARE(v.hand.headset().complaints(), QString());
@@ -188,7 +188,7 @@ void TestHeadsetPanels::tools_undoRedoAndRestore()
     QVERIFY(v.isUntouched());
     QVERIFY(v.choose(PanelCommand::Redo, [&] { return v.changes() == 1; }));
     QCOMPARE(v.hash(), pulled);
-    v.hand.click(tools(), PanelCommand::RestoreModel); // must be held, not clicked
+    v.hand.click(tools(), PanelCommand::RestoreModel); // Restore needs a long press, so a click must do nothing
     QCOMPARE(v.hash(), pulled);
     v.hand.setSlow(true);
     QVERIFY(v.choose(
@@ -236,7 +236,7 @@ void TestHeadsetPanels::tools_leave()
 void TestHeadsetPanels::presses_neverSculpt()
 {
     AtTools v;
-    v.hand.put(Side::Left, {0.05, 1.15, -0.25}); // in front of the ball
+    v.hand.put(Side::Left, {0.05, 1.15, -0.25}); // in front of the ball, so that the panel covers it
     v.hand.settle();
     for (const core::BrushShape shape : {core::BrushShape::Sphere, core::BrushShape::Ray}) {
         v.hand.click(tools(), shape);
@@ -384,7 +384,8 @@ void TestHeadsetPanels::files_openLosingChanges()
         v.hand.click(panel, vr::ChooseFile{other});
         panel.chosen = other;
         v.hand.waitForPanels();
-        v.hand.click(panel, vr::OpenFile{other, true}); // must be held, not clicked
+        // discarding changes needs a long press, so a click must do nothing
+        v.hand.click(panel, vr::OpenFile{other, true});
         QCOMPARE(v.hash(), pulled);
         v.hand.setSlow(true);
         v.hand.click(panel, vr::OpenFile{other, true}, longPress);
@@ -455,7 +456,7 @@ void TestHeadsetPanels::settings_general()
     QVERIFY2(std::abs(yaw() - turned - 60) < 8, qPrintable(QString::number(yaw() - turned)));
     QVERIFY(v.isUntouched());
     v.hand.leave();
-    v.hand.enter(); // settings persist
+    v.hand.enter(); // the settings persist after leaving VR
     v.hand.settle();
     QVERIFY(std::abs((v.model().translation() - before).y() - v.settings().heightOffset) < 1e-3);
     QCOMPARE(v.hand.headset().complaints(), QString());

@@ -161,7 +161,7 @@ void TestHeadsetPaper::leftSideHeld_saves()
 {
     Alone v;
     v.pull();
-    v.hand.press(Side::Left, "squeeze", 20); // too short for a long press
+    v.hand.press(Side::Left, "squeeze", 20); // too short to count as a long press
     v.hand.settle();
     QCOMPARE(v.files(), QStringList{QStringLiteral("clay.glb")});
     v.hand.hold(Side::Left, "squeeze");
@@ -184,7 +184,7 @@ void TestHeadsetPaper::rightPadTop_togglesTheBrush()
     QTRY_COMPARE_WITH_TIMEOUT(v.brush().brush, core::BrushShape::Ray, longestWait);
     v.hand.put(Side::Right, v.hand.place({0, 0, 90}));
     v.hand.frame();
-    v.hand.press(Side::Right, "trigger", 10); // far from the model
+    v.hand.press(Side::Right, "trigger", 10); // the ray brush sculpts from a distance
     v.hand.settle();
     QVERIFY(v.box().max().z() > 50.2);
     v.hand.pressPad(Side::Right, 0, 0.8);
@@ -311,7 +311,7 @@ void TestHeadsetPaper::rightSideHeld_restoresAndThatCanBeUndone()
     Alone v;
     v.pull();
     const std::uint64_t pulled = v.hash();
-    v.hand.press(Side::Right, "squeeze", 20); // too short for a long press
+    v.hand.press(Side::Right, "squeeze", 20); // too short to count as a long press
     v.hand.settle();
     QCOMPARE(v.hash(), pulled);
     v.hand.hold(Side::Right, "squeeze");

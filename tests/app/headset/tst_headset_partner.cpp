@@ -247,7 +247,7 @@ void TestHeadsetPartner::pointing_endsAtRestAndBeside()
     QTRY_VERIFY_WITH_TIMEOUT(!v.place, longestWait);
     v.pointAt(middle(&v.viewport()));
     QVERIFY(v.viewport().spotlight()->isOn());
-    QTRY_VERIFY_WITH_TIMEOUT(!v.place, longestWait); // goes out without motion
+    QTRY_VERIFY_WITH_TIMEOUT(!v.place, longestWait); // the light goes out without motion
     QVERIFY(v.viewport().spotlight()->isOn());
     sendMove(&v.viewport(), middle(&v.viewport()) + QPoint(3, 0));
     QTRY_VERIFY_WITH_TIMEOUT(v.place, longestWait);
@@ -318,7 +318,7 @@ void TestHeadsetPartner::choices_areAnnounced()
     listener.port->request(vr::ChooseBrush{paint});
     QTRY_COMPARE_WITH_TIMEOUT(listener.update().brush.tool, core::Tool::Paint, longestWait);
     QTest::qWait(700);
-    QCOMPARE(listener.update().noticeCount, notices); // own choices are not announced
+    QCOMPARE(listener.update().noticeCount, notices); // a user's own choices are not announced to that user
 
     drag(fixture.program.window.viewport(), {30, 10});
     QTRY_COMPARE_WITH_TIMEOUT(fixture.changes(), 1, longestWait);
@@ -354,7 +354,7 @@ void TestHeadsetPartner::takingOver_refusesTheHeadset()
 {
     Pair v;
     v.pull();
-    v.hand.begin({0, -49, 0}, {0, -54, 0}, 6); // the trigger stays pulled
+    v.hand.begin({0, -49, 0}, {0, -54, 0}, 6); // begins a stroke whose trigger stays pulled
     v.action("vr.takeOver")->setChecked(true);
     QCOMPARE(v.action("vr.takeOver")->iconText(), QStringLiteral("Give Back"));
     QTRY_COMPARE_WITH_TIMEOUT(v.changes(), 2, longestWait); // the open stroke is kept up to this point
@@ -366,7 +366,7 @@ void TestHeadsetPartner::takingOver_refusesTheHeadset()
     QCOMPARE(v.hash(), kept);
     QVERIFY(pulsesOf(v.hand, Side::Right, {.refused = true}) > 0);
     v.keep("refused");
-    v.hand.pressPad(Side::Right, -0.8, 0); // undo, which is refused, too
+    v.hand.pressPad(Side::Right, -0.8, 0); // presses Undo, which is refused, too
     v.hand.settle();
     QCOMPARE(v.hash(), kept);
     QCOMPARE(v.changes(), 2);
@@ -429,7 +429,8 @@ void TestHeadsetPartner::caption_tellsTheBrush()
     QCOMPARE(v.caption().text().tool, QStringLiteral("Crease"));
     QTRY_COMPARE(v.caption().text().radius, QStringLiteral("12 mm"));
     v.hand.slide(Side::Right, {0.8, 0});
-    QTRY_VERIFY(v.caption().text().radius != QStringLiteral("12 mm")); // as changed in the headset
+    // the caption shows the radius as changed in the headset
+    QTRY_VERIFY(v.caption().text().radius != QStringLiteral("12 mm"));
     v.keep("caption");
     v.trigger("view.caption");
     QTRY_VERIFY(!v.caption().isVisible() && v.bar().isVisible());

@@ -227,7 +227,7 @@ void TestHeadsetStudio::sculptingMenu_opensColorsOrInverts()
 
     v.hand.hold(Side::Right, "menu");
     v.hand.stroke({0, 51, 0}, {0, 47, 0}, 8);
-    QVERIFY(v.box().max().y() < 49.9); // Pull is inverted and pushes
+    QVERIFY(v.box().max().y() < 49.9); // Pull is inverted, so it pushes
     v.hand.hold(Side::Right, "menu");
     v.hand.stroke({0, -49, 0}, {0, -54, 0}, 8);
     QVERIFY(v.box().min().y() < -51);

@@ -184,7 +184,7 @@ void TestSimulator::visit_fromTheFirstFrameToTheNextVisit()
     QTest::keyRelease(fixture.view, Qt::Key_Control);
     QTRY_VERIFY_WITH_TIMEOUT(fixture.seen.brush && fixture.seen.brush->radius > 1.1 * radius, longestWait);
 
-    fixture.click(Qt::Key_Left); // left on the sculpting controller's pad
+    fixture.click(Qt::Key_Left); // left side of the sculpting controller's pad: undo
     QTRY_COMPARE_WITH_TIMEOUT(fixture.changes(), 0, longestWait);
     QCOMPARE(fixture.hash(), before);
 
@@ -349,7 +349,7 @@ void TestSimulator::window_closedLeavesVr()
     QTRY_VERIFY_WITH_TIMEOUT(!fixture.isIn(), longestWait);
     QVERIFY(fixture.program.window.isVisible());
     fixture.enter();
-    fixture.program.window.close(); // leaves VR first
+    fixture.program.window.close(); // the program leaves VR before it closes the window
     QTRY_VERIFY_WITH_TIMEOUT(!fixture.program.window.isVisible(), longestWait);
     QVERIFY(!fixture.isIn() && !fixture.window->isVisible());
 }

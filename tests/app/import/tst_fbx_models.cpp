@@ -512,13 +512,13 @@ void TestFbxModels::spheric_isRefusedWhereItTurns()
         const auto order = propertyOf(tried(properties), "RotationOrder");
         QVERIFY(order && order->isZero(0));
     }
-    // Assimp reads it as XYZ
+    // Assimp treats order 7 as XYZ
     QVERIFY(propertyOf(tried({numberProperty("RotationOrder", 7), turn}), "RotationOrder")->x() == 7);
 }
 
 void TestFbxModels::cycles_areRefused_data()
 {
-    QTest::addColumn<QList<QPair<int, int>>>("connections"); // child, parent
+    QTest::addColumn<QList<QPair<int, int>>>("connections"); // pairs of child id and parent id
     QTest::addColumn<QByteArray>("token");                   // token of the refusal; empty: the file is read
     using Pairs = QList<QPair<int, int>>;
     QTest::newRow("itself") << Pairs{{500, 0}, {500, 500}} << QByteArray("models below m500");

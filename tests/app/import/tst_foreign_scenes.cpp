@@ -689,7 +689,7 @@ void TestForeignScenes::fbx_oldVersionsAreRefusedByName()
     old.replace("FBXVersion: 7400", "FBXVersion: 6100");
     const auto text = errorOf(QStringLiteral("old.fbx"), old);
     QVERIFY(text && text->fault == core::FileFault::OldFbx && text->token == "6.1");
-    const QByteArray header("Kaydara FBX Binary  \0\x1a\0\x88\x13\0\0", 27); // version 5000
+    const QByteArray header("Kaydara FBX Binary  \0\x1a\0\x88\x13\0\0", 27); // header of a binary file of version 5000
     const auto binary = errorOf(QStringLiteral("old.fbx"), header + QByteArray(100, '\0'));
     QVERIFY(binary && binary->fault == core::FileFault::OldFbx && binary->token == "5.0");
 }

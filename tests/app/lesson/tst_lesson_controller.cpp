@@ -384,7 +384,7 @@ private Q_SLOTS:
         press(program, "lessonBack");
         QTRY_VERIFY_WITH_TIMEOUT(isAtStep(program, 4), longestWait);
         QVERIFY(!program.window.action(QStringLiteral("tool.clay"))->isEnabled());
-        program.window.action(QStringLiteral("file.exportAs"))->setVisible(false); // as in a class
+        program.window.action(QStringLiteral("file.exportAs"))->setVisible(false); // a class hides this command, too
         QTRY_VERIFY_WITH_TIMEOUT(goals->isEnabled(), longestWait);
         press(program, "lessonNext");
         QTRY_VERIFY_WITH_TIMEOUT(text->text().endsWith(QStringLiteral("goals. Keep sculpting, if you like.")),
@@ -622,7 +622,7 @@ private Q_SLOTS:
             hidden += outward.normalized().dot(viewport->camera().viewDirection()) > 0.5 ? 1 : 0;
         });
         auto* speed = program.window.findChild<ui::LessonPanel*>()->findChild<QComboBox*>();
-        speed->setCurrentIndex(2); // the teacher's own speed
+        speed->setCurrentIndex(2); // plays at the teacher's own speed
         showStep(program);
         QVERIFY(shown > 50);
         QVERIFY2(hidden < shown / 5, qPrintable(QStringLiteral("%1 of %2").arg(hidden).arg(shown)));
@@ -637,7 +637,7 @@ private Q_SLOTS:
             QTRY_COMPARE_WITH_TIMEOUT(program.document.history().stack().count(), strokes, longestWait);
             QTRY_VERIFY_WITH_TIMEOUT(!isPlaying(program) && program.document.queue().isSettled(), longestWait);
         }
-        showStep(program); // plays the rest
+        showStep(program); // plays the remaining strokes
         QCOMPARE(meshHash(program.worker), teachersHash("creature", 1));
     }
 

@@ -397,7 +397,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(program.window.findChild<ui::LessonEditor*>()->isOpen(), longestWait);
         QCOMPARE(part<QLineEdit>(program, "lessonName")->text(), QStringLiteral("Mine"));
         QCOMPARE(part<QPlainTextEdit>(program, "lessonStepText")->toPlainText(),
-                 QString()); // no invented text
+                 QString()); // the text must not be filled in by the program
         QCOMPARE(strokesOf(program), 1);
         QCOMPARE(lessons->count(), 3);
         press(program, "lessonSave");

@@ -496,7 +496,7 @@ void TestRecovery::kill_losesNothingThatWasFinished()
     std::vector<State> states;
     for (const QByteArray& line : whole.readAllStandardOutput().trimmed().split('\n'))
         states.push_back(stateIn(line));
-    states.pop_back(); // the line "done"
+    states.pop_back(); // the last line is "done"
     QCOMPARE(states.size(), std::size_t(changes) + 1);
 
     StrokeFuzzer random(seed);
@@ -505,13 +505,13 @@ void TestRecovery::kill_losesNothingThatWasFinished()
         const fs::path root = newRoot();
         QProcess victim;
         startVictim(victim, root, seed, changes);
-        if (random.below(10) > 0) // waits until it has a model
+        if (random.below(10) > 0) // in most runs, waits until the process has a model
             QVERIFY(victim.waitForReadyRead(longestWait));
         QTest::qWait(static_cast<int>(random.below(lasts)));
         victim.kill(); // the process may have finished
         QTRY_COMPARE_WITH_TIMEOUT(victim.state(), QProcess::NotRunning, longestWait);
         QList<QByteArray> lines = victim.readAllStandardOutput().split('\n');
-        lines.pop_back(); // may be truncated
+        lines.pop_back(); // the last line may be truncated
         lines.removeAll("done");
         if (lines.isEmpty()) {
             ++early;
@@ -680,7 +680,7 @@ void TestRecovery::discarded_isNeverOfferedAgain()
         QTRY_COMPARE(offers.size(), 1);
         store.discard(offers[0][0].value<RecoveryOffer>().id);
         QCOMPARE(offers.size(), 2);
-        QVERIFY(offers[1][0].value<RecoveryOffer>().id != 0); // the other document
+        QVERIFY(offers[1][0].value<RecoveryOffer>().id != 0); // the offer of the other document
     }
     {
         RecoveryStore store(root);
@@ -714,7 +714,7 @@ void TestRecovery::earlierVersions_areKeptIfAskedFor()
     const auto kept = [&](int version) { return core::NumberedBackup::nameOf(file.toStdU16String(), version); };
     Session session(newRoot());
     session.openBall();
-    for (int i = 0; i < 6; ++i) { // the setting is on for the last four rounds
+    for (int i = 0; i < 6; ++i) { // backups are kept in the last four of six rounds
         ui::Settings().set(ui::Preferences{.input = {}, .keepsBackups = i >= 2});
         session.apply(core::Fill{{static_cast<std::uint8_t>(i), 0, 0}});
         session.document.saver().save(file);
@@ -732,7 +732,7 @@ void TestRecovery::another_program_isLeftAlone()
     const fs::path root = newRoot();
     QProcess victim;
     startVictim(victim, root, 8, 100'000);
-    for (int told = 0; told < 8;) { // until the process has unsaved changes
+    for (int told = 0; told < 8;) { // waits until the process has unsaved changes
         QVERIFY(victim.canReadLine() || victim.waitForReadyRead(longestWait));
         told += victim.canReadLine() && !victim.readLine().isEmpty();
     }
@@ -773,7 +773,7 @@ void TestRecovery::damagedBeyondUse_isPutAsideAndSaid()
         QTRY_COMPARE(told.size(), 1);
         QVERIFY(told[0][0].toString().contains(QString::fromStdString((aside / folder.filename()).string())));
         QCOMPARE(offers[0][0].value<RecoveryOffer>().id, quint64(0));
-        store.findAbandoned(); // must not report it again
+        store.findAbandoned(); // the damaged journal must not be reported again
         QTRY_COMPARE(offers.size(), 2);
         QCOMPARE(told.size(), 1);
     }
@@ -846,7 +846,7 @@ void TestRecovery::fullDisk_recordsAgainWhenThereIsRoom()
         session.randomStroke(random);
         session.document.history().undo(); // the broken journal does not record it
         session.wait();
-        QTest::qWait(200); // without free space
+        QTest::qWait(200); // recording must not resume without free space
         QCOMPARE(told("recorded again"), round - 1);
         fs::remove(largerDisk->folder() / "filler");
         until([&] { return told("recorded again") == round; });
@@ -978,7 +978,7 @@ static int recoveryMain(int argc, char* argv[])
         return runOnDisplay(argv[2], qstrcmp(argv[3], "changed") == 0);
     }
     const bool isVictim = is(5, "--victim"), isOfKinds = is(4, "--kinds");
-    if (!isVictim && !isOfKinds) { // before any thread starts
+    if (!isVictim && !isOfKinds) { // obeyPermissions() must run before any thread starts
         places::obeyPermissions();
         smallDisk = std::make_unique<places::SmallDisk>(
             fs::temp_directory_path() / ("fettle-journal-" + std::to_string(QCoreApplication::applicationPid())));

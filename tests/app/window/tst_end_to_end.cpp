@@ -396,7 +396,7 @@ void TestEndToEnd::tooMuchWork_isSaid()
     program.window.brush()->setValue(core::Parameter::Detail, 0.05);
     QSignalSpy noticed(&program.document, &Document::noticed);
     QTest::mouseClick(program.window.viewport(), Qt::LeftButton, {}, middle(program.window.viewport()));
-    QTRY_COMPARE_WITH_TIMEOUT(noticed.size(), 1, longestWait); // sanitizers are ten times slower
+    QTRY_COMPARE_WITH_TIMEOUT(noticed.size(), 1, longestWait); // long timeout, because sanitizers are ten times slower
     QCOMPARE(notice(program), ui::ErrorMessages::shortfall(core::Shortfall::Capped));
     QTRY_VERIFY(program.document.queue().isSettled());
     QCOMPARE(noticed.size(), 1);

@@ -362,7 +362,7 @@ void TestGuidePictures::takePrint(Program& program)
     QVERIFY(panel);
     openAlone(program, panel);
     const auto* findings = panel->findChild<QListWidget*>(QStringLiteral("print.findings"));
-    panel->findChild<QComboBox*>(QStringLiteral("print.picture"))->setCurrentIndex(2); // colours of overhangs
+    panel->findChild<QComboBox*>(QStringLiteral("print.picture"))->setCurrentIndex(2); // shows the colours of overhangs
     QTRY_VERIFY_WITH_TIMEOUT(findings->isEnabled() && findings->count() > 0, longestWait);
     take(program.window, QStringLiteral("print"), panelAndView(program, panel));
     panel->setState(ui::SidePanel::State::Hidden);

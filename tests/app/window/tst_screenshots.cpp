@@ -171,7 +171,7 @@ void TestScreenshots::states_data()
     };
     using enum ui::ThemeChoice;
     const bool isLong = effort() != Effort::Small;
-    if (qApp->devicePixelRatio() > 1) { // set in tests/app/window/CMakeLists.txt
+    if (qApp->devicePixelRatio() > 1) { // scale factor set in tests/app/window/CMakeLists.txt
         add(Light, "de", true);
         add(Dark, "zh_CN", isLong);
         return;
@@ -274,7 +274,7 @@ void TestScreenshots::largerTexts()
     const QFont usual = QApplication::font();
     QApplication::setFont(ui::scaled(usual, ui::factorOf(size)));
     {
-        const LoadedLanguage words(QStringLiteral("de")); // German texts are the longest
+        const LoadedLanguage words(QStringLiteral("de")); // German, because its texts are the longest
         Program program(Program::anyView);
         program.window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&program.window));
@@ -338,7 +338,7 @@ void TestScreenshots::takePrint(Program& program)
         take(program.window, QStringLiteral("print-%1").arg(shown));
     }
     for (int row = 0; row < findings->count(); ++row)
-        if (findings->item(row)->text().startsWith(u' ')) { // a place
+        if (findings->item(row)->text().startsWith(u' ')) { // indented rows are places
             findings->setCurrentRow(row);
             QTest::keyClick(findings, Qt::Key_Return);
             QTest::qWait(flightMs);

@@ -483,7 +483,7 @@ void TestSculptWorker::worker_stopsWithWorkLeft()
         worker.strokes().addSample(Source::Desktop, sampleAt(onSphere(random)));
     worker.stop();
     worker.stop();
-    worker.strokes().endStroke(Source::Desktop); // must have no effect after stop()
+    worker.strokes().endStroke(Source::Desktop); // no effect is expected after stop()
 }
 
 void TestSculptWorker::inbox_mergedEqualsWhole_data()

@@ -234,7 +234,7 @@ void TestPrintCheck::thin_isNeverMoreThanAll_data()
     QTest::addColumn<TriangleMesh>("mesh");
     QTest::addRow("wedge") << wedge(30);
     QTest::addRow("head") << core::starterModel(core::Starter::Head);
-    QTest::addRow("star") << [] { // a star, sharp everywhere
+    QTest::addRow("star") << [] { // every third vertex is a spike, so the model is sharp everywhere
         TriangleMesh mesh = core::icosphere(2, 10);
         for (std::size_t i = 0; i < mesh.points.size(); i += 3)
             mesh.points[i] *= 2;
@@ -327,7 +327,7 @@ void TestPrintCheck::bed_holdsWhatFits()
         p = p.cwiseProduct(Vec3f(100, 50, 20));
     const PrintMeasures measures = measured(box);
     const auto fit = [&](const core::PrintBed& bed) { return core::checkForPrint(measures, {.bed = bed}).fit; };
-    QVERIFY(fit({100, 20, 50}) == core::BedFit::AsItStands); // the y axis is up
+    QVERIFY(fit({100, 20, 50}) == core::BedFit::AsItStands); // the height of a model is along y, that of a bed along z
     QVERIFY(fit({20, 100, 50}) == core::BedFit::Turned);
     QVERIFY(fit({99, 99, 50}) == core::BedFit::Not);
     QVERIFY(fit({200, 200, 49}) == core::BedFit::Not);

@@ -352,7 +352,7 @@ private:
     }
 };
 
-/// Returns all tested layouts of OFF.
+/// Returns all layouts of OFF files that are tested.
 std::vector<OffLayout> offLayouts()
 {
     constexpr std::size_t allOnOne = 420'000; // a multiple of the number of all words, so that one line contains all

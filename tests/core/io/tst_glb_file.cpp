@@ -464,7 +464,7 @@ void TestGlbFile::structure_keepsTheSpecification()
     const std::string bytes = contentsOf(file("a.glb"));
     const Rules rules(bytes);
     QVERIFY2(rules.broken().empty(), rules.broken().c_str());
-    Glb spoilt = takenApart(bytes); // proves that the rules can fail
+    Glb spoilt = takenApart(bytes); // a damaged file proves that the rules can fail
     spoilt.json["accessors"][0]["max"][0] = 1e31;
     const std::string other = putTogether(spoilt);
     QCOMPARE(Rules(other).broken(), "min and max");
@@ -506,7 +506,7 @@ void TestGlbFile::assimp_readsTheSame()
     QVERIFY(read.HasVertexColors(0));
     for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
         for (unsigned k = 0; k < 3; ++k) {
-            const aiVector3D& p = read.mVertices[read.mFaces[f].mIndices[k]]; // in metres
+            const aiVector3D& p = read.mVertices[read.mFaces[f].mIndices[k]]; // coordinates in metres
             const Vec3f& q = mesh.points[mesh.triangles[f][k]];
             QVERIFY((1000 * Vec3f(p.x, p.y, p.z) - q).norm() < 1e-4F);
         }

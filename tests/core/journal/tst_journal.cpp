@@ -643,7 +643,7 @@ void TestJournal::folders_belongToWhoHoldsThem()
         const auto found = JournalFolder::abandoned(root);
         QCOMPARE(found.size(), std::size_t(1));
         QCOMPARE(found[0]->path(), path);
-        QVERIFY(JournalFolder::abandoned(root).empty()); // locked again
+        QVERIFY(JournalFolder::abandoned(root).empty()); // the folder is locked again
         found[0]->remove();
     }
     QVERIFY(!fs::exists(path) && fs::exists(second->path()));

@@ -104,7 +104,7 @@ private Q_SLOTS:
         QCOMPARE(groovesOf({}), 0);
         for (const int waves : {1, 2, 3})
             QCOMPARE(groovesOf(wavy(waves, 0.2)), static_cast<std::size_t>(waves));
-        QCOMPARE(groovesOf(wavy(3, 0.005)), 0); // too shallow to count
+        QCOMPARE(groovesOf(wavy(3, 0.005)), 0); // grooves too shallow to count
         TriangleMesh oneSided = wavy(3, 0.2);
         const TriangleMesh ball = icosphere(6, radius);
         for (std::size_t v = 0; v < ball.points.size(); ++v)

@@ -324,7 +324,7 @@ void TestMesh::delta_survivesWritingAndReading()
     QCOMPARE(mesh->stateHash(), start);
     mesh->swap(read);
     QCOMPARE(mesh->stateHash(), end);
-    MeshDelta cut = MeshDelta::read(stream); // the stream is at its end
+    MeshDelta cut = MeshDelta::read(stream); // the stream is at its end, so reading fails
     QVERIFY(!stream && cut.empty());
 }
 
@@ -385,7 +385,7 @@ void TestMesh::collapse_atValenceThree()
         QVERIFY(!mesh->isCollapseOk(mesh->next(h))); // the collapse would leave a vertex of valence 2
         QVERIFY(!mesh->isFlipOk(h / 2));
     });
-    for (Slot side : {0u, 1u}) { // `m` is removed, or it remains
+    for (Slot side : {0u, 1u}) { // collapses `m` into its neighbour, then the neighbour into `m`
         const Mesh::Mark mark = mesh->mark();
         const Slot h = mesh->outgoing(m) ^ side, ring = mesh->to(mesh->outgoing(m));
         const unsigned before = mesh->valence(ring);

@@ -26,7 +26,7 @@ bool isInForm(const std::vector<SlotSpan>& spans, std::size_t values, Slot lengt
     Slot end = 0;
     for (std::size_t i = 0; i < spans.size(); ++i) {
         if (spans[i].count == 0 || (i > 0 && spans[i].first <= end))
-            return false; // not ascending, or overlapping, or adjacent
+            return false; // spans must be ascending, disjoint and not adjacent
         end = spans[i].first + spans[i].count;
         count += spans[i].count;
     }

@@ -174,7 +174,7 @@ void TestFlattenBase::polygons_thatAreNone()
 {
     const std::vector<FlatPoint> points{{0, 0}, {8, 8}, {8, 0}, {0, 8}, {4, 4}, {16, 16}};
     QVERIFY(!core::triangulatePolygon(points, {{0, 2, 1, 3, 4, 5}})); // the outline retraces itself
-    QVERIFY(!core::triangulatePolygon(points, {{0, 4, 1}}));          // without area
+    QVERIFY(!core::triangulatePolygon(points, {{0, 4, 1}}));          // a polygon without area
     QVERIFY(!core::triangulatePolygon(points, {{0, 1, 2}}));          // clockwise, a hole without an outline
     QVERIFY(!core::triangulatePolygon(points, {{0, 2}}));
 }

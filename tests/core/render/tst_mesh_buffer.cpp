@@ -152,7 +152,7 @@ void TestMeshBuffer::patches_makeWhatTheyMakeInMemory()
     QCOMPARE(m_gl.drawn, static_cast<int>(3 * arrays.faces.size()));
     QCOMPARE(m_buffer.counters().wholeUploads, std::uint64_t(1));
     const int writes = m_gl.writes;
-    QVERIFY(take(sculptor.takePatch())); // the patch is empty
+    QVERIFY(take(sculptor.takePatch())); // an empty patch writes nothing
     QCOMPARE(m_gl.writes, writes);
 }
 

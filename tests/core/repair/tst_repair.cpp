@@ -279,7 +279,7 @@ void TestRepair::cracks_areJoinedAndNothingElseMoves()
     QCOMPARE(report.genus, std::optional<std::int64_t>(0));
     if (vertices > 0)
         QCOMPARE(result.mesh->points.size(), std::size_t(vertices));
-    QVERIFY(!repairMesh(cracked, {.fillLargeHoles = false}).report.largeHoles); // cracks are no large holes
+    QVERIFY(!repairMesh(cracked, {.fillLargeHoles = false}).report.largeHoles); // the joined cracks were no large holes
 }
 
 /// Rims farther apart than a crack, and points within the surface, must not be joined.

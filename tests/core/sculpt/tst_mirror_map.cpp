@@ -388,7 +388,7 @@ void TestMirrorMap::fingers_joinAcrossThePlane()
     Sculptor sculptor(sculptable(clay::twoFingers(0.1))); // the fingers are side by side in x
     StrokeSettings settings = mirroredSettings(Tool::Pull, 0.15);
     settings.place = core::Placement::Nearest;
-    QCOMPARE(sculptUntilChanged(sculptor, settings, {{0.05, 0, 0}}, 40), 2); // one part instead of two
+    QCOMPARE(sculptUntilChanged(sculptor, settings, {{0.05, 0, 0}}, 40), 2); // Euler number of one part instead of two
     VERIFY_SYMMETRIC(sculptor.mesh(), Symmetry::X);
     VERIFY_VALID(sculptor.mesh());
     QVERIFY(sculptor.totals().fusions > 0);
@@ -412,7 +412,7 @@ void TestMirrorMap::wall_isPiercedAtThePlane()
     StrokeSettings settings = mirroredSettings(Tool::Push, 0.2);
     settings.symmetry = Symmetry::Y;
     settings.place = core::Placement::Nearest;
-    QCOMPARE(sculptUntilChanged(sculptor, settings, {{0, 0.05, 0}}, 60), 0); // a ring
+    QCOMPARE(sculptUntilChanged(sculptor, settings, {{0, 0.05, 0}}, 60), 0); // Euler number of a ring
     VERIFY_SYMMETRIC(sculptor.mesh(), Symmetry::Y);
     VERIFY_VALID(sculptor.mesh());
 }
@@ -421,11 +421,12 @@ void TestMirrorMap::neck_partsAtThePlane()
 {
     const std::vector<Vec3> profile = {{0, -1, 0},     {0.5, -0.9, 0}, {0.6, -0.6, 0}, {0.25, -0.2, 0}, {0.12, 0, 0},
                                        {0.25, 0.2, 0}, {0.6, 0.6, 0},  {0.5, 0.9, 0},  {0, 1, 0}};
-    Sculptor sculptor(sculptable(symmetrized(clay::revolved(profile, 24), Symmetry::Y))); // an hourglass
+    // a solid of revolution in the shape of an hourglass
+    Sculptor sculptor(sculptable(symmetrized(clay::revolved(profile, 24), Symmetry::Y)));
     StrokeSettings settings = mirroredSettings(Tool::Push, 0.25);
     settings.symmetry = Symmetry::Y;
     QCOMPARE(sculptUntilChanged(sculptor, settings, {{0.12, 0, 0}, {-0.06, 0, 0.1}, {-0.06, 0, -0.1}}, 60),
-             4); // two parts
+             4); // Euler number of two parts
     VERIFY_SYMMETRIC(sculptor.mesh(), Symmetry::Y);
     VERIFY_VALID(sculptor.mesh());
 }

@@ -371,7 +371,7 @@ void TestPaperFigures::pushThroughASlab_piercesIt()
     for (int i = 0; i < 12; ++i) {
         const auto above = sculptor.hit({{0.03, 1, 0.02}, {0, -1, 0}});
         if (!above)
-            break; // the slab is pierced
+            break; // the slab is pierced here
         dabAt(sculptor, settings, above->position, {0, 1, 0});
         VERIFY_VALID(sculptor.mesh());
     }
@@ -413,7 +413,7 @@ void TestPaperFigures::pinch_cutsANeck()
         dabAt(sculptor, settings, Vec3::Zero(), {1, 0, 0});
         VERIFY_VALID(sculptor.mesh());
     }
-    QCOMPARE(mesh_asserts::eulerNumber(sculptor.mesh()), 4); // two parts
+    QCOMPARE(mesh_asserts::eulerNumber(sculptor.mesh()), 4); // Euler number of two parts
     QVERIFY(sculptor.totals().separations > 0);
 }
 

@@ -48,7 +48,7 @@ void TestRegion::selectSphere_takesTheVerticesInTheBall()
             if ((mesh->point(v).cast<double>() - ball.center).squaredNorm() <= ball.radius * ball.radius)
                 expected.push_back(v);
         }
-        QCOMPARE(region.slots(), expected); // in ascending order
+        QCOMPARE(region.slots(), expected); // slots are in ascending order
         QCOMPARE(region.size(), static_cast<Slot>(expected.size()));
     }
 }

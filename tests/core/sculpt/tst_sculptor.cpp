@@ -348,7 +348,7 @@ void TestSculptor::surfaceAtContact_withoutFusion_followsAPullAway()
     QVERIFY(away.outcome == DabOutcome::Committed || away.outcome == DabOutcome::Fallback);
     QVERIFY(away.reached >= 0.95 * away.asked && !away.contact);
     const auto after = sculptor.hit({{0.03, 1, 0.02}, {0, -1, 0}});
-    QVERIFY(after && after->position.y() > above->position.y() + 0.02); // 0.04 at the peak
+    QVERIFY(after && after->position.y() > above->position.y() + 0.02); // the full displacement is 0.04 at the peak
     VERIFY_VALID(sculptor.mesh());
 }
 
@@ -523,7 +523,7 @@ void TestSculptor::unusableSamples_areEmptyDabs()
     QVERIFY(sculptor.endStroke().empty());
     QCOMPARE(sculptor.mesh().stateHash(), start);
 
-    core::StrokeSettings sound; // the next stroke works normally
+    core::StrokeSettings sound; // the next stroke must work normally
     sound.radius = 0.4;
     sculptor.beginStroke(sound);
     core::StrokeSample next;
@@ -628,7 +628,7 @@ void TestSculptor::tooManyOperations_endTheDab()
 void TestSculptor::tooManyMoves_endTheDab()
 {
     Sculptor sculptor(sculptable(core::icosphere(4, 1)));
-    sculptor.setVerification(false); // verification would only take time here
+    sculptor.setVerification(false); // skips the exact check, which would only take time here
     const DabReport report = dabOnce(sculptor, {Tool::Pull, {0, 0, 1}, 2, 10, 0.05});
     QVERIFY(report.outcome == DabOutcome::EndedEarly && report.substeps > 10);
     QVERIFY(report.reached > 0 && report.reached < report.asked);

@@ -108,7 +108,7 @@ void TestStrokePath::firstSample_isADab()
 void TestStrokePath::straightLine_hasEvenDabsWhereverSamplesFall()
 {
     for (double sampleStep : {0.01, 0.1, 0.37, 1.0, 7.3, 20.0}) {
-        StrokePath path(spaced(0.25, 2)); // a dab every 0.5
+        StrokePath path(spaced(0.25, 2)); // spacing of 0.25 radii, so a dab every 0.5
         std::vector<core::Dab> dabs;
         for (double x = 0; x <= 20; x += sampleStep) {
             for (const core::Dab& dab : dabsOf(path, at({x, 0, 0})))
@@ -401,7 +401,7 @@ void TestStrokePath::longJump_ends()
     dabsOf(path, at({0, 0, 0}));
     // 10 km away if the unit is mm
     QCOMPARE(dabsOfLast(path, at({1e7, 0, 0})).size(), std::size_t(StrokePath::maxDabsPerSample));
-    const auto dabs = dabsOf(path, at({1e7 + 0.01, 0, 0})); // continues from the last sample
+    const auto dabs = dabsOf(path, at({1e7 + 0.01, 0, 0})); // the path continues from the last sample
     QVERIFY(dabs.size() > 10 && dabs.size() < 30);
     QVERIFY(dabs.front().position.x() >= 1e7 - 1e-3);
 }

@@ -48,7 +48,7 @@ void TestTool::falloff_fallsFromOneToZero()
     QVERIFY(isFalloff(n));
     QCOMPARE(falloff(0, n), 1.0);
     QVERIFY(falloff(1, n) <= 1e-14);
-    QCOMPARE(falloff(1.5, n), falloff(1, n)); // constant outside the ball
+    QCOMPARE(falloff(1.5, n), falloff(1, n)); // the falloff is constant outside the ball
     for (int i = 0; i < 1000; ++i) {
         const double here = falloff(i / 1000.0, n), next = falloff((i + 1) / 1000.0, n);
         QVERIFY(here >= 0 && here <= 1 && next <= here + 1e-14);

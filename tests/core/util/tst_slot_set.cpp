@@ -26,7 +26,7 @@ void TestSlotSet::largeSlots_comeAndGo()
     SlotSet set;
     QVERIFY(!set.contains(7));
     QVERIFY(set.add(7));
-    QVERIFY(set.add(2'000'000'000)); // beyond the initial capacity
+    QVERIFY(set.add(2'000'000'000)); // this slot is beyond the initial capacity
     QVERIFY(!set.add(7));
     QVERIFY(set.contains(2'000'000'000));
     set.clear();

@@ -24,7 +24,7 @@ void TestSparseIndex::add_tellsThePosition()
     SparseIndex index;
     QVERIFY(!index.contains(7));
     QCOMPARE(index.add(7), 0u);
-    QCOMPARE(index.add(50'000'000), 1u); // beyond the initial capacity
+    QCOMPARE(index.add(50'000'000), 1u); // this slot is beyond the initial capacity
     QCOMPARE(index.add(7), 0u);
     QCOMPARE(index.position(50'000'000), 1u);
     index.clear();
