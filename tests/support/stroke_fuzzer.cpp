@@ -102,7 +102,7 @@ core::Stroke StrokeFuzzer::stroke(const core::Mesh& mesh)
         sample.time = (s.airbrush > 0 ? 0.3 : 0.01) * static_cast<double>(i);
         sample.position = at;
         if (s.place == core::Placement::Ray || s.brush == core::BrushShape::Ray) {
-            // A changing view would fill the path between two views with interpolated dabs.
+            // The view is fixed if dabs are interpolated: between two views they would fill a long path.
             const bool staysPut = s.spacing != 0 || core::isDragTool(s.tool);
             sample.direction = staysPut ? view : direction();
             sample.position = at - 2 * size * sample.direction;

@@ -328,7 +328,7 @@ void TestHeadsetPanels::colors_bySwatchSliderAndChannel()
     v.hand.click(panel(), vr::ChooseChannel{2});
     v.hand.slide(Side::Right, {0, v.brush().color.b > 128 ? -1.0 : 1.0});
     v.hand.settle();
-    QVERIFY(v.brush().color.b != swatch.b); // the slide changes the chosen channel
+    QVERIFY(v.brush().color.b != swatch.b); // sliding on the pad changes the channel chosen last, blue
     QCOMPARE(v.brush().color.r, swatch.r);
     QVERIFY(v.isUntouched());
     QCOMPARE(v.hand.headset().complaints(), QString());

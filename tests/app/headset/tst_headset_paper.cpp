@@ -218,7 +218,7 @@ void TestHeadsetPaper::rightPadLeftAndRight_undoAndRedo()
     v.hand.settle();
     QCOMPARE(v.program.document.history().stack().index(), 1);
     QCOMPARE(v.hash(), pulled);
-    v.program.window.action(QStringLiteral("edit.undo"))->trigger(); // the window shares the undo step
+    v.program.window.action(QStringLiteral("edit.undo"))->trigger(); // the window undoes the step made in the headset
     v.hand.settle();
     QCOMPARE(v.hash(), v.startHash);
 }

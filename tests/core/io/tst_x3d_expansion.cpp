@@ -376,7 +376,7 @@ void TestX3dExpansion::doubledEnds_haveTheirSections()
     const QString first = numbers.first(3).join(u' ') + u' ', last = u' ' + numbers.last(3).join(u' ');
     const QString plain = extrusion(spine), doubled = first.repeated(atBegin) + spine + last.repeated(atEnd);
     QCOMPARE(extrusion(doubled), plain);
-    if (atBegin == 0) { // a smaller last cross-section is a step in the cap
+    if (atBegin == 0) { // a smaller cross-section at the repeated last point makes a step in the cap
         const auto points = [](const QString& scene) { return valueOf(scene, "point").split(u' '); };
         const QByteArray ones = QByteArray("1 1 ").repeated(numbers.size() / 3);
         const QStringList stepped = points(extrusion(doubled, "scale='" + ones + "0.5 0.5'"));

@@ -211,7 +211,7 @@ void TestKeptDetail::refine_collapsesWhatTheStrokeSqueezed()
     QVERIFY(mesh_asserts::badFaces(sculptor.mesh()).empty());
 }
 
-/// Proves the contrast: the paper's adaptive topology does lose detail.
+/// The paper's adaptive topology loses the detail that Refine and Keep preserve.
 void TestKeptDetail::adaptive_losesDetail()
 {
     Sculptor sculptor(mesh_asserts::sculptable(wavyBall()));
