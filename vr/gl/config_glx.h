@@ -4,7 +4,7 @@
 
 namespace vr
 {
-/// The one that the context was made with, as that display has it: the context's own, or another connection to the same
-/// server. Null if it has none such.
+/// Returns the framebuffer configuration that `context` was made with, as `display` knows it; null if `display` has no
+/// such configuration. `display` is `contextDisplay` or another connection to the same X server.
 GLXFBConfig configOf(Display* contextDisplay, GLXContext context, Display* display);
 } // namespace vr

@@ -4,22 +4,24 @@
 
 namespace vr
 {
-/// How OpenXR is told of the OpenGL context that is current. One file per platform makes it.
+/// Describes the current OpenGL context to OpenXR. Each platform has an implementation in a file of its own.
 class GlBinding
 {
 public:
     virtual ~GlBinding() = default;
 
-    /// The extension that it needs.
+    /// Returns the name of the OpenXR extension that this binding needs.
     virtual const char* extension() const = 0;
-    /// For XrSessionCreateInfo::next; lives as long as this, and is good as long as the context is.
+    /// Returns the structure for XrSessionCreateInfo::next. It lives as long as this object and is valid as long as the
+    /// context.
     virtual const void* next() const = 0;
 };
 
-/// Of the context that is current on this thread; null where none is, or where it is of a kind that OpenXR has no word
-/// for.
+/// Returns a binding for the context that is current on this thread. Returns null if there is none, or if OpenXR cannot
+/// describe a context of its kind.
 std::unique_ptr<GlBinding> currentGlBinding();
 
-/// The same for EGL alone, as under Wayland.
+/// Returns a binding for the context that is current on this thread if it is an EGL context, as under Wayland; else
+/// null.
 std::unique_ptr<GlBinding> currentEglBinding();
 } // namespace vr

@@ -1,6 +1,6 @@
 #include "vr/gl/gl_binding.h"
 
-#include <unknwn.h> // OpenXR's header names IUnknown
+#include <unknwn.h> // declares IUnknown, which openxr_platform.h uses
 #include <windows.h>
 
 #define XR_USE_PLATFORM_WIN32

@@ -4,20 +4,25 @@
 
 namespace vr
 {
-/// A context on a connection of its own to the window system, which Qt cannot make. Of what comes over one connection
-/// Mesa's software driver (llvmpipe, 22.3) searches the scenes of all contexts whenever one of them copies a picture,
-/// while their threads change them: two threads that draw over one connection crash sooner or later. One file per
-/// platform makes it. Used and destroyed on one thread.
+/// An OpenGL context on its own connection to the window system, which Qt cannot make. Mesa's software driver
+/// (llvmpipe, 22.3) needs separate connections. When a context copies a picture, the driver searches the scenes of all
+/// contexts on its connection while their threads change them. Two threads that draw over one connection therefore
+/// crash sooner or later.
+///
+/// Each platform has an implementation in a file of its own.
+///
+/// Thread: used and destroyed on one thread.
 class GlConnection
 {
 public:
     virtual ~GlConnection() = default;
 
-    /// False if the driver refuses. Costs next to nothing where it is current.
+    /// Makes the context current. Returns false if the driver refuses. Cost: negligible if the context is current
+    /// already.
     virtual bool makeCurrent() = 0;
 };
 
-/// Like the context that is current on this thread, sharing nothing with it; null where the window system has no such
-/// connections, or gives none.
+/// Returns a context like the one that is current on this thread, sharing no objects with it. Returns null if the
+/// window system has no separate connections, or refuses one.
 std::unique_ptr<GlConnection> separateConnection();
 } // namespace vr

@@ -2,7 +2,7 @@
 
 namespace vr
 {
-/// WGL has no connections.
+/// Returns null: WGL has no connections to the window system.
 std::unique_ptr<GlConnection> separateConnection()
 {
     return nullptr;

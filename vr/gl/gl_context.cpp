@@ -9,7 +9,7 @@ namespace vr
 {
 namespace
 {
-/// What is drawn is drawn into images: the surface itself is nothing.
+/// Returns the format of a surface that is never drawn to: all drawing is done into textures.
 QSurfaceFormat plainFormat()
 {
     QSurfaceFormat format;
@@ -21,7 +21,7 @@ QSurfaceFormat plainFormat()
 }
 } // namespace
 
-/// What belongs to no thread may be taken by any.
+/// Detaches the context from the gui thread, so that any thread can claim it.
 GlContext::GlContext() : m_surface(new QOffscreenSurface), m_context(std::make_unique<QOpenGLContext>())
 {
     m_context->setFormat(plainFormat());

@@ -9,8 +9,8 @@ class QOpenGLContext;
 
 namespace vr
 {
-/// An OpenGL context for another thread. Made on the gui thread, where Qt wants that; used on the one that claims it.
-/// Any thread may destroy it, except one that was claimed, which has to be destroyed by destroy() first.
+/// An OpenGL context for another thread. It is made on the gui thread, as Qt requires, and used on the thread that
+/// calls claim(). Any thread may destroy the object; a claimed context needs destroy() first.
 class GlContext
 {
 public:
@@ -19,24 +19,25 @@ public:
     GlContext(const GlContext&) = delete;
     GlContext& operator=(const GlContext&) = delete;
 
-    /// From here on it belongs to the thread that calls, and is current there. False where there is no OpenGL 3.3, or
-    /// not on other threads.
+    /// Moves the context to the calling thread and makes it current. Returns false if OpenGL 3.3 is missing, or if it
+    /// cannot be used outside the gui thread.
     bool claim();
-    /// Again: a runtime may put its own in its place whenever it is called. Costs next to nothing where it has not.
+    /// Makes the context current again: any call into the runtime may replace the current context. Cost: negligible if
+    /// the context is still current.
     void makeCurrent();
-    /// Current again, and returns when all that was drawn with it is done.
+    /// Makes the context current and waits until everything drawn with it is complete.
     void finish();
-    /// By the thread that claimed it, before that ends. It cannot be claimed again.
+    /// Destroys the context, which cannot be claimed again. Precondition: called on the thread that claimed it.
     void destroy();
 
-    /// Whose functions are to be called: Qt takes it for current wherever ours is, over whichever connection that
-    /// draws.
+    /// Returns the Qt context whose OpenGL functions are to be called. Qt considers it current even while the context
+    /// of m_connection is the one that draws.
     QOpenGLContext& context() { return *m_context; }
 
 private:
     bool isGoodEnough() const;
 
-    /// Deletes on the gui thread, where it was made; at once if that is this thread.
+    /// Deletes the surface on the gui thread, which made it: at once if that is the calling thread, else later.
     struct DeleteOnGuiThread
     {
         void operator()(QOffscreenSurface* surface) const;
@@ -44,6 +45,6 @@ private:
 
     std::unique_ptr<QOffscreenSurface, DeleteOnGuiThread> m_surface;
     std::unique_ptr<QOpenGLContext> m_context;
-    std::unique_ptr<GlConnection> m_connection; ///< what draws instead, where there is one
+    std::unique_ptr<GlConnection> m_connection; ///< context that draws in place of m_context; null: m_context draws
 };
 } // namespace vr

@@ -52,7 +52,7 @@ bool Program::create(QOpenGLExtraFunctions* gl, const char* vertexFile, const ch
     const auto add = [&](QOpenGLShader::ShaderType stage, const char* file) {
         return m_program->addShaderFromSourceFile(stage, folder + QLatin1StringView(file));
     };
-    // Qt leaves out a shader that does not compile, and a program of the other one alone may link.
+    // Qt skips a shader that does not compile, and a program with only the other shader may still link.
     const bool hasVertex = add(QOpenGLShader::Vertex, vertexFile);
     const bool hasFragment = add(QOpenGLShader::Fragment, fragmentFile);
     m_program->bindAttributeLocation("vertexPosition", 0);

@@ -13,8 +13,8 @@ namespace vr
 {
 class Program;
 
-/// A uniform of one program, by its name in the shaders. Set while the program is in use; a name that no shader has is
-/// ignored.
+/// A uniform variable of one program, found by its name in the shaders. A name that no shader has is ignored.
+/// Precondition of set(): the program is in use.
 class Uniform
 {
 public:
@@ -38,10 +38,10 @@ private:
     int m_location = -1;
 };
 
-/// A QOpenGLShaderProgram of a vertex and a fragment shader of :/shaders, with uniforms of Eigen's types. Derive and
-/// give the class its uniforms as members: `Uniform color{this, "color"};`
+/// A vertex and a fragment shader from :/shaders, linked by QOpenGLShaderProgram, with uniforms of Eigen's types. A
+/// derived class declares its uniforms as members: `Uniform color{this, "color"};`
 ///
-/// Precondition: the context that was current at create(), by Qt too, is current at every call.
+/// Precondition: the context of create() is current at every call, and Qt considers it current.
 class Program
 {
 public:
@@ -49,8 +49,8 @@ public:
     Program(const Program&) = delete;
     Program& operator=(const Program&) = delete;
 
-    /// File names without their folder. An input named vertexPosition is attribute 0. False if something does not
-    /// compile; the log is in the debug output.
+    /// Compiles and links two shader files, named without their folder. An input named vertexPosition becomes attribute
+    /// 0. Returns false if compiling or linking fails; the log is in the debug output.
     bool create(QOpenGLExtraFunctions* gl, const char* vertexFile, const char* fragmentFile);
     void destroy();
     void use() const;

@@ -10,10 +10,11 @@ namespace vr
 {
 namespace
 {
-// Of GL_EXT_texture_filter_anisotropic.
+// Enumerators of GL_EXT_texture_filter_anisotropic.
 constexpr unsigned int anisotropyName = 0x84FE, maxAnisotropyName = 0x84FF;
-constexpr float wantedAnisotropy = 8; ///< panels are seen aslant
-constexpr float sharper = -0.4F;      ///< levels of detail: text keeps its edges, and is still below what shimmers
+/// maximum anisotropy of the filter; above 1 because panels are often seen at a slant
+constexpr float wantedAnisotropy = 8;
+constexpr float sharper = -0.4F; ///< LOD bias in mip levels: keeps the edges of text sharp without shimmering
 
 void setFilters(QOpenGLExtraFunctions* gl)
 {

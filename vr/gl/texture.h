@@ -7,15 +7,15 @@ class QOpenGLExtraFunctions;
 
 namespace vr
 {
-/// A texture for a panel or a label: what was painted with premultiplied alpha, as a screen would show it, with smaller
-/// copies of itself for the distance. The context that was current at create() must be current at every call.
+/// A mip-mapped texture of a panel or a label. Its colours have the encoding of a screen and premultiplied alpha.
+/// Precondition: the context of create() is current at every call.
 class Texture
 {
 public:
     void create(QOpenGLExtraFunctions* gl);
     void destroy();
 
-    /// Cost: the picture's bytes; another size than before costs a new allocation in the driver.
+    /// Replaces the picture. Cost: one copy of its bytes; if the size changes, the driver allocates new memory.
     void upload(const QImage& picture);
 
     unsigned int id() const { return m_id; }

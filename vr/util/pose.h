@@ -4,8 +4,8 @@
 
 namespace vr
 {
-/// Where something is and how it stands. Room space: metres, right-handed, Y up, the floor at y = 0; what points,
-/// points along its own -Z.
+/// A position and an orientation. Room space is right-handed, in metres, with Y up and the floor at y = 0. Forward is
+/// the pose's own -Z.
 struct Pose
 {
     Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();

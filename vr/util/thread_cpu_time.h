@@ -2,10 +2,11 @@
 
 namespace vr
 {
-/// The CPU time that this thread has used, in milliseconds. Costs a fraction of a microsecond.
+/// Returns the CPU time that the calling thread has used, in milliseconds. Cost: a fraction of a microsecond.
 double threadCpuMilliseconds();
 
-/// Adds up the CPU time of calls into OpenGL that draw: a driver without a graphics card shades pictures within them.
+/// Adds up the CPU time that a thread spends in OpenGL draw calls. A driver without a graphics card rasterises within
+/// them.
 class DrawCallTimer
 {
 public:
