@@ -14,14 +14,16 @@ class QOpenGLContext;
 
 namespace vr
 {
-/// What is known of a frame before it is drawn. Room space; all of the same time, at which the frame will be seen.
+/// Input of a frame, known before the frame is drawn. Poses are in room space, at the time when the frame will be
+/// displayed.
 struct FrameInput
 {
     Wands wands;
-    std::optional<Pose> head;   ///< none as long as the runtime has not known it
-    std::int64_t displayNs = 0; ///< the runtime's clock: for differences
-    bool hasFocus = false;      ///< else people are in the runtime's menu or elsewhere, and wands are at rest
-    bool roomMoved = false; ///< room space is another than in the frame before: what was held there, or drawn, is over
+    std::optional<Pose> head;   ///< none: the runtime has not reported it in this room space yet
+    std::int64_t displayNs = 0; ///< display time in nanoseconds of the runtime's clock; only differences have a meaning
+    /// false: the runtime's menu or another program has the wands, and their buttons count as released
+    bool hasFocus = false;
+    bool roomMoved = false; ///< room space was redefined since the last frame: grabs and strokes in progress must end
     const FrameTimings& timings;
 
     double seconds() const { return static_cast<double>(displayNs) * 1e-9; }
@@ -30,31 +32,32 @@ struct FrameInput
 struct FrameOutput
 {
     std::vector<HapticPulse> pulses;
-    /// The room is put where the head is, by its position and yaw; FrameInput::roomMoved then tells.
+    /// Recentres: moves the room's origin to the head's position and yaw. FrameInput::roomMoved reports the change.
     bool recentre = false;
     bool leave = false;
 };
 
-/// What people see and do in the headset. All is called on the headset's thread, with its OpenGL context current, and
-/// nothing of it may wait for another thread.
+/// Decides what the user sees and does in the headset.
+///
+/// Thread: the headset's, with its OpenGL context current. No function may wait for another thread.
 class FrameClient
 {
 public:
     virtual ~FrameClient() = default;
 
-    /// False: it cannot draw here, and VR ends.
+    /// Prepares drawing with this context. Returns false if that is impossible; VR then ends.
     virtual bool create(QOpenGLContext& context) = 0;
-    /// Once each frame, seen or not.
+    /// Processes the input of a frame. Called once for each frame, even if the frame will not be shown.
     virtual FrameOutput frame(const FrameInput& input) = 0;
-    /// Of a frame that will be seen, for each eye in turn; eye 0 is the left, or the only one. The image is to be
-    /// filled; the view has no framebuffer yet. OpenGL's state is anybody's.
+    /// Fills the image of one eye. Called for each eye of a frame that will be shown; eye 0 is the left or the only
+    /// eye. `view` has no framebuffer yet. The OpenGL state on entry is arbitrary.
     virtual void draw(std::size_t eye, const EyeImage& image, const EyeView& view) = 0;
-    /// The session does not run: no frames come for a while, perhaps none at all. Ends what is in progress. The last
-    /// frame need not have shown why.
+    /// Ends actions in progress: the session has stopped, and frames pause, perhaps for good. The last frame's input
+    /// may have given no sign of it.
     virtual void idle() = 0;
-    /// CPU time of this thread within calls that draw, ever, in milliseconds: see FrameTiming.
+    /// Returns the total CPU time that this thread has spent in draw calls, in milliseconds; see FrameTiming.
     virtual double drawCallMs() const = 0;
-    /// Once for each create(), whatever it said.
+    /// Releases everything. Called once for each create(), even if create() returned false.
     virtual void destroy() = 0;
 };
 } // namespace vr

@@ -11,13 +11,13 @@
 
 namespace vr
 {
-/// What the headset's thread does in a frame, in this order.
+/// Phases of the headset thread's work in a frame, in this order.
 enum class FramePhase {
-    Events, ///< what the runtime and the window have told
-    Wait,   ///< for the runtime to want a frame
-    Input,  ///< wands, head and eyes
-    Client, ///< what follows from them, and what is new of the model
-    Images, ///< that are drawn into are taken and given back
+    Events, ///< handling the runtime's events and a request to stop
+    Wait,   ///< waiting until the runtime wants a frame
+    Input,  ///< reading the wands, the head and the eyes
+    Client, ///< FrameClient::frame(): reacting to the input and taking over changes of the model
+    Images, ///< acquiring and releasing the images that are drawn into
     Draw,
     Submit
 };
@@ -25,21 +25,22 @@ inline constexpr std::size_t framePhaseCount = 7;
 
 struct FrameTiming
 {
-    std::array<double, framePhaseCount> cpuMs{}; ///< of this thread, by FramePhase
-    /// Of Draw, within calls that draw: without a graphics card those make the picture themselves.
+    std::array<double, framePhaseCount> cpuMs{}; ///< CPU time of this thread by FramePhase, milliseconds
+    /// CPU time of draw calls within the Draw phase, milliseconds. Without a graphics card the driver rasterises within
+    /// them.
     double drawCallMs = 0;
-    double workMs = 0;   ///< wall time from the wait's end to the frame's
-    double periodMs = 0; ///< from this frame to the next, as the runtime plans it
-    /// Frames that should have been shown before this one, and were not.
+    double workMs = 0;   ///< wall time from the end of the Wait phase to the end of the frame, milliseconds
+    double periodMs = 0; ///< time from this frame to the next as the runtime plans it, milliseconds
+    /// number of frames just before this one that should have been shown and were not
     std::uint32_t dropped = 0;
     bool isShown = false;
 
     double of(FramePhase phase) const { return cpuMs[static_cast<std::size_t>(phase)]; }
-    /// All that this thread had of a core, outside calls that draw.
+    /// Returns this thread's CPU time in all phases without draw calls, in milliseconds.
     double ownMs() const { return std::accumulate(cpuMs.begin(), cpuMs.end(), -drawCallMs); }
 };
 
-/// What the last frames cost. Written by the headset's thread, which never waits for those that read.
+/// Timings of the last frames. The headset's thread writes them and never waits for a reader.
 class FrameTimings
 {
 public:
@@ -47,39 +48,40 @@ public:
 
     void add(const FrameTiming& timing);
 
-    /// The oldest first. Any thread.
+    /// Returns the timings, oldest first. Thread: any.
     std::vector<FrameTiming> recent() const;
     std::uint64_t frames() const;
     std::uint64_t droppedFrames() const;
 
 private:
-    mutable std::mutex m_mutex; ///< of the next three
+    mutable std::mutex m_mutex; ///< guards the next three members
     std::array<FrameTiming, capacity> m_ring;
     std::uint64_t m_frames = 0;
     std::uint64_t m_dropped = 0;
-    std::vector<FrameTiming> m_pending; ///< the writer's own: what it could not put in while somebody read
+    /// writer's own queue: timings that could not be stored while a reader had the mutex
+    std::vector<FrameTiming> m_pending;
 };
 
-/// Counts the frames that a headset should have shown and did not: the times at which frames are seen skip periods.
+/// Counts the frames that a headset should have shown and did not, by the gaps between display times.
 class DroppedFrameCounter
 {
 public:
-    /// Returns the frames dropped before this one. Only between two frames that are both shown: others may come as they
-    /// like.
+    /// Returns the number of frames dropped before this one. Returns 0 unless this frame and the last one are both
+    /// shown: frames that are not shown have no regular rate.
     std::uint32_t count(std::int64_t displayNs, std::int64_t periodNs, bool isShown);
 
 private:
-    std::int64_t m_before = 0; ///< 0: the frame before was not shown
+    std::int64_t m_before = 0; ///< display time of the last frame, nanoseconds; 0: it was not shown
 };
 
-/// What each phase of a frame has of the processor. To be used on one thread.
+/// Measures the CPU time of each phase of a frame. Thread: one.
 class PhaseTimer
 {
 public:
-    /// All since the last call was this phase; into timing(). A phase may come more than once.
+    /// Adds the CPU time since the last call to `phase` of timing(). A phase may occur more than once in a frame.
     void endPhase(FramePhase phase);
     FrameTiming& timing() { return m_timing; }
-    /// The next frame begins here.
+    /// Clears timing() and starts the next frame.
     void reset() { *this = {}; }
 
 private:

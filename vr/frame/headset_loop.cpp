@@ -1,5 +1,7 @@
-// In a loop: poll the runtime's events, handle a stop request, then render a frame, or idle while no frames are wanted.
-// A frame: wait, begin, wands and head and eyes at the time at which it will be seen, the client, each eye, end.
+// The loop polls the runtime's events, handles a stop request, then renders a frame, or idles while no frames are
+// wanted.
+// A frame waits for the runtime, begins, reads wands, head and eyes for its display time, runs the client, draws each
+// eye and ends.
 #include "vr/frame/headset_loop.h"
 
 #include <condition_variable>
@@ -11,12 +13,12 @@ namespace vr
 namespace
 {
 constexpr auto idleTime = std::chrono::milliseconds(50);
-/// A session state is reported only if it lasts at least this long; shorter ones are transitions.
+/// A stage other than Running is reported only if it lasts at least this long; shorter ones are transitions.
 constexpr auto transitionTime = std::chrono::milliseconds(500);
-/// The time that the runtime has to end the session after it was asked to.
+/// Time that the runtime has to end the session after it was asked to.
 constexpr auto exitTimeout = std::chrono::seconds(3);
 
-/// Returns when a stop is requested or the time is over.
+/// Waits until a stop is requested or `time` has passed.
 void wait(const std::stop_token& stop, std::chrono::milliseconds time)
 {
     std::mutex mutex;
@@ -37,7 +39,7 @@ HeadsetLoop::HeadsetLoop(const Parts& parts)
         qInfo("The OpenXR runtime does not know wands of the kind %s", qPrintable(refused));
 }
 
-/// A runtime may take the images' memory away with their handles, so nobody may be drawing on them any more.
+/// Waits until all drawing is complete: destroying a swapchain may free the memory of images that are still drawn to.
 HeadsetLoop::~HeadsetLoop()
 {
     m_parts.gl.finish();
@@ -80,7 +82,7 @@ std::optional<HeadsetEnd> HeadsetLoop::handleEvent(const XrEvent& event)
     case XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED:
         m_areProfilesStale = true;
         return {};
-    case XR_TYPE_EVENT_DATA_EVENTS_LOST: // they may have told of anything: what can be asked for is
+    case XR_TYPE_EVENT_DATA_EVENTS_LOST: // a lost event may have reported any change, so the state is read again
         qInfo("The OpenXR runtime has lost events");
         m_areProfilesStale = true;
         m_views.hidden().refresh();
@@ -114,7 +116,7 @@ std::optional<HeadsetEnd> HeadsetLoop::handleEvent(const XrEventDataSessionState
     return {};
 }
 
-/// A session that runs is asked to end, and goes on until the runtime ends it; one that does not is over at once.
+/// Asks a running session to exit; it goes on until the runtime ends it. A session that is not running ends at once.
 std::optional<HeadsetEnd> HeadsetLoop::exitIfRequested()
 {
     if (m_status.isExiting)
@@ -155,7 +157,7 @@ void HeadsetLoop::reportStage()
 void HeadsetLoop::idle()
 {
     if (m_status.isExiting)
-        std::this_thread::sleep_for(idleTime); // a stop is requested already
+        std::this_thread::sleep_for(idleTime); // wait() would return at once if a stop is requested
     else
         wait(m_parts.stop, idleTime);
     m_dropped = {};

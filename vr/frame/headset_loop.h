@@ -15,20 +15,21 @@
 
 namespace vr
 {
-/// One visit to the headset from a session's beginning to its end: events, frames, events, frames. All on one thread;
-/// the constructor and run() throw XrError.
+/// One visit to VR, from the beginning of an OpenXR session to its end: handles events and renders frames in turn.
+///
+/// Throws XrError from the constructor and run(). Thread: one.
 class HeadsetLoop
 {
 public:
     struct Parts
     {
-        const Instance& instance; ///< Ready
+        const Instance& instance; ///< precondition: its status is Ready
         const GlBinding& binding;
-        GlContext& gl; ///< claimed
+        GlContext& gl; ///< precondition: claimed by this thread
         FrameClient& client;
         FrameTimings& timings;
         std::stop_token stop;
-        std::function<void(HeadsetStage)> onStage; ///< of each change
+        std::function<void(HeadsetStage)> onStage; ///< called when the stage of the visit has changed
     };
 
     explicit HeadsetLoop(const Parts& parts);
@@ -60,15 +61,15 @@ private:
     Spaces m_spaces;
     Views m_views;
     SessionStatus m_status;
-    HeadsetStage m_stage = HeadsetStage::Starting; ///< the last that was told
+    HeadsetStage m_stage = HeadsetStage::Starting; ///< last stage passed to onStage
     HeadsetStage m_seenStage = HeadsetStage::Starting;
     Clock::time_point m_seenSince;
-    Clock::time_point m_exitDeadline; ///< set once the exit is requested
-    bool m_exitRequested = false;     ///< the client
+    Clock::time_point m_exitDeadline; ///< time to give up waiting for the session's end; set when the exit is requested
+    bool m_exitRequested = false;     ///< the client has asked to leave
     bool m_areProfilesStale = false;
     std::optional<Pose> m_head;
     PhaseTimer m_clock;
-    double m_drawCallMs; ///< as the client said after the last frame
+    double m_drawCallMs; ///< client's drawCallMs() after the last frame, milliseconds
     DroppedFrameCounter m_dropped;
 };
 } // namespace vr

@@ -5,27 +5,27 @@
 
 namespace vr
 {
-/// How far a visit to the headset is.
+/// The stage of a visit to VR.
 enum class HeadsetStage {
-    Starting, ///< the runtime is asked, or lets us wait
-    Hidden,   ///< it runs, and people see something else
-    Visible,  ///< people see us, but the wands are the runtime's: its menu is open
-    Running,  ///< all is ours
-    TakenOff, ///< the headset rests; nothing is drawn until it is put on again
+    Starting, ///< the runtime is starting, or the session has not begun yet
+    Hidden,   ///< the session runs, but the headset shows another program
+    Visible,  ///< the headset shows Fettle, but the runtime's menu is open and has the wands
+    Running,  ///< the headset shows Fettle, and Fettle has the wands
+    TakenOff, ///< the headset is not worn; nothing is drawn until it is put on again
     Ended
 };
 
-/// Why it ended.
+/// Why a visit ended.
 enum class HeadsetEnd {
-    Left,               ///< we wanted it
-    EndedByRuntime,     ///< the runtime wanted it
-    Unavailable,        ///< no runtime, no headset, or one that takes no pictures of this OpenGL
-    NoBinding,          ///< the window's OpenGL is of a kind that the runtime does not take
-    CannotRender,       ///< the room cannot be drawn here
-    RuntimeLost,        ///< or it restarts
-    SessionLost,        ///< as when the headset is unplugged
-    NotResponding,      ///< we wanted it, and the runtime did not answer in time
-    StillNotResponding, ///< the same, at an earlier visit: this one could not begin
+    Left,               ///< Fettle asked for the end
+    EndedByRuntime,     ///< the runtime asked for the end
+    Unavailable,        ///< no runtime, no headset, or a runtime that accepts no pictures of this OpenGL
+    NoBinding,          ///< the runtime does not support OpenGL contexts of this window system
+    CannotRender,       ///< FrameClient::create() failed
+    RuntimeLost,        ///< the runtime has stopped or restarts
+    SessionLost,        ///< the session is lost, for example because the headset is unplugged
+    NotResponding,      ///< Fettle asked for the end, and the runtime did not answer in time
+    StillNotResponding, ///< an earlier visit still does not respond, so this one could not begin
     Failed
 };
 
@@ -35,11 +35,11 @@ struct HeadsetReport
 
 public:
     HeadsetStage stage = HeadsetStage::Starting;
-    HeadsetEnd end = HeadsetEnd::Left; ///< once it has ended
-    QString text;                      ///< a sentence or two for people
+    HeadsetEnd end = HeadsetEnd::Left; ///< valid if the stage is Ended
+    QString text;                      ///< one or two sentences for the user
 
     static HeadsetReport of(HeadsetStage stage, const QString& headset);
-    /// `detail`: the whole text of Unavailable; a platform's name with NoBinding; the call that failed with Failed.
+    /// `detail`: for Unavailable the whole text, for NoBinding the platform's name, for Failed the call that failed.
     static HeadsetReport ended(HeadsetEnd end, const QString& detail = {});
 
     bool isEnded() const { return stage == HeadsetStage::Ended; }

@@ -25,7 +25,7 @@ HeadsetEnd endOf(XrResult result)
     }
 }
 
-/// Destroys the client in every case.
+/// Creates the client, and destroys it even if create() returned false.
 class CreatedClient
 {
 public:
@@ -57,7 +57,7 @@ struct HeadsetThread::Visit
 
     explicit Visit(std::shared_ptr<FrameClient> who) : client(std::move(who)) {}
 
-    // The visit's thread.
+    // Functions that run on the visit's thread.
     HeadsetReport run(const OnReport& onReport);
     HeadsetReport runWith(const OnReport& onReport);
     HeadsetReport runSession(const Instance& instance, const GlBinding& binding, const OnReport& onReport);
@@ -67,7 +67,7 @@ struct HeadsetThread::Visit
     QString windowSystem = QGuiApplication::platformName();
     GlContext gl;
     std::stop_source stop;
-    HeadsetReport last; ///< once the thread has ended
+    HeadsetReport last; ///< last report; valid once the thread has ended
 };
 
 HeadsetReport HeadsetThread::Visit::run(const OnReport& onReport)
@@ -82,7 +82,7 @@ HeadsetReport HeadsetThread::Visit::run(const OnReport& onReport)
     }
 }
 
-/// Instance, context, client, session; they end in the opposite order.
+/// Sets up the instance, the context, the client and the session. They end in reverse order.
 HeadsetReport HeadsetThread::Visit::runWith(const OnReport& onReport)
 {
     const Instance instance;
@@ -99,7 +99,8 @@ HeadsetReport HeadsetThread::Visit::runWith(const OnReport& onReport)
     return runSession(instance, *binding, onReport);
 }
 
-/// A runtime may ask for a later OpenGL than it needs, as SteamVR does: only one that refuses the session is believed.
+/// Runs a session, even if this OpenGL is older than the runtime asks for: some runtimes, such as SteamVR, ask for more
+/// than they need. Only a refused session proves that the version is too old.
 HeadsetReport HeadsetThread::Visit::runSession(const Instance& instance, const GlBinding& binding,
                                                const OnReport& onReport)
 {
@@ -171,7 +172,7 @@ void HeadsetThread::handleReport(const HeadsetReport& report)
 
 void HeadsetThread::abandon()
 {
-    if (m_thread.waitForEnd({})) // finish() is queued already
+    if (m_thread.waitForEnd({})) // the visit has ended in time, and finish() is queued already
         return;
     m_isAbandoned = true;
     Q_EMIT reported(HeadsetReport::ended(HeadsetEnd::NotResponding));

@@ -8,37 +8,41 @@
 
 namespace vr
 {
-/// Enters the headset and leaves it, any number of times: each visit has a thread, an OpenGL context and an OpenXR
-/// session of its own, and leaves none of them behind. All on the thread that made this one, which has to be the gui's.
+/// Enters and leaves VR any number of times. Each visit has its own thread, OpenGL context and OpenXR session, and
+/// leaves none of them behind.
 ///
-/// A visit that was to be left and has not ended in time, because the headset's program does not answer, is abandoned:
-/// it counts as ended, and when that program wakes it ends by itself, which nobody is told of.
+/// A visit that does not end in time after leave(), because the runtime does not answer, is abandoned: it counts as
+/// ended. If the runtime answers later, the visit ends without a report.
+///
+/// Thread: the gui thread, which also made this object.
 class HeadsetThread : public QObject
 {
     Q_OBJECT
 
 public:
-    /// `exitTimeout`: the time that a visit has to end.
+    /// `exitTimeout`: time that a visit has to end after leave().
     explicit HeadsetThread(std::chrono::milliseconds exitTimeout = RuntimeThread::responseTimeout,
                            QObject* parent = nullptr);
-    /// Leaves, and waits for the end until that timeout. What then goes on goes on without this: see RuntimeThread.
+    /// Leaves VR and waits for the visit's end, at most for the exit timeout. A visit that has not ended by then is
+    /// detached: see RuntimeThread.
     ~HeadsetThread() override;
 
-    /// Returns at once; reported() tells how it goes. False, and nothing happens, while there is a visit that has not
-    /// ended, abandoned or not. The client is used on the visit's thread until it has ended.
+    /// Starts a visit and returns at once; reported() reports its progress. Returns false, and does nothing, while an
+    /// earlier visit has not ended, abandoned or not. The visit's thread uses `client` until the visit has ended.
     bool enter(std::shared_ptr<FrameClient> client);
-    /// Returns at once; reported() tells of the end, and of nothing before it.
+    /// Asks the visit to end and returns at once. From then on reported() reports only the end.
     void leave();
-    /// A visit has begun, and its end was not told.
+    /// Returns whether a visit has begun and its end is not reported yet.
     bool isActive() const { return m_visit && !m_isAbandoned; }
-    /// A visit was abandoned and has not ended: VR cannot be entered.
+    /// Returns whether an abandoned visit has not ended. VR cannot be entered then.
     bool isStuck() const { return m_visit && m_isAbandoned; }
 
-    /// Of this visit, or of the last.
+    /// Returns the timings of the current visit, or else of the last one.
     const FrameTimings& timings() const { return *m_timings; }
 
 Q_SIGNALS:
-    /// The last one of each visit has ended; then VR can be entered again, from here too, unless isStuck().
+    /// Reports the progress of a visit. The last report of a visit has isEnded(); VR can then be entered again, even
+    /// from the slot, unless isStuck().
     void reported(const vr::HeadsetReport& report);
 
 private:
@@ -49,10 +53,10 @@ private:
     void finish();
 
     std::shared_ptr<FrameTimings> m_timings;
-    std::shared_ptr<Visit> m_visit; ///< its thread's, too
+    std::shared_ptr<Visit> m_visit; ///< shared with the visit's thread
     bool m_isLeaving = false;
     bool m_isAbandoned = false;
-    QTimer m_exitTimer;     ///< runs while we leave
-    RuntimeThread m_thread; ///< last
+    QTimer m_exitTimer;     ///< runs from leave() to the end of the visit
+    RuntimeThread m_thread; ///< declared last, so that it is destroyed first
 };
 } // namespace vr
