@@ -15,7 +15,7 @@ enum class HeadsetStage {
     Ended
 };
 
-/// Why a visit ended.
+/// The reason for the end of a visit.
 enum class HeadsetEnd {
     Left,               ///< Fettle asked for the end
     EndedByRuntime,     ///< the runtime asked for the end

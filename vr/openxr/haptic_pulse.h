@@ -4,12 +4,12 @@
 
 namespace vr
 {
-/// A pulse of a wand's motor. A later pulse of the same side replaces it.
+/// A vibration of a wand's motor. A later pulse for the same side replaces it.
 struct HapticPulse
 {
     Side side = Side::Right;
-    double amplitude = 0; ///< above 0, to 1
+    double amplitude = 0; ///< strength, above 0 and at most 1
     double frequency = 0; ///< Hz; 0: the runtime's choice
-    double seconds = 0;   ///< 0: the shortest that the wand can do
+    double seconds = 0;   ///< duration, seconds; 0: the shortest that the wand supports
 };
 } // namespace vr

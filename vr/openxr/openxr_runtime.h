@@ -6,26 +6,26 @@
 
 namespace vr
 {
-/// What the machine offers for VR at this moment.
+/// The availability of VR at this moment, with the runtime and the headset that offer it.
 struct HeadsetStatus
 {
     enum class State {
-        NoRuntime, ///< none installed, or it does not answer
-        NoHeadset, ///< a runtime, but no headset that is ready
-        NoOpenGl,  ///< a headset, but its runtime takes no OpenGL pictures
-        InUse,     ///< by this very program
+        NoRuntime, ///< no runtime is installed, or none answers
+        NoHeadset, ///< there is a runtime, but no headset that is ready
+        NoOpenGl,  ///< there is a headset, but its runtime does not accept OpenGL pictures
+        InUse,     ///< this program is using the headset already
         Ready
     };
 
     State state = State::NoRuntime;
     QString runtime; ///< name and version, if there is one
-    QString headset; ///< the system's name, if there is one
-    QString reason;  ///< a name from OpenXR, such as XR_ERROR_RUNTIME_UNAVAILABLE
-    QString text;    ///< one or two sentences for people, with the reason
+    QString headset; ///< the headset's name, if there is one
+    QString reason;  ///< name of an OpenXR result, such as XR_ERROR_RUNTIME_UNAVAILABLE
+    QString text;    ///< one or two sentences for the user, including the reason
 };
 
-/// Asks the OpenXR loader. May take as long as a runtime takes to start, up to seconds: not for the gui thread. Any
-/// thread. Never throws: no runtime and no headset are answers.
+/// Asks the OpenXR loader what is available. Never throws: a missing runtime or headset is a normal result. Thread:
+/// any. Cost: up to seconds, because a runtime may have to start; not for the gui thread.
 class OpenXrRuntime
 {
     Q_DECLARE_TR_FUNCTIONS(vr::OpenXrRuntime)
@@ -33,10 +33,11 @@ class OpenXrRuntime
 public:
     static HeadsetStatus probe();
 
-    /// One or two sentences for people, with the reason.
+    /// Returns one or two sentences for the user, including the reason.
     static QString textOf(const HeadsetStatus& status);
 
-    /// Says so where the runtime refuses the OpenGL that is present, which is earlier than it asks for.
+    /// Returns the message that the runtime refuses the present OpenGL version, which is earlier than the version it
+    /// asks for.
     static QString openGlRefusal(const QString& runtime, const QVersionNumber& asked, const QVersionNumber& present);
 };
 } // namespace vr

@@ -58,10 +58,11 @@ void RuntimeThread::post(TaskQueue& tasks, Task task)
         return;
     tasks.pending.push_back(std::move(task));
     QMetaObject::invokeMethod(tasks.receiver, "open",
-                              Qt::QueuedConnection); // by name: a functor would lie in Qt's queue
+                              // by name: the task stays in `pending`, which the destructor can clear
+                              Qt::QueuedConnection);
 }
 
-/// Runs one task: every post() queues one call.
+/// Runs the oldest task. Every post() queues one call of this function.
 void RuntimeThread::open()
 {
     std::unique_lock lock(m_tasks->mutex);
@@ -71,7 +72,7 @@ void RuntimeThread::open()
     task();
 }
 
-/// The thread has nothing more to do.
+/// Joins the thread, whose work is done.
 void RuntimeThread::finish()
 {
     m_thread.join();

@@ -12,47 +12,48 @@
 
 namespace vr
 {
-/// A thread for work that calls the headset's program, which may never answer: nobody has to wait for its end. All that
-/// the work uses has to belong to the work, for it may outlive everything else. All on the thread that made this one,
-/// which has to be the gui's.
+/// A thread for work that calls the OpenXR runtime, which may never return: nothing has to wait for the work's end. The
+/// work must own everything that it uses, because it may outlive all other objects.
+///
+/// Thread: the gui thread, which also made this object, unless stated otherwise.
 class RuntimeThread : public QObject
 {
     Q_OBJECT
 
 public:
     using Task = std::function<void()>;
-    /// Any thread; returns at once. The gui thread runs the tasks in the order of posting, unless this object is gone
-    /// by then.
+    /// Queues a task and returns at once. The gui thread runs the tasks in the order of posting; tasks left when the
+    /// RuntimeThread is destroyed are dropped. Thread: any.
     using Post = std::function<void(Task task)>;
     using Work = std::function<void(const Post& post)>;
 
-    /// A program that has not answered by then is taken for one that does not answer.
+    /// A runtime that has not answered after this time counts as not responding.
     static constexpr std::chrono::milliseconds responseTimeout = std::chrono::seconds(10);
 
     using QObject::QObject;
-    /// Work that has not ended is abandoned: its thread is detached.
+    /// Abandons work that has not ended: its thread is detached.
     ~RuntimeThread() override;
 
-    /// Only while there is no other work.
+    /// Starts the work. Precondition: no other work is in progress.
     void start(Work work);
-    /// Begun, and not yet followed by ended().
+    /// Returns whether work has begun and is not yet followed by ended().
     bool isWorking() const { return m_thread.joinable(); }
-    /// Blocks until the work has ended, no longer than that. False: it goes on.
+    /// Blocks until the work has ended or `timeout` has passed. Returns false if the work goes on.
     bool waitForEnd(std::chrono::milliseconds timeout) const;
 
-    /// Work was abandoned. What libraries keep for the whole process may not go while that goes on: the process has to
-    /// end by std::_Exit(). Any thread.
+    /// Returns whether this process has ever abandoned work. If so, the process must end by std::_Exit(): the detached
+    /// thread may still use static objects of libraries. Thread: any.
     static bool hasAbandonedWork();
 
 Q_SIGNALS:
-    /// The work and all that it held are gone; other work may begin, from here too.
+    /// Emitted after the work and everything that it captured are destroyed. Other work may start, even from the slot.
     void ended();
 
 private:
     struct TaskQueue
     {
-        std::mutex mutex;        ///< of the next two
-        RuntimeThread* receiver; ///< null: it has gone
+        std::mutex mutex;        ///< guards the next two members
+        RuntimeThread* receiver; ///< null: the RuntimeThread is destroyed
         std::deque<Task> pending;
     };
 

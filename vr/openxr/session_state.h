@@ -4,12 +4,14 @@
 
 namespace vr
 {
-/// Where one session is in OpenXR's life cycle.
+/// A session's state in the life cycle of OpenXR.
 struct SessionStatus
 {
     XrSessionState state = XR_SESSION_STATE_UNKNOWN; ///< the last one that the runtime reported
-    bool isRunning = false;                          ///< begun and not ended: it has frames
-    bool isExiting = false;                          ///< we have asked it to exit, or would have if it ran
+    /// xrBeginSession was called and xrEndSession was not: the session has frames
+    bool isRunning = false;
+    /// Fettle has asked the session to exit, or would have if it were running
+    bool isExiting = false;
 
     bool hasInput() const { return isRunning && state == XR_SESSION_STATE_FOCUSED; }
     bool isVisible() const { return hasInput() || (isRunning && state == XR_SESSION_STATE_VISIBLE); }
@@ -19,14 +21,14 @@ enum class SessionStep {
     Continue,
     Begin, ///< xrBeginSession
     End,   ///< xrEndSession
-    Exit,  ///< destroy it: it is over
-    Lost   ///< destroy it: it has died
+    Exit,  ///< destroy the session: it has ended
+    Lost   ///< destroy the session: it is lost
 };
 
-/// The call to make when the runtime reports `state`. Never returns a call that is invalid in the current status, even
-/// if the runtime misbehaves.
+/// Returns the call to make when the runtime reports `state`. Never returns a call that is invalid in the current
+/// status, even if the runtime misbehaves.
 SessionStep nextStep(const SessionStatus& status, XrSessionState state);
 
-/// The status after that call.
+/// Returns the status after the call that nextStep() returns.
 SessionStatus afterStep(SessionStatus status, XrSessionState state);
 } // namespace vr

@@ -12,26 +12,28 @@ namespace vr
 enum class Side { Left, Right };
 inline constexpr std::size_t sideCount = 2;
 
-/// From the palm to a wand's front end, in metres: our own wand's, and nearly a Vive's.
+/// Distance from the palm to the front end of a wand, in metres: exact for Fettle's model of a wand, about right for a
+/// Vive's.
 inline constexpr double tipReach = 0.134;
 
-/// What one wand says in one frame. Poses: room space, at the frame's predicted display time.
+/// State of one wand in one frame. Poses are in room space, at the frame's predicted display time.
 struct WandState
 {
-    bool isTracked = false; ///< the poses are of this frame, not of some time ago
-    Pose grip;              ///< the palm
-    Pose aim;               ///< where it points: -Z
-    /// The runtime gives us its buttons: it is there, and we have the focus; else all below is at rest.
+    bool isTracked = false; ///< the poses are measured for this frame, not remembered from an earlier one
+    Pose grip;              ///< pose of the palm
+    Pose aim;               ///< pose whose -Z is the direction that the wand points in
+    /// The wand is present and Fettle has the input focus. If false, the buttons below count as released and the pad as
+    /// centred.
     bool isActive = false;
-    double trigger = 0;                            ///< 0 to 1
-    Eigen::Vector2d pad = Eigen::Vector2d::Zero(); ///< -1 to 1; x right, y away from the hand
+    double trigger = 0;                            ///< 0 (released) to 1 (pulled)
+    Eigen::Vector2d pad = Eigen::Vector2d::Zero(); ///< -1 to 1 each; x to the right, y away from the palm
     bool padTouched = false;
     bool padPressed = false;
-    bool isStick = false;  ///< the pad is a thumbstick: it springs back to the middle
-    bool isSimple = false; ///< it has a trigger and a menu button only
-    bool side = false;     ///< squeezed, or a grip button
+    bool isStick = false;  ///< the pad is a thumbstick, which springs back to the centre
+    bool isSimple = false; ///< the wand has only a trigger and a menu button
+    bool side = false;     ///< the grip is squeezed, or the grip button is pressed
     bool menu = false;
 };
 
-using Wands = std::array<WandState, sideCount>; ///< by Side
+using Wands = std::array<WandState, sideCount>; ///< indexed by Side
 } // namespace vr

@@ -19,7 +19,8 @@ XrDuration nanoseconds(double seconds)
     return seconds > 0 ? static_cast<XrDuration>(std::llround(seconds * 1e9)) : XR_MIN_HAPTIC_DURATION;
 }
 
-/// Returns null where the runtime has another kind, or none yet.
+/// Returns the profile with this path. Returns null if Fettle has no such profile, or if the runtime has chosen none
+/// yet.
 const WandProfile* profileOf(const std::string& path)
 {
     const auto found = std::ranges::find(wandProfiles(), path, &WandProfile::path);
@@ -33,7 +34,8 @@ bool hasPad(const WandProfile& profile)
 }
 } // namespace
 
-/// Set, actions, suggestions; then they are attached, and no more can be made.
+/// Makes the action set and its actions, suggests bindings and attaches the set. Once it is attached, OpenXR accepts no
+/// more actions or suggestions.
 Actions::Actions(const Instance& instance, XrSession session) : m_instance(instance), m_session(session)
 {
     for (std::size_t side = 0; side < sideCount; ++side)
@@ -48,7 +50,8 @@ Actions::Actions(const Instance& instance, XrSession session) : m_instance(insta
     }
 }
 
-/// The runtime shows these names where people bind other parts of their wands. No two may be alike.
+/// Returns the name that the runtime shows where users rebind parts of their wands. OpenXR requires all names to
+/// differ.
 QString Actions::nameOf(Control control)
 {
     switch (control) {
@@ -99,7 +102,8 @@ void Actions::makeActions()
     }
 }
 
-/// One call for each kind of wand: a runtime that refuses one may take the next.
+/// Suggests the bindings of one kind of wand. Each kind has a call of its own: a runtime that refuses one kind may
+/// accept the next.
 void Actions::suggest(const WandProfile& profile)
 {
     std::vector<XrActionSuggestedBinding> bindings;
@@ -114,7 +118,7 @@ void Actions::suggest(const WandProfile& profile)
                                                     m_instance.path(profile.path),
                                                     static_cast<std::uint32_t>(bindings.size()), bindings.data()};
     const XrResult result = xrSuggestInteractionProfileBindings(m_instance.handle(), &info);
-    if (XR_FAILED(result)) // if all is lost, the next call says so
+    if (XR_FAILED(result)) // a fatal error is reported by the next call
         m_refused << QLatin1StringView(profile.path) + QStringLiteral(": ") + resultName(result);
 }
 
@@ -151,7 +155,7 @@ Wands Actions::read(XrSpace room, XrTime time, bool hasFocus)
     return m_wands;
 }
 
-/// Whether the runtime gave us the buttons: the focus may be gone since it was told.
+/// Returns whether the runtime has updated the buttons. The focus may be lost before the runtime reports the change.
 bool Actions::sync()
 {
     const XrActiveActionSet active{m_set.get(), XR_NULL_PATH};
@@ -189,7 +193,7 @@ bool Actions::isPressed(Control control, std::size_t side) const
     return state.isActive && state.currentState;
 }
 
-/// A button that is only pressed or not says 1 or 0.
+/// Returns whether the side control is squeezed, with hysteresis. A plain button reports 1 or 0.
 bool Actions::isSqueezed(std::size_t side) const
 {
     const XrActionStateGetInfo info = stateGetInfo(Control::Side, side);

@@ -10,10 +10,12 @@
 
 namespace vr
 {
-// Shares of the way, or of the force. Hands rest on the grips of some wands: a squeeze is more than that.
+// Thresholds of a squeeze, as fractions of the full travel or force. They are high because hands rest on the grips of
+// some wands.
 inline constexpr float squeezePress = 0.7F, squeezeRelease = 0.5F;
 
-/// The wands: poses and buttons in, pulses out. One for each session, made before it begins. Members throw XrError.
+/// Reads the poses and buttons of the wands, and sends haptic pulses to them. Precondition: made once for each session,
+/// before the session begins. Throws XrError from all members.
 class Actions
 {
     Q_DECLARE_TR_FUNCTIONS(vr::Actions)
@@ -21,17 +23,18 @@ class Actions
 public:
     Actions(const Instance& instance, XrSession session);
 
-    /// At that time in that space. Without the focus buttons are at rest, and not asked about; a pose that is not known
-    /// stays what it was.
+    /// Returns the wands at `time` in the space `room`. Without the focus the buttons count as released, and the
+    /// runtime is not asked. A pose that is not known keeps its last value.
     Wands read(XrSpace room, XrTime time, bool hasFocus);
 
-    /// Only with the focus; else it is not felt.
+    /// Starts a vibration. Precondition: the session has the focus; otherwise nothing is felt.
     void pulse(const HapticPulse& pulse);
 
-    /// To be called when the runtime says that a wand is of another kind, and once when the focus is new.
+    /// Reads the kind of each wand again. To be called when the runtime reports a new kind, and when the session gains
+    /// the focus.
     void refreshProfiles();
 
-    /// Kinds of wands that the runtime does not take, with its result's name.
+    /// Returns the kinds of wands that the runtime refuses, each with the name of its result.
     const QStringList& refusedProfiles() const { return m_refused; }
 
 private:
@@ -39,8 +42,8 @@ private:
     {
         XrPath path = XR_NULL_PATH;
         SpaceHandle grip, aim;
-        bool isStick = false, isSimple = false; ///< as WandState has them
-        bool isSqueezed = false;                ///< in the frame before
+        bool isStick = false, isSimple = false; ///< as in WandState
+        bool isSqueezed = false;                ///< whether the side control was squeezed in the last frame
     };
 
     static QString nameOf(Control control);
@@ -59,8 +62,8 @@ private:
     const Instance& m_instance;
     XrSession m_session;
     ActionSetHandle m_set;
-    std::array<ActionHandle, controlCount> m_actions; ///< by Control
-    std::array<Hand, sideCount> m_hands;              ///< by Side
+    std::array<ActionHandle, controlCount> m_actions; ///< indexed by Control
+    std::array<Hand, sideCount> m_hands;              ///< indexed by Side
     Wands m_wands;
     QStringList m_refused;
 };

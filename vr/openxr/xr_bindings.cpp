@@ -1,4 +1,4 @@
-// The paths are of section 6.4 of the OpenXR specification, "Interaction Profile Paths".
+// Paths are from section 6.4 of the OpenXR specification, "Interaction Profile Paths".
 #include "vr/openxr/xr_bindings.h"
 
 namespace vr
@@ -10,7 +10,7 @@ constexpr Binding aim{Control::Aim, "/input/aim/pose"};
 constexpr Binding trigger{Control::Trigger, "/input/trigger/value"};
 constexpr Binding pulse{Control::Pulse, "/output/haptic"};
 
-/// HTC's and Microsoft's.
+/// Bindings of HTC's Vive wands and Microsoft's motion controllers.
 constexpr Binding trackpadWand[]{
     grip,
     aim,
@@ -36,10 +36,12 @@ constexpr std::array<Binding, controlCount> stickWand(const Binding& side, const
              pulse}};
 }
 
-/// Squeeze is by force: the grip senses each finger that touches it. The system keeps the menu button, so B is ours.
+/// Bindings of Valve's Index. A squeeze is measured by force, because the grip senses every finger that touches it. The
+/// system reserves the menu button, so B is used as menu.
 constexpr auto index = stickWand({Control::Side, "/input/squeeze/force"}, {Control::Menu, "/input/b/click"});
 
-/// Its menu button is on the left only; Y and B are at the same place in both hands.
+/// Bindings of Oculus Touch. Only the left wand has a menu button, so Y and B are used, which are at the same place in
+/// both hands.
 constexpr auto touch =
     stickWand({Control::Side, "/input/squeeze/value"}, {Control::Menu, "/input/y/click", "/input/b/click"});
 

@@ -8,17 +8,17 @@
 
 namespace vr
 {
-/// What we ask of a wand; each hand has all of them.
+/// The inputs and outputs of a wand that Fettle uses. Each hand has all of them.
 enum class Control { Grip, Aim, Trigger, Pad, PadTouch, PadPress, Side, Menu, Pulse };
 inline constexpr std::size_t controlCount = 9;
 
 struct ControlKind
 {
-    const char* name; ///< OpenXR's rules: a to z and _
+    const char* name; ///< name of the action, lower case without spaces, as OpenXR requires
     XrActionType type;
 };
 
-/// By Control.
+/// Indexed by Control.
 inline constexpr std::array<ControlKind, controlCount> controlKinds{{
     {"grip", XR_ACTION_TYPE_POSE_INPUT},
     {"aim", XR_ACTION_TYPE_POSE_INPUT},
@@ -31,7 +31,7 @@ inline constexpr std::array<ControlKind, controlCount> controlKinds{{
     {"pulse", XR_ACTION_TYPE_VIBRATION_OUTPUT},
 }};
 
-/// What of a wand is which control. Paths below the hand's; null: this hand has none.
+/// The part of a wand that serves a control. Paths are relative to the hand's path; null: this hand has no such part.
 struct Binding
 {
     Control control;
@@ -46,17 +46,17 @@ struct Binding
     {}
 };
 
-/// One kind of wand.
+/// One kind of wand: an interaction profile of OpenXR.
 struct WandProfile
 {
     const char* path;
-    bool isStick; ///< WandState::isStick
+    bool isStick; ///< see WandState::isStick
     std::span<const Binding> bindings;
 };
 
-/// By Side.
+/// Indexed by Side.
 inline constexpr std::array<const char*, 2> handPaths{"/user/hand/left", "/user/hand/right"};
 
-/// All kinds that we know, the one we are made for first. A runtime chooses among them.
+/// Returns all kinds of wands that Fettle has bindings for, the Vive first. The runtime chooses among them.
 std::span<const WandProfile> wandProfiles();
 } // namespace vr

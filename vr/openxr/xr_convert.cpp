@@ -65,7 +65,8 @@ Eigen::Matrix4f projectionOf(const XrFovf& fov, float nearPlane, float farPlane)
 
 Pose levelBelow(const Pose& head)
 {
-    constexpr double steep = 0.1; ///< the view is steep if its level part is shorter
+    /// the view is steep if the horizontal part of its unit direction is shorter than this
+    constexpr double steep = 0.1;
     core::Vec3 ahead = head.forward();
     if (std::hypot(ahead.x(), ahead.z()) < steep)
         ahead = head.rotation * core::Vec3::UnitY() * (ahead.y() > 0 ? -1 : 1);

@@ -6,7 +6,7 @@
 
 namespace vr
 {
-/// Owns a handle of OpenXR. That its end may be refused, as by a runtime that has died, is of no interest to anybody.
+/// Owns an OpenXR handle. Errors of its destruction are ignored: a runtime that has died may refuse it.
 template <class Handle, XrResult(XRAPI_PTR* Destroy)(Handle)> class XrHandle
 {
 public:

@@ -10,7 +10,8 @@ namespace vr
 {
 namespace
 {
-/// Triangles without their indices; none if an index leads nowhere.
+/// Expands indexed triangles to three points each. Returns none if an index is out of range or a triangle is
+/// incomplete.
 HiddenArea triangles(const std::vector<XrVector2f>& points, const std::vector<std::uint32_t>& indices)
 {
     HiddenArea area;
@@ -21,7 +22,7 @@ HiddenArea triangles(const std::vector<XrVector2f>& points, const std::vector<st
     return area;
 }
 
-/// Pixels that nobody has to draw are a wish: none are left out where the runtime refuses.
+/// Logs that the runtime refuses to report hidden areas. This is no error: all pixels are drawn then.
 void noteRefusal(const XrError& error)
 {
     qInfo("The OpenXR runtime tells no hidden area: %s", qPrintable(error.text()));
@@ -66,7 +67,7 @@ void HiddenAreas::read(std::size_t eye)
     }
 }
 
-/// The sizes, then what they are the sizes of; anew where the mask has grown in between.
+/// Queries the sizes and then the data. Repeats both if the mask has grown in between.
 HiddenArea HiddenAreas::ask(std::uint32_t eye) const
 {
     const char* const call = "xrGetVisibilityMaskKHR";

@@ -6,13 +6,14 @@ namespace vr
 {
 namespace
 {
-/// The loader has room for one instance.
+/// Held while an instance exists: the loader allows only one at a time.
 std::mutex onlyInstance;
 
-/// The version that this client is written and tested for. The headers' own may be 1.1, which a runtime of 1.0 refuses.
+/// OpenXR version that this client is written and tested for. The headers' own version may be 1.1, which a runtime of
+/// OpenXR 1.0 refuses.
 constexpr XrVersion requestedVersion = XR_MAKE_VERSION(1, 0, 20);
 
-/// We draw with OpenGL; under EGL that needs the second, too.
+/// Extension for drawing with OpenGL. An EGL context needs XR_MNDX_egl_enable too.
 constexpr const char* openGlExtension = "XR_KHR_opengl_enable";
 constexpr const char* wantedExtensions[] = {openGlExtension,
                                             "XR_MNDX_egl_enable",
@@ -132,7 +133,7 @@ std::string Instance::text(XrPath path) const
 
 std::optional<XrEvent> Instance::nextEvent() const
 {
-    XrEventDataBuffer data; // filled by the runtime: 4000 bytes that nobody needs to clear
+    XrEventDataBuffer data; // 4000 bytes, which the runtime fills: clearing them would be wasted work
     data.type = XR_TYPE_EVENT_DATA_BUFFER;
     data.next = nullptr;
     if (check(xrPollEvent(handle(), &data), "xrPollEvent") == XR_EVENT_UNAVAILABLE)

@@ -11,17 +11,17 @@
 
 namespace vr
 {
-/// Headers may be too old for it.
+/// Name of an extension that older OpenXR headers do not define.
 inline constexpr const char* localFloorExtension = "XR_EXT_local_floor";
 
-/// What the runtime has to tell.
+/// An event of the runtime.
 class XrEvent
 {
 public:
     explicit XrEvent(const XrEventDataBuffer& data) : m_data(data) {}
 
     XrStructureType type() const { return m_data.type; }
-    /// The type has been asked about.
+    /// Returns the event as `Event`. Precondition: type() is the type of `Event`.
     template <class Event> Event as() const
     {
         Event event{};
@@ -33,25 +33,25 @@ private:
     XrEventDataBuffer m_data;
 };
 
-/// The loader's one instance, and the headset that it knows. Making one may take as long as a runtime takes to start,
-/// up to seconds. To be used, and destroyed, on the thread that made it.
+/// The only instance that the loader allows, and the headset that it found. Thread: used and destroyed on the thread
+/// that made it. Cost: up to seconds to construct, because a runtime may have to start.
 class Instance
 {
 public:
-    /// Waits while there is another in this process. An absent runtime or headset is an answer: see status().
+    /// Waits until this process has no other instance. A missing runtime or headset is no error: see status().
     Instance();
-    /// Without waiting: where there is another, the answer is InUse.
+    /// Creates the instance without waiting. If this process has another, the status is InUse.
     explicit Instance(std::try_to_lock_t);
 
-    /// Without its text. From here on all may be used only where it is Ready.
+    /// Returns the status without its text. Precondition of all members below: the status is Ready.
     const HeadsetStatus& status() const { return m_status; }
 
     XrInstance handle() const { return m_handle.get(); }
     XrSystemId system() const { return m_system; }
-    /// Whether it was offered and is enabled.
+    /// Returns whether the runtime offers the extension and it is enabled.
     bool has(const char* extension) const;
 
-    /// Throw XrError.
+    /// Functions that throw XrError.
     XrPath path(const char* text) const;
     std::string text(XrPath path) const;
     std::optional<XrEvent> nextEvent() const;

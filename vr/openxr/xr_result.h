@@ -10,19 +10,20 @@
 
 namespace vr
 {
-/// "XR_ERROR_INSTANCE_LOST"; needs no instance. "XrResult -7" for those that the headers do not know.
+/// Returns the name of a result, such as "XR_ERROR_INSTANCE_LOST". Returns "XrResult -7" or the like for a result that
+/// the headers do not define. Precondition: none; no instance has to exist.
 QString resultName(XrResult result);
 
-/// A call that OpenXR refused. An exception, because each call of a session may be refused at each moment, all of that
-/// ends the session, and one place catches it. What people meet every day, no runtime and no headset, is a value:
-/// HeadsetStatus.
+/// An OpenXR call that the runtime refused. It is an exception because every call of a session may fail at any time,
+/// each failure ends the session, and one place catches them all. Everyday conditions, such as a missing runtime or
+/// headset, are values instead: see HeadsetStatus.
 class XrError : public std::runtime_error
 {
 public:
     XrError(const char* call, XrResult result);
 
     XrResult result() const { return m_result; }
-    /// "xrCreateSession: XR_ERROR_RUNTIME_FAILURE"
+    /// Returns the call and its result, such as "xrCreateSession: XR_ERROR_RUNTIME_FAILURE".
     QString text() const { return QString::fromUtf8(what()); }
 
 private:
@@ -32,11 +33,11 @@ private:
 /// Throws XrError if the result is an error; `call` is the function's name.
 XrResult check(XrResult result, const char* call);
 
-/// Limit of how often a list may grow between the two calls that read it: a runtime that refuses more is at fault.
+/// Number of times that a list may grow between the two calls that read it. A runtime that exceeds it is faulty.
 inline constexpr int maxGrowths = 8;
 
-/// What a function of the two-call idiom lists; ask(capacity, count, items). `blank` has type and next filled in.
-/// Throws XrError.
+/// Returns the list of a function with OpenXR's two-call idiom, called as ask(capacity, count, items). `blank` has type
+/// and next filled in. Throws XrError.
 template <class Item, class Ask> std::vector<Item> enumerate(const char* call, const Item& blank, Ask ask)
 {
     for (int growths = 0;; ++growths) {

@@ -12,7 +12,7 @@ namespace vr
 {
 namespace
 {
-/// Two eyes, or else one.
+/// Returns two eyes if the runtime offers that, else one.
 XrViewConfigurationType viewConfigurationOf(const Instance& instance)
 {
     const auto offered = enumerate(
@@ -25,7 +25,7 @@ XrViewConfigurationType viewConfigurationOf(const Instance& instance)
     throw XrError("xrEnumerateViewConfigurations", XR_ERROR_VIEW_CONFIGURATION_TYPE_UNSUPPORTED);
 }
 
-/// Opaque, unless the headset can only show the real room behind the picture.
+/// Returns opaque, unless the headset can only show the real room behind the picture.
 XrEnvironmentBlendMode blendModeOf(const Instance& instance, XrViewConfigurationType type)
 {
     const auto offered = enumerate(
@@ -81,7 +81,7 @@ std::optional<ImageFormat> depthFormatOf(const Instance& instance, XrSession ses
     return isWanted ? bestDepthFormat(formatsOf(session)) : std::nullopt;
 }
 
-/// The offered rate that is nearest to the wanted one. Throws XrError.
+/// Requests the offered rate that is nearest to wantedRefreshRate. Throws XrError.
 void requestRefreshRate(const Instance& instance, XrSession session)
 {
     const auto enumerateRates =
@@ -97,7 +97,7 @@ void requestRefreshRate(const Instance& instance, XrSession session)
         check(request(session, *nearest), "xrRequestDisplayRefreshRateFB");
 }
 
-/// The wanted rate is a wish: a runtime that refuses keeps its own.
+/// Requests the wanted refresh rate. A refusal is no error: the runtime keeps its own rate.
 void tryRefreshRate(const Instance& instance, XrSession session)
 {
     try {
@@ -165,7 +165,7 @@ Frame::~Frame()
     if (m_isEnded)
         return;
     const XrFrameEndInfo info{XR_TYPE_FRAME_END_INFO, nullptr, m_display, m_session.m_blendMode, 0, nullptr};
-    xrEndFrame(m_session.handle(), &info); // something else has gone wrong: that is what people are told
+    xrEndFrame(m_session.handle(), &info); // result ignored: the earlier error that led here is the one reported
 }
 
 void Frame::show(XrSpace space, std::span<const XrCompositionLayerProjectionView> views)

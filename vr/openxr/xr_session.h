@@ -12,35 +12,35 @@
 
 namespace vr
 {
-/// What the runtime says of the frame that is to be made.
+/// Timing of the frame to be made, as the runtime reports it.
 struct FrameTime
 {
-    XrTime display = 0;    ///< when it will be seen
-    XrDuration period = 0; ///< from one frame to the next
+    XrTime display = 0;    ///< predicted time at which the frame is seen
+    XrDuration period = 0; ///< time from one frame to the next, nanoseconds
     bool shouldRender = false;
 };
 
-/// Frames a second at which a headset is asked to show ours, where it can be asked: as a Vive does, for which all is
-/// measured. Less tires; more is not drawn in time everywhere.
+/// Refresh rate that the headset is asked for if its runtime lets applications choose, Hz. It is the rate of a Vive,
+/// for which performance is measured. A lower rate is tiring; some machines cannot draw a higher one in time.
 inline constexpr float wantedRefreshRate = 90;
 
-/// The least version of OpenGL that the runtime asks for; it may take less all the same. OpenXR wants it to be asked
-/// for before a session is made. Throws XrError.
+/// Returns the lowest OpenGL version that the runtime asks for, although it may accept an earlier one. OpenXR requires
+/// this query before a session is made. Throws XrError.
 QVersionNumber leastOpenGl(const Instance& instance);
 
-/// A session with one headset, and what the runtime wants to be given for it. Members throw XrError; the context that
-/// the binding tells of is current whenever one of them is called.
+/// A session with one headset, and the sizes and formats of the images that the runtime wants. Precondition: the
+/// context described by the binding is current at every call. Throws XrError from all members.
 class Session
 {
 public:
     Session(const Instance& instance, const GlBinding& binding);
 
     XrSession handle() const { return m_handle.get(); }
-    /// One for each view, as the runtime recommends; it may do otherwise in the next session.
+    /// Returns the image size of each view, as the runtime recommends it for this session.
     const std::vector<ImageSize>& imageSizes() const { return m_imageSizes; }
     const ImageFormat& imageFormat() const { return m_imageFormat; }
-    /// Format of the depth that the runtime wants to be given with the pictures (XR_KHR_composition_layer_depth);
-    /// nothing where it does not.
+    /// Returns the format of the depth images that the runtime wants with the pictures
+    /// (XR_KHR_composition_layer_depth); none if it wants no depth.
     const std::optional<ImageFormat>& depthFormat() const { return m_depthFormat; }
     XrViewConfigurationType viewConfiguration() const { return m_viewConfiguration; }
 
@@ -62,7 +62,7 @@ private:
     std::optional<ImageFormat> m_depthFormat;
 };
 
-/// A frame that is begun, and is ended whatever happens: by show(), or without a picture when this goes.
+/// A frame that has begun. It is always ended: by show(), or without a picture by the destructor.
 class Frame
 {
 public:
@@ -71,7 +71,7 @@ public:
     Frame(const Frame&) = delete;
     Frame& operator=(const Frame&) = delete;
 
-    /// No views: no picture.
+    /// Ends the frame with a picture of these views. An empty list ends it without a picture.
     void show(XrSpace space, std::span<const XrCompositionLayerProjectionView> views);
 
 private:

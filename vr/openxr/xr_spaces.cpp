@@ -11,7 +11,7 @@ namespace vr
 {
 namespace
 {
-/// From the floor to the eyes of a person who stands or sits high.
+/// Assumed height of the eyes above the floor, in metres, for a user who stands or sits high.
 constexpr double eyeHeight = 1.5;
 
 SpaceHandle makeSpace(XrSession session, XrReferenceSpaceType type, const Pose& pose)
@@ -22,7 +22,7 @@ SpaceHandle makeSpace(XrSession session, XrReferenceSpaceType type, const Pose& 
     return SpaceHandle(made);
 }
 
-/// Names of XR_EXT_local_floor, which headers may be too old for.
+/// XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR_EXT, which older OpenXR headers do not define.
 constexpr auto localFloor = static_cast<XrReferenceSpaceType>(1000426000);
 
 XrReferenceSpaceType roomSpaceType(const Instance& instance, XrSession session)
@@ -37,7 +37,7 @@ XrReferenceSpaceType roomSpaceType(const Instance& instance, XrSession session)
     return instance.has(localFloorExtension) && has(localFloor) ? localFloor : XR_REFERENCE_SPACE_TYPE_LOCAL;
 }
 
-/// Of the room in the runtime's space before anybody has recentred.
+/// Returns the pose of the room in the runtime's space before the user has recentred.
 Pose firstBase(XrReferenceSpaceType type)
 {
     Pose base;
@@ -84,7 +84,7 @@ bool Spaces::advance(XrTime time)
         return false;
     m_base = *std::exchange(m_nextBase, std::nullopt);
     m_room = makeSpace(m_session, m_type, m_base);
-    m_head.reset(); // it was in the old one
+    m_head.reset(); // the last pose is in the old room space
     return true;
 }
 

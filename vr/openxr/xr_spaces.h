@@ -10,37 +10,38 @@ namespace vr
 {
 class Instance;
 
-/// The spaces that a session measures in. Room space is STAGE, which has the real floor, or else LOCAL_FLOOR, which has
-/// it, too; where the runtime has neither it is LOCAL, with the floor taken to be 1.5 m below the eyes. Members throw
-/// XrError.
+/// The reference spaces of a session. Room space is STAGE or else LOCAL_FLOOR, whose floor is the real one. If the
+/// runtime has neither, room space is LOCAL, with the floor assumed 1.5 m below the eyes. Throws XrError from all
+/// members.
 class Spaces
 {
 public:
     Spaces(const Instance& instance, XrSession session);
 
     XrSpace room() const { return m_room.get(); }
-    /// In room space; none as long as the runtime has not known it. While it knows no more than how the head stands,
-    /// that is where it was.
+    /// Returns the head in room space; none until the runtime has reported it. While only the orientation is known, the
+    /// head keeps its last position.
     std::optional<Pose> head(XrTime time);
 
-    /// A person who recentres in the runtime's own menu is to stand where that says: from the event's time on our own
-    /// recentring is void.
+    /// Records that the runtime will redefine its space, for example because the user recentres in its menu. The new
+    /// origin replaces any recentring by Fettle, from the event's time on.
     void notePendingChange(const XrEventDataReferenceSpaceChangePending& event);
-    /// To be called with each frame's time; whether room space is another from this frame on.
+    /// Applies pending changes of room space. To be called with each frame's time. Returns whether room space is
+    /// redefined from this frame on.
     bool advance(XrTime time);
 
-    /// The room is put where this head is (room space), by its position and yaw only; the real floor stays. From the
-    /// next advance() on.
+    /// Moves the room's origin to this head (in room space) by its position and yaw only; a real floor keeps its
+    /// height. Takes effect at the next advance().
     void recentre(const Pose& head);
 
 private:
     XrSession m_session;
     XrReferenceSpaceType m_type = XR_REFERENCE_SPACE_TYPE_LOCAL;
-    Pose m_base; ///< of the room in the runtime's space
+    Pose m_base; ///< pose of the room in the runtime's space
     SpaceHandle m_room;
     SpaceHandle m_view;
-    std::optional<Pose> m_head; ///< the last that was known
+    std::optional<Pose> m_head; ///< last known pose of the head, room space
     std::optional<Pose> m_nextBase;
-    std::vector<XrTime> m_changes; ///< that are to come
+    std::vector<XrTime> m_changes; ///< times of pending changes of the runtime's space
 };
 } // namespace vr

@@ -13,12 +13,13 @@ namespace vr
 {
 namespace
 {
-/// OpenXR takes what is in a format without sRGB for linear light: eight bits of that show bands in the dark, so it is
-/// the last.
+/// Colour formats, the best first. OpenXR reads formats without sRGB as linear light. GL_RGBA8 is the last, because
+/// linear light in eight bits shows bands in the dark.
 constexpr ImageFormat formats[] = {
     {GL_SRGB8_ALPHA8, true}, {GL_RGBA16F, false}, {GL_RGB10_A2, false}, {GL_RGBA8, false}};
 
-/// Sixteen bits are too few: they would take the clay's surface in steps of millimetres.
+/// Depth formats, the best first. Formats of sixteen bits are left out: they resolve the clay's surface only to
+/// millimetres.
 constexpr ImageFormat depthFormats[] = {{GL_DEPTH_COMPONENT24, false, true}, {GL_DEPTH_COMPONENT32F, false, true}};
 
 std::optional<ImageFormat> firstOffered(std::span<const ImageFormat> wanted, std::span<const std::int64_t> offered)

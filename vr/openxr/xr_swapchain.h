@@ -9,20 +9,21 @@
 
 namespace vr
 {
-/// What an image of a swapchain is made of.
+/// Pixel format of the images of a swapchain.
 struct ImageFormat
 {
-    std::int64_t name = 0; ///< OpenGL's
-    /// OpenGL encodes what is written where GL_FRAMEBUFFER_SRGB is on; else the image holds linear light as written.
+    std::int64_t name = 0; ///< sized OpenGL format, such as GL_SRGB8_ALPHA8
+    /// OpenGL encodes the colours written while GL_FRAMEBUFFER_SRGB is enabled. If false, the image stores linear light
+    /// unchanged.
     bool isSrgb = false;
     bool isDepth = false;
 
     friend bool operator==(const ImageFormat&, const ImageFormat&) = default;
 };
 
-/// The best of those that are offered; none if we could draw into none of them.
+/// Returns the best of the offered colour formats; none if Fettle can draw into none of them.
 std::optional<ImageFormat> bestFormat(std::span<const std::int64_t> offered);
-/// Returns the best of the formats for depth that are offered, in the same way.
+/// Returns the best of the offered depth formats; none if Fettle can draw into none of them.
 std::optional<ImageFormat> bestDepthFormat(std::span<const std::int64_t> offered);
 
 struct ImageSize
@@ -30,16 +31,17 @@ struct ImageSize
     int width = 0, height = 0; ///< pixels
 };
 
-/// The images that one eye is shown by turns: GL_TEXTURE_2D, one sample, one level. Members throw XrError. The
-/// session's context is current.
+/// The images that one eye is shown in turn: GL_TEXTURE_2D, one sample per pixel, one mip level. Precondition: the
+/// session's context is current. Throws XrError from all members.
 class Swapchain
 {
 public:
     Swapchain(XrSession session, const ImageFormat& format, const ImageSize& size);
 
-    /// Of the next image, once the runtime is done with it. One at a time.
+    /// Returns the texture of the next image, after the runtime has finished reading it. Precondition: no other image
+    /// of this swapchain is acquired.
     unsigned int acquire();
-    /// What is in it is shown with the frame that ends next.
+    /// Gives the acquired image back. Its content is shown with the frame that ends next.
     void release();
 
     XrSwapchain handle() const { return m_handle.get(); }

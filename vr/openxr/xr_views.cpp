@@ -10,13 +10,13 @@ namespace vr
 {
 namespace
 {
-/// Metres: nearer than a wand before the face, farther than any floor.
+/// Clip planes, metres: nearer than a wand held before the face, and farther than any floor.
 constexpr float nearPlane = 0.03F;
 constexpr float farPlane = 60;
 
 constexpr XrView unknownView{XR_TYPE_VIEW, nullptr, {{0, 0, 0, 1}, {0, 0, 0}}, {}};
 
-/// Gives an image back.
+/// Owns an acquired image of a swapchain, and releases it.
 class Acquired
 {
 public:
@@ -25,7 +25,7 @@ public:
     {
         if (m_isHeld)
             xrReleaseSwapchainImage(m_from.handle(),
-                                    nullptr); // something else has gone wrong: that is what people are told
+                                    nullptr); // result ignored: the earlier error that led here is the one reported
     }
     Acquired(const Acquired&) = delete;
     Acquired& operator=(const Acquired&) = delete;
@@ -57,7 +57,7 @@ Views::Views(const Instance& instance, const Session& session)
         makeDepths(session);
 }
 
-/// A runtime that makes no such images after all is given none.
+/// Makes a swapchain of depth images for each eye. A runtime that refuses gets no depth.
 void Views::makeDepths(const Session& session)
 {
     m_depthFormat = *session.depthFormat();

@@ -8,7 +8,8 @@
 
 namespace vr
 {
-/// What each eye is shown: one, or two, left before right. Members throw XrError; the session's context is current.
+/// The pictures of the eyes: one eye, or two, left before right. Precondition: the session's context is current. Throws
+/// XrError from all members.
 class Views
 {
 public:
@@ -17,15 +18,15 @@ public:
     HiddenAreas& hidden() { return m_hidden; }
     std::size_t count() const { return m_swapchains.size(); }
 
-    /// Where the eyes will be; false while that is not known, and nothing can be shown. What is lost of them for a
-    /// while stays where it was.
+    /// Reads the poses of the eyes at `time`. Returns false while they are unknown; nothing can be shown then. If only
+    /// the position is lost, the eyes keep their last position.
     bool locate(XrSpace room, XrTime time);
 
-    /// To be called for each, once between locate() and the frame's end; `draw` fills the image. It is given back
-    /// whatever happens.
+    /// Acquires the image of one eye, lets `draw` fill it, and releases it even if `draw` throws. To be called for each
+    /// eye once between locate() and the frame's end.
     void draw(std::size_t eye, const std::function<void(const EyeImage&, const EyeView&)>& draw);
 
-    /// What was drawn, for Frame::show(), until the next locate().
+    /// Returns the pictures drawn, for Frame::show(). Valid until the next locate().
     std::span<const XrCompositionLayerProjectionView> pictures() const { return m_pictures; }
 
 private:
@@ -36,11 +37,11 @@ private:
     XrViewConfigurationType m_viewConfiguration;
     ImageFormat m_format, m_depthFormat;
     HiddenAreas m_hidden;
-    bool m_isKnown = false; ///< the places are, from now or from before
+    bool m_isKnown = false; ///< the positions of the eyes were known at least once
     std::vector<Swapchain> m_swapchains;
     std::vector<XrView> m_views;
     std::vector<XrCompositionLayerProjectionView> m_pictures;
-    std::vector<Swapchain> m_depths;                          ///< by eye; none where the runtime wants no depth
-    std::vector<XrCompositionLayerDepthInfoKHR> m_depthInfos; ///< the pictures lead to them
+    std::vector<Swapchain> m_depths;                          ///< indexed by eye; empty if the runtime wants no depth
+    std::vector<XrCompositionLayerDepthInfoKHR> m_depthInfos; ///< m_pictures points to them
 };
 } // namespace vr
