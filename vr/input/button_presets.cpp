@@ -8,7 +8,8 @@ namespace vr
 {
 namespace
 {
-/// A class, because using enum at namespace scope reaches the next files of a unity build.
+/// Tables of the presets. They are in a class because using enum at namespace scope reaches the next files of a unity
+/// build.
 struct Rows
 {
     using enum HandRole;
@@ -42,7 +43,7 @@ struct Rows
         {Sculpting, Any,        SqueezeHold, F::RestoreModel,     QT_TRANSLATE_NOOP("vr::Presets", "Hold: restore")},
     };
 
-    /// Saving and restoring are on panels.
+    /// Functions of the Studio preset. Saving and restoring have no buttons here; they are on panels.
     static constexpr PresetRow studio[] = {
         {Support, Any, PadLeft,   F::Undo,           QT_TRANSLATE_NOOP("vr::Presets", "Undo")},
         {Support, Any, PadRight,  F::Redo,           QT_TRANSLATE_NOOP("vr::Presets", "Redo")},
@@ -65,7 +66,7 @@ struct Rows
         {Sculpting, Any,        Trigger,     F::Sculpt,           QT_TRANSLATE_NOOP("vr::Presets", "Sculpt")},
         {Sculpting, Any,        Squeeze,     F::MoveModel,        QT_TRANSLATE_NOOP("vr::Presets", "Move model")},
     };
-    /// Saving, restoring and the rest are on panels.
+    /// Functions of the OneHand preset. All others, such as saving and restoring, are on panels.
     static constexpr PresetRow oneHand[] = {
         {Sculpting, Plain,      PadLeft,     F::Undo,             QT_TRANSLATE_NOOP("vr::Presets", "Undo")},
         {Sculpting, ToolMenu,   PadLeft,     F::PreviousTool,     QT_TRANSLATE_NOOP("vr::Presets", "Previous tool")},
@@ -92,7 +93,7 @@ constexpr bool answers(const PresetRow& row, const WandControl& control)
            (row.mode == HandMode::Any || row.mode == control.mode);
 }
 
-/// Whether one move of the hand can be both.
+/// Returns whether one movement of a finger can be both gestures.
 constexpr bool overlap(Gesture a, Gesture b)
 {
     using enum Gesture;
@@ -102,7 +103,7 @@ constexpr bool overlap(Gesture a, Gesture b)
     return a == b || are(Slide, SlideUpDown) || are(Menu, MenuTap) || are(Menu, MenuHold) || are(Squeeze, SqueezeHold);
 }
 
-/// No move has two functions.
+/// Returns whether no movement of a finger has two functions.
 constexpr bool isClear(std::span<const PresetRow> table)
 {
     for (std::size_t i = 0; i < table.size(); ++i)
@@ -116,7 +117,7 @@ constexpr bool isClear(std::span<const PresetRow> table)
 }
 static_assert(isClear(Rows::paper) && isClear(Rows::studio) && isClear(Rows::oneHand));
 
-/// Returns what the label says at a thumbstick, which slides only while it is pressed in.
+/// Returns the label for a thumbstick, which slides only while it is pressed in.
 const char* stickLabel(const PresetRow& row)
 {
     switch (row.function) {

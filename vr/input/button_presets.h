@@ -7,37 +7,40 @@
 
 namespace vr
 {
-/// A choice of functions for the buttons of the wands. Paper: section 4.1 of Zhu and Yang 2024, except that the side
-/// button has to be held, the left trigger turns the model, too, and the other tools follow the five. Studio: usual in
-/// other sculpting programs. OneHand: one wand has all functions, and no panel is attached to a hand; a second wand may
-/// lie on a table.
+/// An assignment of functions to the buttons of the wands.
+///
+/// - Paper: section 4.1 of Zhu and Yang 2024, with three differences. The side button has to be held, the left trigger
+///   also moves and turns the model, and other tools follow the paper's five.
+/// - Studio: usual in other sculpting programs.
+/// - OneHand: one wand has all functions, and no panel is attached to a hand. A second wand is not needed.
 enum class ButtonPreset { Paper, Studio, OneHand };
 
 /// The role of a hand. In the paper the right hand sculpts.
 enum class HandRole { Sculpting, Support };
 
 /// The panel of a hand that is open. The support hand has the tool menu, the sculpting hand the colour panel. With
-/// OneHand the sculpting hand has both; if both are open, the colour panel counts.
+/// OneHand the sculpting hand has both panels; if both are open, the mode is ColorPanel.
 enum class HandMode {
-    Any,   ///< in rows only: any of the following
+    Any,   ///< in table rows only: the row applies to all modes
     Plain, ///< no panel
     ToolMenu,
     ColorPanel
 };
 inline constexpr std::size_t handModeCount = 4;
 
-/// A move of a finger on a wand. Trigger, the four of the pad and Squeeze, the side button, last as long as the press.
+/// A movement of a finger on a wand. Trigger, the four Pad gestures and Squeeze (the side button) last as long as the
+/// press.
 enum class Gesture {
     Trigger,
     PadLeft,
     PadRight,
     PadTop,
     PadBottom,
-    Slide,       ///< a thumb moves on the pad without pressing it; right and up mean more
-    SlideUpDown, ///< as Slide, except that moves across the pad are ignored
+    Slide,       ///< the thumb moves on the pad without pressing it; right and up increase a value
+    SlideUpDown, ///< as Slide, but movements to the left and right are ignored
     Menu,
-    MenuTap,  ///< released before holdSeconds
-    MenuHold, ///< held for holdSeconds
+    MenuTap,  ///< menu button released before holdSeconds
+    MenuHold, ///< menu button held for holdSeconds
     Squeeze,
     SqueezeHold
 };
@@ -45,10 +48,10 @@ enum class Gesture {
 /// A function of a button or of the pad.
 enum class WandFunction {
     Sculpt,
-    Smooth,        ///< while it lasts, strokes of the other hand smooth
-    TurnClockwise, ///< seen from above
+    Smooth,        ///< while the button is held, strokes of the other hand smooth
+    TurnClockwise, ///< as seen from above
     TurnAnticlockwise,
-    MoveModel, ///< both hands together turn and scale it, too
+    MoveModel, ///< with both hands it also turns and scales the model
     ScaleModel,
     SetRadius,
     Undo,
@@ -58,7 +61,7 @@ enum class WandFunction {
     ToggleTopology,
     ToggleBrushShape,
     ToggleSymmetry,
-    ToggleInverse, ///< for tools that have an inverse
+    ToggleInverse, ///< for tools that have an inverse, such as Pull and Push
     ToggleToolMenu,
     PreviousTool,
     NextTool,
@@ -68,30 +71,30 @@ enum class WandFunction {
     SetChannel
 };
 
-/// A function of a button. WandMapping executes these rows, and the labels at the buttons show them. A button without a
-/// row does nothing.
+/// A function of a gesture. WandMapping executes these rows, and the labels at the buttons show them. A gesture without
+/// a row does nothing.
 struct PresetRow
 {
     HandRole hand;
     HandMode mode;
     Gesture gesture;
     WandFunction function;
-    const char* label; ///< a word or two, untranslated
+    const char* label; ///< one or two words, untranslated
 };
 
 /// Returns the rows of a preset.
 std::span<const PresetRow> presetRows(ButtonPreset preset);
 
-/// A gesture of a hand, and the panel that is open then.
+/// A gesture of a hand, and the hand's mode at that moment.
 struct WandControl
 {
     HandRole hand;
     HandMode mode; ///< never Any
     Gesture gesture;
 };
-/// Returns the function of the gesture; nothing if it has none.
+/// Returns the function of the gesture; none if it has no function.
 std::optional<WandFunction> functionOf(ButtonPreset preset, const WandControl& control);
 
-/// Returns the label in the program's language. `isStick`: the wand has a thumbstick in place of the pad.
+/// Returns the label in the user's language. `isStick`: the wand has a thumbstick in place of the pad.
 QString labelOf(const PresetRow& row, bool isStick);
 } // namespace vr

@@ -8,14 +8,14 @@ namespace vr
 {
 namespace
 {
-/// At full level and strength.
+/// A pulse at full level and strength: amplitude 0 to 1, frequency in Hz, length in seconds.
 struct PulseShape
 {
     double amplitude, frequency, seconds;
 };
 
-// Chosen to be told apart: what is touched is light and high, what fails is long and low. By Sensation; the texture's
-// length is another's matter.
+// Pulses that are easy to tell apart: contacts are light and high, refusals long and low. Indexed by Sensation. The
+// length of a texture pulse is computed in Haptics::texture().
 constexpr std::array<PulseShape, sensationCount> pulseShapes{{
     {0.35, 180, 0.02}, // Contact
     {0.45, 120, 0},    // Texture
@@ -25,21 +25,23 @@ constexpr std::array<PulseShape, sensationCount> pulseShapes{{
     {0.7, 160, 0.02},  // Hold
 }};
 
-constexpr double contactPause = 0.15;  ///< seconds; a brush that grazes a surface does not rattle
-constexpr double eventPause = 0.25;    ///< seconds without it, and it happens anew
-constexpr double trainPeriod = 0.05;   ///< seconds from one pulse of the texture to the next
-constexpr double trainShare = 0.3;     ///< of the time that its pulses fill
-constexpr double maxPulse = 0.1;       ///< seconds, of the texture
-constexpr double minTexture = 0.2;     ///< of its amplitude, under the lightest pressure
-constexpr double frameRoundOff = 1e-9; ///< of sums of frames
-constexpr int holdTicks = 4;           ///< while a hold's ring fills; the last when it is full
+/// Shortest time between contact pulses, seconds: a brush that grazes a surface does not rattle.
+constexpr double contactPause = 0.15;
+constexpr double eventPause = 0.25;    ///< seconds without an event after which the next one counts as new
+constexpr double trainPeriod = 0.05;   ///< shortest time between texture pulses, seconds
+constexpr double trainShare = 0.3;     ///< fraction of the time that texture pulses fill
+constexpr double maxPulse = 0.1;       ///< longest texture pulse, seconds
+constexpr double minTexture = 0.2;     ///< fraction of the texture's amplitude at the lightest pressure
+constexpr double frameRoundOff = 1e-9; ///< tolerance for rounding errors in sums of frame times
+constexpr int holdTicks = 4;           ///< number of pulses while a button is held; the last one ends the hold
 
 PulseShape pulseShapeOf(Sensation what)
 {
     return pulseShapes[static_cast<std::size_t>(what)];
 }
 
-/// Of what has not happened since `from`.
+/// Returns whether an event happens and is not part of a series. Sets `from`, the time from which the next event is
+/// new.
 bool begins(bool happens, double& from, double time)
 {
     return happens && time >= std::exchange(from, time + eventPause);
@@ -76,7 +78,7 @@ std::optional<HapticPulse> Haptics::event(Side side, const HapticInput& input, d
     return HapticPulse{side, feel.amplitude * event->strength * levelOf(event->what), feel.frequency, feel.seconds};
 }
 
-/// What matters most. Contacts and holds go on being followed under it.
+/// Returns the most important event. Contacts and holds are tracked even if another event is more important.
 std::optional<Haptics::Event> Haptics::eventOf(Hand& hand, const HapticInput& input, double time)
 {
     const bool touched = std::exchange(hand.touched, input.touches);
@@ -100,7 +102,8 @@ std::optional<Haptics::Event> Haptics::eventOf(Hand& hand, const HapticInput& in
     return std::nullopt;
 }
 
-/// A pulse lasts for its share of the time since the one before; so the train feels the same however the frames fall.
+/// Returns the next pulse of the texture. It lasts for a fixed share of the time since the last pulse, so that the
+/// texture feels the same at any frame rate.
 std::optional<HapticPulse> Haptics::texture(Side side, const HapticInput& input, double time)
 {
     Hand& hand = at(side);

@@ -7,33 +7,35 @@
 
 namespace vr
 {
-/// What a hand can feel.
+/// Kinds of vibration, by their cause.
 enum class Sensation { Contact, Texture, Fusion, Refusal, MenuStep, Hold };
 inline constexpr std::size_t sensationCount = 6;
 
-/// How strongly each is felt, 0 to 1; 0: not at all.
+/// Strength of each kind of vibration, 0 (off) to 1.
 struct HapticLevels
 {
-    std::array<double, sensationCount> of{1, 1, 1, 1, 1, 1}; ///< by Sensation
+    std::array<double, sensationCount> of{1, 1, 1, 1, 1, 1}; ///< indexed by Sensation
 
     bool operator==(const HapticLevels&) const = default;
 };
 
-/// What happened to one hand in a frame.
+/// Events of one hand in one frame.
 struct HapticInput
 {
-    bool touches = false; ///< its brush meets the surface
-    double pressure = 0;  ///< of the stroke that it draws, 0 to 1; 0: it draws none
-    bool fused = false;   ///< surfaces joined
-    bool refused = false; ///< what it asked for cannot be
-    bool stepped = false; ///< something was chosen: a tool, a channel, a switch, a button of a panel
-    double hold = 0;      ///< 0 to 1, of the button that it holds
+    bool touches = false; ///< the hand's brush meets the surface
+    double pressure = 0;  ///< pressure of the stroke that the hand draws, 0 to 1; 0: no stroke
+    bool fused = false;   ///< surfaces have joined
+    bool refused = false; ///< the hand has asked for something that is impossible now
+    bool stepped = false; ///< the hand has chosen something: a tool, a channel, a switch, a button of a panel
+    double hold = 0;      ///< progress of the button that the hand holds, 0 to 1
 };
 
-/// Makes pulses of what happens. A frame has one for each hand at most, of what matters most to it, and the texture
-/// waits until that has been felt. Surfaces that join dab by dab, and clay that will not give way, are felt once, when
-/// that begins. Times are the frames' own: the texture is a train of pulses that takes as large a part of the time at 5
-/// frames a second as at 144.
+/// Converts events to haptic pulses. Each frame has at most one pulse for each hand: that of its most important event.
+/// The texture of a surface is felt after that pulse has ended. A series of fusions, or of refusals, is felt once, at
+/// its beginning.
+///
+/// Times are those of the frames. The texture is a train of pulses that fills the same share of the time at 5 frames a
+/// second as at 144.
 class Haptics
 {
 public:
@@ -41,18 +43,19 @@ public:
 
     void setLevels(const HapticLevels& levels) { m_levels = levels; }
 
-    /// `time` in seconds; `hands` by Side.
+    /// Returns the pulses of a frame. Units: `time` in seconds. `hands` is indexed by Side.
     std::vector<HapticPulse> step(double time, const std::array<HapticInput, sideCount>& hands);
 
 private:
     struct Hand
     {
         bool touched = false;
-        double contactFrom = 0;                 ///< a contact before that is none
-        double fusionFrom = 0, refusalFrom = 0; ///< what happens before that goes on, and was felt
+        double contactFrom = 0; ///< earlier contacts give no pulse, seconds
+        /// Earlier events belong to the last series, which was felt already; times in seconds.
+        double fusionFrom = 0, refusalFrom = 0;
         double hold = 0;
-        double quietUntil = 0;         ///< what is felt until then is no texture
-        std::optional<double> trainAt; ///< the last pulse of the texture, while that goes on
+        double quietUntil = 0;         ///< the texture gives no pulse until then, seconds
+        std::optional<double> trainAt; ///< time of the last texture pulse, seconds; none: no texture is felt
     };
 
     struct Event

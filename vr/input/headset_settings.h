@@ -5,13 +5,13 @@
 
 namespace vr
 {
-/// The user's settings for the headset, kept from visit to visit.
+/// The user's settings for the headset, which are kept between visits.
 struct HeadsetSettings
 {
     WandSettings wands;
-    /// Metres that the model is placed higher, at most SettingsPanel::maxHeightOffset up or down.
+    /// Distance by which the model is raised, metres; at most SettingsPanel::maxHeightOffset up or down.
     double heightOffset = 0;
-    double turnRate = turnSpeed; ///< degrees a second
+    double turnRate = turnSpeed; ///< speed of turning the model, degrees a second
     bool showsFloor = true;
     bool showsPerformance = false;
     HapticLevels hapticLevels;

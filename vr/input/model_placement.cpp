@@ -12,18 +12,19 @@ namespace
 {
 using core::Vec3;
 
-constexpr double minModel = 1e-6; ///< mm; a model of one point has a size
-constexpr double minSpan = 0.01;  ///< metres; hands that touch neither turn nor scale
+constexpr double minModel = 1e-6; ///< smallest size of a model, mm: a box of one point would have none
+constexpr double minSpan = 0.01;  ///< metres; hands nearer to each other neither turn nor scale the model
 
 Eigen::Quaterniond aboutVertical(double angle)
 {
     return Eigen::Quaterniond(Eigen::AngleAxisd(angle, Vec3::UnitY()));
 }
 
-/// The level direction a head faces. Where it looks far up or down, its ears tell.
+/// Returns the horizontal direction that a head faces. If the head looks far up or down, the line through its ears
+/// determines it.
 Vec3 facing(const Pose& head)
 {
-    constexpr double minLevel = 0.5; ///< of a unit vector
+    constexpr double minLevel = 0.5; ///< shortest horizontal part of a unit vector that is used
     const Vec3 forward = head.forward();
     const bool isLevel = std::hypot(forward.x(), forward.z()) >= minLevel;
     const Vec3 ahead = isLevel ? forward : Vec3::UnitY().cross(head.rotation * Vec3::UnitX());
@@ -92,7 +93,8 @@ Eigen::Affine3d ModelPlacement::matrix() const
     return Eigen::Translation3d(m_origin) * m_rotation * Eigen::Scaling(m_scale);
 }
 
-/// A model that has outgrown the bounds is not forced back into them by a touch: it may only come nearer.
+/// Returns the scale after a change by `factor`, within the bounds. A model that is outside the bounds already is not
+/// forced into them, but it can only come nearer to them.
 double ModelPlacement::clampedScale(double factor) const
 {
     const double minScale = std::min(minSize / m_size, m_scale), maxScale = std::max(maxSize / m_size, m_scale);

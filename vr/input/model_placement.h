@@ -4,60 +4,63 @@
 
 namespace vr
 {
-/// Where the model stands in the room: a similarity from document space (mm) to room space (m). It is a way to look at
-/// the model and changes no millimetre of it; a brush of one length in the room is smaller on a model that is shown
-/// larger. Nothing here but place() and what hands do changes it: a model that grows, or a new object, never moves what
-/// is seen.
+/// Position, orientation and scale of the model in the room: a similarity from document space (mm) to room space (m).
+/// It changes how the model is seen, never the model itself. A brush of fixed size in the room is smaller on a model
+/// that is shown larger.
+///
+/// Only place() and movements of the hands change the placement. A model that grows, or a new object, does not move
+/// what is seen.
 class ModelPlacement
 {
 public:
-    // Where a person finds a model, in metres.
-    static constexpr double comfortableSize = 0.5;  ///< its longest side, as shown
-    static constexpr double comfortableReach = 0.6; ///< from the head to its middle: an arm bent a little
-    static constexpr double belowEyes = 0.2;        ///< its middle: one looks down at one's work
-    // How large it may be shown; from the size of a nut to that of a house.
+    // Placement by place(), in metres.
+    static constexpr double comfortableSize = 0.5;  ///< longest side of the model as shown
+    static constexpr double comfortableReach = 0.6; ///< from the head to the model's middle: an arm bent a little
+    /// Distance from the eyes down to the model's middle: users look down at their work.
+    static constexpr double belowEyes = 0.2;
+    // Range of the longest side as shown, in metres: from the size of a nut to that of a house.
     static constexpr double minSize = 0.02, maxSize = 20;
 
-    /// `model`: its box, mm; an empty one counts as that of a ball of 100 mm.
+    /// `model`: bounding box of the model, mm; an empty box counts as a cube of 100 mm.
     explicit ModelPlacement(const core::Box& model = {});
-    /// Its box has changed: from now on it turns and grows about another middle, and has other bounds. What is seen
-    /// stays.
+    /// Sets the bounding box of a changed model: level() and scale() use its middle, and its size limits the scale.
+    /// What is seen does not move.
     void setModel(const core::Box& model);
 
-    /// In front of a head, upright, its front (+Z) turned to it, at a comfortable size. A head standing or seated,
-    /// anywhere in the room, looking anywhere. `heightOffset`: metres higher, if the user wants it so.
+    /// Places the model in front of a head, upright, at a comfortable size, with its front (+Z) turned to the head. The
+    /// head may stand or sit anywhere and look anywhere. `heightOffset`: metres that the model is raised.
     void place(const Pose& head, double heightOffset = 0);
 
-    /// Turns the model about the document's Y axis as it stands in the room (paper, section 3.5.4), the axis of
-    /// symmetry and of the window's turntable; radians, anticlockwise seen from above. Clockwise, which the paper has
-    /// at the left of the pad, the side that faces the person goes to the left.
+    /// Turns the model about the document's Y axis as that is in the room (paper, section 3.5.4), the axis of the
+    /// window's turntable. Units: radians, anticlockwise seen from above. A clockwise turn, which the paper has at the
+    /// left of the pad, moves the side facing the user to the left.
     void turn(double angle);
-    /// Turns the model the shortest way about its middle until the document's Y axis is vertical.
+    /// Turns the model about its middle, the shortest way, until the document's Y axis is vertical.
     void level();
-    /// About the model's middle. `factor` above 0; as far as the bounds go.
+    /// Scales the model about its middle, within minSize and maxSize. Precondition: `factor` is above 0.
     void scale(double factor);
-    /// The model goes as if it were tied to what goes from here to there. Room space.
+    /// Moves the model as if it were tied to an object that moves from `from` to `to`. Units: room space.
     void move(const Pose& from, const Pose& to);
 
-    /// Two points of the room, metres.
+    /// Two points in room space, metres.
     struct Span
     {
         core::Vec3 a = core::Vec3::Zero(), b = core::Vec3::Zero();
     };
-    /// The model goes with two hands: the middle between them with the middle, turned the shortest way and scaled, as
-    /// far as the bounds go, as what lies between them.
+    /// Moves the model with two hands. It is shifted with the point midway between them, turned the shortest way with
+    /// the line between them, and scaled with their distance, within minSize and maxSize.
     void stretch(const Span& from, const Span& to);
 
-    /// Of unit length, always.
+    /// Returns the rotation, always of unit length.
     const Eigen::Quaterniond& rotation() const { return m_rotation; }
-    /// Document to room.
+    /// Returns the transform from document space to room space.
     Eigen::Affine3d matrix() const;
-    /// Where the model's middle is in the room.
+    /// Returns the middle of the model in room space.
     core::Vec3 middle() const { return toRoom(m_middle); }
 
     core::Vec3 toRoom(const core::Vec3& point) const { return m_scale * (m_rotation * point) + m_origin; }
     core::Vec3 toModel(const core::Vec3& point) const { return m_rotation.conjugate() * (point - m_origin) / m_scale; }
-    /// Directions keep their length.
+    /// Rotates a direction into room space; its length does not change.
     core::Vec3 directionToRoom(const core::Vec3& direction) const { return m_rotation * direction; }
     core::Vec3 directionToModel(const core::Vec3& direction) const { return m_rotation.conjugate() * direction; }
     double lengthToRoom(double mm) const { return mm * m_scale; }
@@ -68,10 +71,10 @@ private:
     void scaleAbout(const core::Vec3& point, double factor);
     void rotateAbout(const core::Vec3& point, const Eigen::Quaterniond& rotation);
 
-    core::Vec3 m_middle; ///< of the model's box, mm
-    double m_size = 1;   ///< its longest side, mm
+    core::Vec3 m_middle; ///< middle of the model's bounding box, mm
+    double m_size = 1;   ///< longest side of the model's bounding box, mm
     double m_scale = 1;  ///< metres per mm
     Eigen::Quaterniond m_rotation = Eigen::Quaterniond::Identity();
-    core::Vec3 m_origin = core::Vec3::Zero(); ///< the document's, in the room
+    core::Vec3 m_origin = core::Vec3::Zero(); ///< document's origin in room space, metres
 };
 } // namespace vr

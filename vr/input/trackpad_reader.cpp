@@ -33,7 +33,7 @@ Position middleOf(Sector sector)
     return Position::Zero();
 }
 
-/// The sector under a thumb that was in `before`.
+/// Returns the sector under a thumb that was in `before`, with hysteresis; none in the dead centre.
 std::optional<Sector> sectorAt(const Position& position, const std::optional<Sector>& before)
 {
     const double radius = position.norm();
@@ -43,7 +43,7 @@ std::optional<Sector> sectorAt(const Position& position, const std::optional<Sec
     return before && position.dot(middleOf(*before)) >= radius * reach ? before : sectorOf(position);
 }
 
-/// Radii a second.
+/// Returns the rate at which a clicked stick slides, radii a second.
 double rateOf(const WandState& wand)
 {
     const double beyond = std::max(0.0, std::abs(wand.pad.y()) - stickDeadZone) / (1 - stickDeadZone);
@@ -95,7 +95,8 @@ void TrackpadReader::readPad(const WandState& wand, double seconds, TrackpadGest
         gestures.slide = slideTo(wand.pad, seconds);
 }
 
-/// Some runtimes say 0, 0 for a frame when the thumb comes or goes.
+/// Returns whether the position can be used. Some runtimes report (0, 0) for a frame when the thumb touches down or
+/// lifts.
 bool TrackpadReader::isValidSample(const Position& position)
 {
     const bool isZero = position == Position::Zero();
@@ -148,7 +149,8 @@ void TrackpadReader::readStick(const WandState& wand, double seconds, TrackpadGe
     gestures.slide.y() = stickSlid(wand, seconds);
 }
 
-/// The mean rate of this frame and the one before, so that few frames slide as far as many.
+/// Returns the slide of a clicked stick. It uses the mean rate of this frame and the last one, so that the result does
+/// not depend on the frame rate.
 double TrackpadReader::stickSlid(const WandState& wand, double seconds)
 {
     if (!wand.padPressed || m_isIgnored) {

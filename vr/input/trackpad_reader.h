@@ -6,41 +6,47 @@
 
 namespace vr
 {
-/// Where a pad is pressed, or to where a stick is pushed; Top is away from the hand.
+/// The part of a pad that is pressed, or the direction of a pushed stick. Top is away from the palm.
 enum class Sector { Left, Right, Top, Bottom };
 
-// Lengths on a pad are in its radii.
-/// A thumb that rests or presses rolls as far: about 2 mm on a Vive wand.
+// Lengths on a pad are multiples of its radius.
+/// Largest movement of a thumb that does not slide, radii: a resting or pressing thumb rolls as far, about 2 mm on a
+/// Vive wand.
 inline constexpr double slideThreshold = 0.12;
-/// Seconds; a slide that was so short when a press came was the way to it.
+/// Longest slide that a press undoes, seconds: the thumb was only on its way to the press.
 inline constexpr double maxSlideBeforePress = 0.6;
-inline constexpr double padCentre = 0.35;           ///< the dead centre, for a thumb that comes from there
-inline constexpr double padCentreHysteresis = 0.25; ///< the dead centre for a thumb that comes from a sector
-inline constexpr double sectorOverlap = 8;          ///< degrees that a sector keeps a thumb beyond its edge
+inline constexpr double padCentre = 0.35;           ///< radius of the dead centre for a thumb that was not in a sector
+inline constexpr double padCentreHysteresis = 0.25; ///< radius of the dead centre for a thumb that was in a sector
+inline constexpr double sectorOverlap = 8;          ///< degrees that a sector is extended for a thumb that is in it
 inline constexpr double stickPress = 0.7, stickRelease = 0.5;
-inline constexpr double stickDeadZone = 0.2; ///< of a clicked stick: it slides only beyond this
-inline constexpr double stickSlide = 1.5;    ///< radii a second that a clicked stick slides at its end
+inline constexpr double stickDeadZone = 0.2; ///< a clicked stick slides only if it is pushed farther than this, 0 to 1
+/// Speed of the slide when a clicked stick is pushed fully, radii a second.
+inline constexpr double stickSlide = 1.5;
 
-/// What a thumb does on a pad, or with a stick, in one frame.
+/// Gestures on a pad, or with a stick, in one frame.
 struct TrackpadGestures
 {
-    std::optional<Sector> over;    ///< what a press would mean where the thumb is
-    std::optional<Sector> pressed; ///< a press began in this frame
-    std::optional<Sector> held;    ///< a press goes on: the sector where it began, wherever the thumb is by now
-    /// Since the frame before, in radii. It goes along one axis, which its beginning decides; the other component is 0.
+    std::optional<Sector> over;    ///< sector that a press would have where the thumb is
+    std::optional<Sector> pressed; ///< sector of a press that began in this frame
+    std::optional<Sector> held;    ///< sector where the present press began, wherever the thumb is by now
+    /// Slide since the last frame, radii. It is along one axis, which the beginning of the slide determines; the other
+    /// component is 0.
     Eigen::Vector2d slide = Eigen::Vector2d::Zero();
 };
 
-/// Reads the pad or the stick of one wand. A press in the dead centre is none. A slide is a thumb that moves without
-/// pressing: it begins past the threshold, from there; a press ends it, and where a thumb comes down or lifts is no
-/// part of it. What turns out to have been a thumb on its way to press is slid back in the frame of the press. A pushed
-/// stick is a press; a clicked one slides at a rate.
+/// Reads the pad or the stick of one wand.
+///
+/// Pad: a press in the dead centre does nothing. A slide is a movement of the thumb without a press. It begins when the
+/// thumb has moved by slideThreshold, and is measured from there. A press ends the slide, and undoes it if the slide
+/// was short. Jumps of the position when the thumb touches down or lifts are ignored.
+///
+/// Stick: pushing it is a press. A stick that is clicked and pushed slides at a rate.
 class TrackpadReader
 {
 public:
-    /// `seconds`: since the frame before.
+    /// Returns the gestures of a frame. `seconds`: time since the last frame.
     TrackpadGestures read(const WandState& wand, double seconds);
-    /// What goes on ends here; what is pressed does nothing until it has been let go.
+    /// Ends gestures in progress. A press has no effect until the pad or stick was released.
     void ignoreUntilReleased();
 
 private:
@@ -51,16 +57,18 @@ private:
     Eigen::Vector2d undoSlide();
     double stickSlid(const WandState& wand, double seconds);
 
-    bool m_isIgnored = false; ///< until it has been let go
+    bool m_isIgnored = false; ///< presses have no effect until the pad or stick was released
     bool m_isDown = false;
-    std::optional<Sector> m_press; ///< while it is down; none if that began in the dead centre
+    std::optional<Sector> m_press; ///< sector of the present press; none if it began in the dead centre
     std::optional<Sector> m_over;
     bool m_wasZero = false;
-    std::optional<Eigen::Vector2d> m_slidTo;          ///< where the thumb was
-    std::optional<Eigen::Index> m_slideAxis;          ///< once it slides
-    Eigen::Vector2d m_slid = Eigen::Vector2d::Zero(); ///< since the slide began
-    double m_slideAge = 0;                            ///< seconds
-    std::optional<double> m_stickRate;                ///< of a clicked stick, in the frame before
-    bool m_mustCentre = false; ///< the stick was clicked: no press until it has been in the middle
+    /// Point where the thumb touched down, then last point of its slide, radii.
+    std::optional<Eigen::Vector2d> m_slidTo;
+    std::optional<Eigen::Index> m_slideAxis;          ///< axis of the slide; none: no slide has begun
+    Eigen::Vector2d m_slid = Eigen::Vector2d::Zero(); ///< sum since the slide began, radii
+    double m_slideAge = 0;                            ///< time since the slide began, seconds
+    /// Rate of the slide by a clicked stick in the last frame, radii a second.
+    std::optional<double> m_stickRate;
+    bool m_mustCentre = false; ///< the stick was clicked: pushing it is no press until it was centred
 };
 } // namespace vr

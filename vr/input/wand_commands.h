@@ -8,19 +8,20 @@
 
 namespace vr
 {
-/// One is open at a time: what follows up to EndStroke is its.
+/// Begins a stroke; only one is open at a time. Points belong to it until EndStroke.
 struct BeginStroke
 {
-    bool smooths = false;   ///< whatever the tool is
-    bool continues = false; ///< the trigger was not pulled again: the stroke before it ended because the tool changed
+    bool smooths = false; ///< smooths, whatever tool is chosen
+    /// Continues the last stroke, which ended only because the tool changed; the trigger was not pulled again.
+    bool continues = false;
 };
 
-/// Room space.
+/// A point of the open stroke, in room space.
 struct StrokePoint
 {
     double time = 0; ///< seconds
     Pose tip;
-    double pressure = 1; ///< above 0, to 1
+    double pressure = 1; ///< above 0, at most 1
 };
 
 struct EndStroke
@@ -54,7 +55,7 @@ struct ScaleRadius
     double factor = 1; ///< above 0
 };
 
-/// The channel that ChangeChannel changes, for the panel to show: 0 red, 1 green, 2 blue.
+/// Selects the channel that ChangeChannel changes, which the panel highlights: 0 red, 1 green, 2 blue.
 struct SelectChannel
 {
     int channel = 0;
@@ -63,7 +64,7 @@ struct SelectChannel
 struct ChangeChannel
 {
     int channel = 0;
-    int by = 0; ///< of 255; the sum may ask for more than a channel takes
+    int by = 0; ///< added to the channel's value, which is 0 to 255; the sum may be outside that range
 };
 
 /// Turns the model about the document's Y axis.
@@ -72,19 +73,19 @@ struct TurnModel
     double angle = 0; ///< radians, anticlockwise seen from above
 };
 
-/// About the model's centre.
+/// Scales the model about its middle.
 struct ScaleModel
 {
     double factor = 1; ///< above 0
 };
 
-/// The model goes with a hand. Room space.
+/// Moves and turns the model with a hand, whose poses are in room space.
 struct MoveModel
 {
     Pose from, to;
 };
 
-/// The model goes with both hands, as if it were tied to them.
+/// Moves, turns and scales the model with both hands, as if it were tied to them.
 struct StretchModel
 {
     ModelPlacement::Span from, to;
@@ -100,16 +101,17 @@ struct OpenColorPanel
     bool isOpen = true;
 };
 
-/// The trigger was pulled while the wand pointed at a panel. The panel has it until ReleasePanel.
+/// Presses a panel: the trigger was pulled while the wand pointed at it. The trigger belongs to the panel until
+/// ReleasePanel.
 struct PressPanel
 {};
 
 struct ReleasePanel
 {
-    bool isClick = true; ///< false: the wand was lost
+    bool isClick = true; ///< false: the press is cancelled, for example because the wand was lost
 };
 
-/// What the hand asks for cannot be now: it shall feel that.
+/// Reports that the hand's request is impossible now; the hand feels a vibration.
 struct Refuse
 {};
 
@@ -118,10 +120,10 @@ using WandAction = std::variant<BeginStroke, StrokePoint, EndStroke, Undo, Redo,
                                 SelectChannel, ChangeChannel, TurnModel, ScaleModel, MoveModel, StretchModel,
                                 OpenToolMenu, OpenColorPanel, PressPanel, ReleasePanel, Refuse>;
 
-/// What a hand wants done, and by which gesture: its label may fade.
+/// A request of a hand, and the gesture that made it. The gesture's label may fade once it was used.
 struct WandCommand
 {
-    Side side = Side::Right; ///< of what two hands do together, the sculpting one
+    Side side = Side::Right; ///< the sculpting hand if both hands act together
     Gesture gesture = Gesture::Trigger;
     WandAction action;
 };

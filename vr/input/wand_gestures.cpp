@@ -7,9 +7,10 @@ namespace vr
 {
 namespace
 {
-constexpr double roundOff = 1e-9; ///< seconds, of summed frames
+constexpr double roundOff = 1e-9; ///< tolerance for rounding errors in sums of frame times, seconds
 
-/// What cannot be seen may be pressed.
+/// Returns the state of an inactive wand with all buttons down. Buttons that cannot be seen may be down, so each has to
+/// be seen released before it counts.
 WandState unseen(const WandState& wand)
 {
     WandState state = wand;

@@ -4,38 +4,41 @@
 
 namespace vr
 {
-// Shares of the trigger's way. A Vive wand clicks at about 0.8, which is late.
+// Thresholds as fractions of the trigger's travel. A Vive wand clicks only at about 0.8, which is late.
 inline constexpr double triggerPress = 0.55, triggerRelease = 0.45;
-inline constexpr double minPressure = 0.05; ///< of a trigger that is down: a stroke does something
-inline constexpr double holdSeconds = 0.8;  ///< for what must not happen by accident
-/// Seconds. No frame counts as longer: what is held after a stall was perhaps let go meanwhile. Longer than a frame at
-/// 5 Hz.
+/// Least pressure of a pulled trigger, 0 to 1: every stroke has some effect.
+inline constexpr double minPressure = 0.05;
+/// Seconds that a button is held for functions that must not happen by accident.
+inline constexpr double holdSeconds = 0.8;
+/// Longest duration that is counted for a frame, seconds. A button that was held before a stall may have been released
+/// during it. The limit is longer than a frame at 5 Hz.
 inline constexpr double maxFrameSeconds = 0.25;
 
-/// A button in one frame.
+/// State of a button in one frame.
 struct ButtonGestures
 {
     bool isDown = false;
     bool wentDown = false;
-    bool wentUp = false;    ///< also when it is lost
-    bool wasTapped = false; ///< let go before it was held for long
-    double hold = 0;        ///< 0 to 1, which it stays at; falls to 0 when it is let go
-    bool holdDone = false;  ///< in this frame, once a press
+    bool wentUp = false;    ///< also if the wand was lost
+    bool wasTapped = false; ///< released before the hold was complete
+    double hold = 0;        ///< progress of a hold, 0 to 1; it stays at 1, and is 0 after the release
+    bool holdDone = false;  ///< the hold was completed in this frame; true once for each press
 };
 
-/// What a hand does with its wand in one frame.
+/// Gestures of one wand in one frame.
 struct WandGestures
 {
-    ButtonGestures trigger, menu, side; ///< the trigger is not held for long, whatever its hold says
-    double pressure = 0;                ///< of the trigger: minPressure to 1 while it is down, else 0
+    ButtonGestures trigger, menu, side; ///< the hold values of the trigger are not used
+    double pressure = 0;                ///< pressure of the trigger: minPressure to 1 while it is down, else 0
     TrackpadGestures pad;
 };
 
-/// How long a frame counts.
+/// Measures the duration of frames.
 class FrameClock
 {
 public:
-    /// `time` in seconds. 0 to maxFrameSeconds; 0 for the first frame, and where time goes back.
+    /// Returns the seconds since the last frame, 0 to maxFrameSeconds. Returns 0 for the first frame, and if time goes
+    /// back. Units: `time` in seconds.
     double step(double time);
 
 private:
@@ -47,28 +50,30 @@ class ButtonReader
 {
 public:
     ButtonGestures read(bool isDown, double seconds);
-    /// As TrackpadReader::ignoreUntilReleased().
+    /// Ends a press in progress. The button has no effect until it was released.
     void ignoreUntilReleased();
-    /// The press that goes on is neither held for long nor a tap.
+    /// Cancels the hold of the present press, which is no tap either.
     void cancelHold() { m_held.reset(); }
 
 private:
     bool m_isIgnored = false;
     bool m_wasDown = false;
-    std::optional<double> m_held; ///< seconds of a press
+    std::optional<double> m_held; ///< seconds since the press began; none: no press, or its hold was cancelled
 };
 
-/// Reads one wand, frame by frame. The same motion gives the same gestures at 5 frames a second and at 144, as far as a
-/// frame shows it at all. A wand that is not active lets everything go, and what is pressed when it comes back does
-/// nothing until it has been let go. Squeezing a wand fires its side button: no hold runs while the trigger is down.
+/// Reads one wand, frame by frame. The same movement gives the same gestures at 5 frames a second as at 144, as far as
+/// the frames show it. An inactive wand counts as released; a button that is down when the wand returns has no effect
+/// until it was released. Pulling the trigger may press the side button by accident, so no hold runs while the trigger
+/// is down.
 class GestureReader
 {
 public:
-    /// `seconds`: since the frame before, by a FrameClock.
+    /// Returns the gestures of a frame. `seconds`: time since the last frame, by a FrameClock.
     WandGestures read(const WandState& wand, double seconds);
-    /// What goes on ends, and what is pressed does nothing until it has been let go.
+    /// Ends gestures in progress. Buttons that are down have no effect until they were released.
     void ignoreUntilReleased();
-    /// As ignoreUntilReleased(), for all buttons except the trigger.
+    /// Ends gestures in progress, except those of the trigger. Buttons that are down have no effect until they were
+    /// released.
     void ignoreButtonsUntilReleased();
 
 private:

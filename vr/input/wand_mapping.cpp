@@ -35,7 +35,7 @@ Gesture gestureOf(Sector sector)
     return Gesture::PadTop;
 }
 
-/// What a press does at once and once.
+/// Returns the action that a press triggers once and at once; none for other functions.
 std::optional<WandAction> actionOf(WandFunction function)
 {
     switch (function) {
@@ -64,7 +64,7 @@ std::optional<WandAction> actionOf(WandFunction function)
     }
 }
 
-/// Of the document as a whole, which an open stroke still changes.
+/// Returns whether the function affects the whole document. Such functions are refused while a stroke is open.
 bool waitsForStroke(WandFunction function)
 {
     return function == WandFunction::Undo || function == WandFunction::Redo || function == WandFunction::SaveModel ||
@@ -137,7 +137,7 @@ std::optional<WandMapping::Hold> WandMapping::hold(Side side) const
     return std::nullopt;
 }
 
-/// By their roles, not by left and right: swapped hands do the same in the same order.
+/// Returns the hands by role, the sculpting one first. Commands have the same order if left and right are swapped.
 std::array<Side, sideCount> WandMapping::order() const
 {
     return {m_settings.sculpting, other(m_settings.sculpting)};
@@ -160,7 +160,7 @@ void WandMapping::endStroke()
     m_stroke.reset();
 }
 
-/// Its trigger was let go, or its wand was not seen for long.
+/// Ends the stroke if its trigger was released, or if its wand was not tracked for longer than maxTrackingGap.
 void WandMapping::endFinishedStroke(const InputFrame& frame)
 {
     if (!m_stroke)
@@ -263,7 +263,7 @@ void WandMapping::slide(Side side, Gesture gesture, double by)
         changeChannel(side, gesture, by);
 }
 
-/// What is less than one of 255 is kept for the next frame.
+/// Changes the selected channel by whole steps of 1 of 255. A rest below 1 is kept for the next frame.
 void WandMapping::changeChannel(Side side, Gesture gesture, double by)
 {
     m_channelRemainder += by * channelSlide;
@@ -287,7 +287,8 @@ bool WandMapping::isGrabbing(Side side) const
     return squeezes || usesTrigger(side, WandFunction::MoveModel);
 }
 
-/// By the way that each grip went since the frame before, if it was there and grabbed already.
+/// Moves the model by the movement of each grip since the last frame, if the hand grabbed and was tracked in both
+/// frames.
 void WandMapping::updateGrabs(const InputFrame& frame)
 {
     std::array<std::optional<Pose>, sideCount> from, to;

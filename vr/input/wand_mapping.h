@@ -7,22 +7,23 @@
 
 namespace vr
 {
-/// The brush's centre, or where its ray begins: so far before the palm along the aim as the wand is long. From the
-/// palm, because runtimes put the aim's own origin where they like.
+/// Returns the tip of a wand, which is the brush's centre or the origin of its ray: tipReach before the palm in the
+/// direction of aim. It is measured from the palm, because each runtime has another origin of the aim pose.
 Pose tipOf(const WandState& wand);
 
-inline constexpr double turnSpeed = 60;       ///< degrees a second, as the desktop's turntable
-inline constexpr double maxTrackingGap = 0.1; ///< seconds; a wand unseen for longer ends its stroke
-inline constexpr double slidePerDoubling = 1; ///< radii of the pad that double the model's size, or the brush's
-/// Of a colour channel, for a radius of the pad: its whole height is half the channel's range, which leaves a thumb its
-/// finest steps.
+inline constexpr double turnSpeed = 60;       ///< degrees a second, as fast as the desktop's turntable
+inline constexpr double maxTrackingGap = 0.1; ///< seconds; a wand that is not tracked for longer ends its stroke
+/// Slide that doubles the size of the model or of the brush, radii of the pad.
+inline constexpr double slidePerDoubling = 1;
+/// Change of a colour channel for a slide by one radius of the pad. The whole height of the pad covers half of the
+/// channel's range, so that a thumb can change the value by 1.
 inline constexpr double channelSlide = 255.0 / 4;
 
 struct InputFrame
 {
-    double time = 0; ///< seconds; of the predicted display
+    double time = 0; ///< predicted display time, seconds
     Wands wands;
-    std::array<bool, sideCount> pointsAtPanel{}; ///< by Side
+    std::array<bool, sideCount> pointsAtPanel{}; ///< indexed by Side
 };
 
 struct WandSettings
@@ -33,46 +34,49 @@ struct WandSettings
     bool operator==(const WandSettings&) const = default;
 };
 
-/// Maps the gestures of both wands to commands, frame by frame. Pure: any thread, no clock but the frames' own.
+/// Maps the gestures of both wands to commands, frame by frame. It uses no clock except the times of the frames.
+/// Thread: any.
 ///
-/// A trigger that is pulled while its wand points at a panel is the panel's until it is let go. Else it begins a
-/// stroke, at the wand's tip in that same frame, if its hand sculpts; one stroke is open at a time. While a hand draws,
-/// nothing else of it counts: squeezing a wand fires its other buttons. While a stroke is open, nothing is undone,
-/// redone, saved or restored. What the other hand does to the view comes, in a frame's list, before the stroke's point.
+/// A trigger that is pulled while its wand points at a panel belongs to the panel until it is released. Otherwise, if
+/// its hand sculpts, it begins a stroke at the wand's tip in the same frame; only one stroke is open at a time. While a
+/// hand draws, its other buttons are ignored, because a tight grip presses them by accident. While a stroke is open,
+/// undo, redo, save and restore are refused. In a frame's list, view changes by the other hand come before the stroke's
+/// point.
 ///
-/// Points come as the frames fall: to stand the dabs evenly along their path is core's (StrokeSettings::spacing).
+/// Stroke points have the frame rate. Core spaces the dabs evenly along their path (StrokeSettings::spacing).
 class WandMapping
 {
 public:
     explicit WandMapping(const WandSettings& settings = {}) : m_settings(settings) {}
 
     const WandSettings& settings() const { return m_settings; }
-    /// What goes on ends, as by releaseAll().
+    /// Changes the settings. Returns the commands that end all actions in progress, as releaseAll() does.
     std::vector<WandCommand> setSettings(const WandSettings& settings);
 
     std::vector<WandCommand> step(const InputFrame& frame);
-    /// Ends what goes on; what is pressed does nothing until it has been let go. Panels stay as they are.
+    /// Returns the commands that end all actions in progress. Buttons that are down have no effect until they were
+    /// released. Panels remain open or closed.
     std::vector<WandCommand> releaseAll();
 
     HandRole roleOf(Side side) const;
-    /// Plain: its panel is closed.
+    /// Returns the mode of a hand. Plain: its panel is closed.
     HandMode modeOf(Side side) const;
-    /// Opens or closes it without a button, for a panel that takes its place.
+    /// Opens or closes the tool menu without a button, for example because another panel replaces it.
     void setToolMenuOpen(bool isOpen) { m_toolMenuOpen = isOpen; }
-    /// 0 red, 1 green, 2 blue.
+    /// Returns the selected colour channel: 0 red, 1 green, 2 blue.
     int channel() const { return m_channel; }
     void selectChannel(int channel) { m_channel = channel; }
     bool isDrawing(Side side) const { return m_stroke && m_stroke->side == side; }
-    /// In the last frame.
+    /// Returns the hand's gestures in the last frame.
     const WandGestures& gestures(Side side) const { return at(side).gestures; }
 
-    /// A ring that fills.
+    /// A hold in progress, which is shown as a ring that fills.
     struct Hold
     {
         Gesture gesture;
-        double progress; ///< above 0, to 1
+        double progress; ///< above 0, at most 1
     };
-    /// Nothing if the hand holds no button that a hold does anything with.
+    /// Returns the hold in progress; none unless the hand holds a button whose hold has a function.
     std::optional<Hold> hold(Side side) const;
 
 private:
@@ -83,13 +87,13 @@ private:
         GestureReader reader;
         WandGestures gestures;
         TriggerUse trigger = TriggerUse::None;
-        std::optional<Pose> grip; ///< while it grabs the model
+        std::optional<Pose> grip; ///< pose in the last frame, room space; none: the hand does not grab the model
     };
 
     struct OpenStroke
     {
         Side side;
-        double seenAt; ///< the wand, last
+        double seenAt; ///< time at which the wand was last tracked, seconds
         bool isBegun = false;
         bool smooths = false;
         bool continues = false;
@@ -120,8 +124,8 @@ private:
     std::array<Hand, sideCount> m_hands;
     bool m_toolMenuOpen = false, m_colorPanelOpen = false;
     int m_channel = 0;
-    double m_channelRemainder = 0; ///< slid, but less than one
+    double m_channelRemainder = 0; ///< part of a slide that is less than a step of 1, kept for the next frame
     std::optional<OpenStroke> m_stroke;
-    std::vector<WandCommand> m_commands; ///< of the frame
+    std::vector<WandCommand> m_commands; ///< commands of the present frame
 };
 } // namespace vr
