@@ -21,7 +21,7 @@ struct FrameInput
     Wands wands;
     std::optional<Pose> head;   ///< none: the runtime has not reported it in this room space yet
     std::int64_t displayNs = 0; ///< display time in nanoseconds of the runtime's clock; only differences have a meaning
-    /// false: the runtime's menu or another program has the wands, and their buttons count as released
+    /// false: the runtime's menu or another program has the wands, and their buttons count as released.
     bool hasFocus = false;
     bool roomMoved = false; ///< room space was redefined since the last frame: grabs and strokes in progress must end
     const FrameTimings& timings;

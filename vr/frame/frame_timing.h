@@ -31,7 +31,7 @@ struct FrameTiming
     double drawCallMs = 0;
     double workMs = 0;   ///< wall time from the end of the Wait phase to the end of the frame, milliseconds
     double periodMs = 0; ///< time from this frame to the next as the runtime plans it, milliseconds
-    /// number of frames just before this one that should have been shown and were not
+    /// Number of frames just before this one that should have been shown and were not.
     std::uint32_t dropped = 0;
     bool isShown = false;
 
@@ -58,7 +58,7 @@ private:
     std::array<FrameTiming, capacity> m_ring;
     std::uint64_t m_frames = 0;
     std::uint64_t m_dropped = 0;
-    /// writer's own queue: timings that could not be stored while a reader had the mutex
+    /// Writer's own queue: timings that could not be stored while a reader had the mutex.
     std::vector<FrameTiming> m_pending;
 };
 

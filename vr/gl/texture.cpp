@@ -12,7 +12,7 @@ namespace
 {
 // Enumerators of GL_EXT_texture_filter_anisotropic.
 constexpr unsigned int anisotropyName = 0x84FE, maxAnisotropyName = 0x84FF;
-/// maximum anisotropy of the filter; above 1 because panels are often seen at a slant
+/// Maximum anisotropy of the filter; above 1 because panels are often seen at a slant.
 constexpr float wantedAnisotropy = 8;
 constexpr float sharper = -0.4F; ///< LOD bias in mip levels: keeps the edges of text sharp without shimmering
 

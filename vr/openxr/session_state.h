@@ -8,7 +8,7 @@ namespace vr
 struct SessionStatus
 {
     XrSessionState state = XR_SESSION_STATE_UNKNOWN; ///< the last one that the runtime reported
-    /// xrBeginSession was called and xrEndSession was not: the session has frames
+    /// xrBeginSession was called and xrEndSession was not: the session has frames.
     bool isRunning = false;
     /// Fettle has asked the session to exit, or would have if it were running
     bool isExiting = false;

@@ -65,7 +65,7 @@ Eigen::Matrix4f projectionOf(const XrFovf& fov, float nearPlane, float farPlane)
 
 Pose levelBelow(const Pose& head)
 {
-    /// the view is steep if the horizontal part of its unit direction is shorter than this
+    /// The view is steep if the horizontal part of its unit direction is shorter than this.
     constexpr double steep = 0.1;
     core::Vec3 ahead = head.forward();
     if (std::hypot(ahead.x(), ahead.z()) < steep)

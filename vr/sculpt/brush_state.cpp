@@ -45,14 +45,14 @@ bool isAdding(const BrushState& brush, const BeginStroke& begin)
     return brush.addsNext && !begin.smooths && !begin.continues;
 }
 
-/// Returns the settings that the brush and the other hand give a stroke.
+/// Returns the settings of a stroke with this brush, changed by the other hand's smoothing, by adding or by inversion.
 core::StrokeSettings effective(const BrushState& brush, const BeginStroke& begin)
 {
     core::StrokeSettings settings = brush.stroke;
     if (begin.smooths) {
         settings.tool = core::Tool::Smooth;
         settings.strength = brush.smoothStrength;
-        settings.alpha = nullptr; // evenly
+        settings.alpha = nullptr; // smooths evenly
         settings.anchored = false;
     } else if (isAdding(brush, begin)) {
         return core::addingSolid(settings);

@@ -19,122 +19,124 @@
 
 namespace vr
 {
-/// A place of the surface, in the document's space, mm.
+/// A point on the surface, in document space, mm.
 struct PointedPlace
 {
     core::Vec3 position = core::Vec3::Zero();
-    core::Vec3 normal = core::Vec3::UnitY(); ///< of length 1
+    core::Vec3 normal = core::Vec3::UnitY(); ///< unit length
 
     bool operator==(const PointedPlace&) const = default;
 };
 
-/// What the headset knows of the document and of the window beside it. The newest replaces those before it.
+/// State of the document and of the window that the headset needs. A newer update replaces all older ones.
 struct DocumentUpdate
 {
-    quint64 model = 0; ///< counts the models that were opened: another one is placed before the head
-    core::Box box;     ///< mm
+    quint64 model = 0; ///< number of models opened so far; when it changes, the new model is placed before the head
+    core::Box box;     ///< bounding box of the model, mm
     core::Shading shading;
-    bool isFlat = false;    ///< each triangle in one shade
-    bool hasTint = true;    ///< what the brush would move is coloured
-    bool hasCavity = false; ///< valleys are darkened, ridges lightened
-    /// Tool, shape, topology, symmetry, colour, falloff, strength, detail and fusion as the window has them.
-    /// `brushChange` counts the window's own changes: what the headset requested is reported back without one.
+    bool isFlat = false;    ///< flat shading: each triangle has one shade
+    bool hasTint = true;    ///< the part that the brush would move is tinted
+    bool hasCavity = false; ///< cavity shading: valleys are darkened, ridges lightened
+    /// Brush of the window: tool, shape, topology, symmetry, colour, falloff, strength, detail and fusion.
+    /// `brushChange` counts changes made at the window. Changes that the headset requested are reported back with the
+    /// old count.
     core::StrokeSettings brush;
     quint64 brushChange = 0;
     core::AirbrushRates airbrush = core::defaultAirbrushRates();
-    bool smooths = true;        ///< Smooth is offered: by a trigger, too, whatever the tool is
-    double smoothStrength = 1;  ///< of that trigger
-    bool reducesMotion = false; ///< nothing moves that nobody moves
-    /// The brush's radius is the headset's own, in metres of the room. Another number: the person at the window chose
-    /// brush.radius for it, mm.
+    bool smooths = true;        ///< smoothing is offered, even by a trigger while another tool is chosen
+    double smoothStrength = 1;  ///< strength of smoothing by a trigger
+    bool reducesMotion = false; ///< reduced motion: no animations
+    /// Number of times that a radius was chosen at the window. When it changes, the headset takes brush.radius, mm.
+    /// Otherwise the headset keeps its own radius, in metres of the room.
     quint64 radiusChange = 0;
-    std::optional<core::Symmetry> plane; ///< of symmetry when it is switched on; nothing: none was chosen yet
+    std::optional<core::Symmetry> plane; ///< plane used when symmetry is on; none: no plane was chosen yet
     bool canUndo = false, canRedo = false;
-    bool isModified = false; ///< opening another file would lose something
-    bool isBusy = false;     ///< opening, saving or changing the whole model: nothing of that kind can begin
+    bool isModified = false; ///< opening another file would discard changes
+    /// The model is being opened, saved or changed as a whole; no other such operation can begin.
+    bool isBusy = false;
     QList<core::Rgb> swatches;
-    QString folder; ///< the name of the folder of the files, for people
+    QString folder; ///< name of the folder of `files`, for display
     QList<FileTile> files;
-    QString saved;                       ///< the name that the last save of this visit gave, for people
-    QString notice;                      ///< a sentence that is to be read in the headset, too
-    quint64 noticeCount = 0;             ///< another number: it is shown again
-    std::optional<PointedPlace> pointed; ///< where the person at the window points
-    std::optional<LessonPanel> lesson;   ///< that is open in the window; its page is the headset's own
-    std::optional<core::Sphere> teacher; ///< the brush of the lesson's teacher, mm
+    QString saved;                       ///< name that the last save of this visit used, for display
+    QString notice;                      ///< sentence to be shown in the headset too
+    quint64 noticeCount = 0;             ///< a changed number makes the notice appear again
+    std::optional<PointedPlace> pointed; ///< point that the user at the window points at
+    /// Lesson that is open in the window; the headset turns its pages independently.
+    std::optional<LessonPanel> lesson;
+    std::optional<core::Sphere> teacher; ///< brush of the lesson's teacher, mm
 };
 
-/// Where a brush of these settings meets the surface: a ray brush along the ray, a spherical one at its origin.
+/// A query where a brush of these settings meets the surface: a ray brush along the ray, a spherical one near the ray's
+/// origin.
 struct SurfaceQuery
 {
     core::Ray ray;
     core::StrokeSettings brush;
-    bool wantsFootprint = true; ///< of a ray brush; it is the costly part
+    bool wantsFootprint = true; ///< asks for the footprint of a ray brush, which is costly
 };
 
-/// Answer to querySurface(): where the brush meets the surface. `hit`: of a ray brush where the ray meets it; of a
-/// spherical one the surface's nearest point, if that is within the radius.
+/// Answer to querySurface(). `hit`: the point where a ray brush meets the surface; for a spherical brush the nearest
+/// point of the surface, if it is within the radius.
 struct SurfaceQueryResult
 {
     std::optional<core::SurfaceHit> hit;
-    std::shared_ptr<const core::Footprint> footprint; ///< of a ray brush that hits
+    std::shared_ptr<const core::Footprint> footprint; ///< footprint of a ray brush that hits; else null
 };
 
-/// What the strokes of this visit have done since it was last taken.
+/// Effects of this visit's strokes since the last call of takeEffect().
 struct StrokeEffect
 {
-    int fusions = 0;  ///< surfaces joined, or parted
-    int refusals = 0; ///< dabs that could not do what was asked, and strokes that somebody else's stroke forbade
+    int fusions = 0;  ///< number of times that surfaces joined or parted
+    int refusals = 0; ///< dabs that could not be applied, and strokes refused because another stroke was open
 };
 
-/// Where the person is, for those at the window. Room space.
+/// The user's position in the room, for display in the window. Units: room space.
 struct AvatarState
 {
     std::optional<Pose> head;
-    std::array<std::optional<Pose>, sideCount> hands;    ///< grips, by Side
-    std::optional<core::Sphere> brush;                   ///< the spherical one
-    double radius = 0;                                   ///< of the brush, whatever its shape; metres
-    Eigen::Affine3d model = Eigen::Affine3d::Identity(); ///< document to room
+    std::array<std::optional<Pose>, sideCount> hands;    ///< grips, indexed by Side
+    std::optional<core::Sphere> brush;                   ///< the brush if it is spherical
+    double radius = 0;                                   ///< radius of the brush of any shape, metres
+    Eigen::Affine3d model = Eigen::Affine3d::Identity(); ///< document space to room space
     std::vector<PanelTarget> panels;
 };
 
-/// The brush that the window shall have, too: what DocumentUpdate::brush says, but for falloff, strength, detail and
-/// fusion.
+/// Sets the window's brush, except its falloff, strength, detail and fusion.
 struct ChooseBrush
 {
     core::StrokeSettings brush;
 };
 
-/// Another model; `discardsChanges`: the person held the button that says so.
+/// Opens another model. `discardsChanges`: the user held the button that warns of unsaved changes.
 struct OpenModel
 {
     QString path;
     bool discardsChanges = false;
 };
 
-/// What the gui thread is asked to do; it is done there in this order, and in the order of the strokes before and after
-/// it.
+/// A request to the gui thread. Requests and strokes are executed in the order in which they were made.
 using DocumentRequest = std::variant<ChooseBrush, Undo, Redo, SaveModel, RestoreModel, OpenModel, core::MaskOperation,
                                      HeadsetSettings, LessonRequest>;
 
-/// The document as the headset's thread sees it. All is called on that thread, none waits for another thread, and none
-/// allocates more than what it hands over. Values of millimetres are in the document's space.
+/// The document as the headset's thread sees it. Thread: the headset's; no function waits for another thread, or
+/// allocates more than it passes on. Units: mm in document space.
 class DocumentPort
 {
 public:
     virtual ~DocumentPort() = default;
 
-    /// The newest that was not taken yet. The first of a visit is whole.
+    /// Returns the newest data that was not taken yet. The first patch of a visit is the whole mesh.
     virtual std::optional<core::MeshPatch> takePatch() = 0;
     virtual std::optional<DocumentUpdate> takeUpdate() = 0;
 
-    /// False: somebody else draws, or the model is being changed as a whole; then the stroke does not begin, and the
-    /// other two do nothing.
+    /// Begins a stroke. Returns false if another stroke is open or the model is being changed as a whole. No stroke
+    /// begins then, and addSample() and endStroke() do nothing.
     virtual bool beginStroke(const core::StrokeSettings& settings) = 0;
     virtual void addSample(const core::StrokeSample& sample) = 0;
     virtual void endStroke() = 0;
     virtual StrokeEffect takeEffect() = 0;
 
-    /// The newest counts.
+    /// Asks where a brush meets the surface. A newer query replaces one that is not answered yet.
     virtual void querySurface(const SurfaceQuery& query) = 0;
     virtual std::optional<SurfaceQueryResult> takeQueryResult() = 0;
 

@@ -8,7 +8,7 @@ namespace vr
 {
 namespace
 {
-constexpr double measuringInterval = 0.5; ///< seconds; numbers that change faster cannot be read
+constexpr double measuringInterval = 0.5; ///< seconds between updates; numbers that change faster cannot be read
 
 bool isSameStep(const std::optional<LessonPanel>& a, const std::optional<LessonPanel>& b)
 {
@@ -80,7 +80,7 @@ void PanelContents::showPerformance(PanelManager& panels, const Sources& sources
     panels.show(m_performance);
 }
 
-/// While the files are open, they take the lesson's place.
+/// Shows the page of an open lesson, unless the files panel is open in its place.
 void PanelContents::showLesson(PanelManager& panels, const std::optional<LessonPanel>& lesson) const
 {
     const bool isShown = lesson && !panels.isOpen(PanelKind::Files);
@@ -98,7 +98,7 @@ void PanelContents::showNotice(PanelManager& panels, const Sources& sources)
         m_noticeCount = sources.document.noticeCount;
         m_notice.text = sources.document.notice;
         m_noticedAt = sources.time;
-        panels.open(PanelKind::Notice, false); // it opens again where the user looks now
+        panels.open(PanelKind::Notice, false); // closed first, so that it opens again where the user looks now
         panels.open(PanelKind::Notice);
     }
     if (!panels.isOpen(PanelKind::Notice))

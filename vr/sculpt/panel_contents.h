@@ -7,7 +7,7 @@
 
 namespace vr
 {
-/// Fills the panels of a visit, and keeps what only the headset knows of them: pages, the chosen file, the age of a
+/// Fills the panels of a visit. Stores what only the headset knows: current pages, the chosen file, the age of a
 /// notice. Thread: the headset's.
 class PanelContents
 {
@@ -22,11 +22,12 @@ public:
         double time; ///< seconds
     };
 
-    /// Takes the files; another step of a lesson begins at its first page.
+    /// Takes over changes of the document. A new step of a lesson begins at its first page.
     void update(const DocumentUpdate& before, const DocumentUpdate& now);
-    /// Turns pages and chooses files; other actions change nothing.
+    /// Turns pages and chooses files. Other actions change nothing.
     void apply(const PanelAction& action);
-    /// Shows the contents of all open panels; opens and closes those that the user does not. Once a frame.
+    /// Shows the contents of all open panels. Opens and closes the panels for performance, lesson and notice, which the
+    /// user does not. To be called once a frame.
     void show(PanelManager& panels, const Sources& sources);
 
 private:
@@ -38,9 +39,9 @@ private:
     int m_lessonPage = 0;
     SettingsPage m_settingsPage = SettingsPage::General;
     PerformancePanel m_performance;
-    double m_measuredAt = 0; ///< seconds
+    double m_measuredAt = 0; ///< time of the last measurement, seconds
     NoticePanel m_notice;
-    quint64 m_noticeCount = 0; ///< DocumentUpdate::noticeCount of the notice
-    double m_noticedAt = 0;    ///< seconds
+    quint64 m_noticeCount = 0; ///< DocumentUpdate::noticeCount of m_notice
+    double m_noticedAt = 0;    ///< time at which m_notice was received, seconds
 };
 } // namespace vr

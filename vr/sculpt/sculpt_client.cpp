@@ -12,9 +12,10 @@ namespace vr
 namespace
 {
 constexpr double stillPhase = 0.4;
-constexpr double pulseSeconds = 1.2; ///< of the light where somebody points: it catches the eye and does not flicker
+/// Period of the pulsing light at a pointed place, seconds: it is noticed, but does not flicker.
+constexpr double pulseSeconds = 1.2;
 
-/// What panels ahead do not hide: a ball about the model's middle.
+/// Returns a ball around the model, in room space. Panels in front of the user are placed so that they do not hide it.
 core::Sphere modelSphere(const ModelPlacement& placement, const core::Box& box)
 {
     return {placement.middle(), box.isEmpty() ? 0 : placement.lengthToRoom(box.sizes().maxCoeff()) / 2};
@@ -25,14 +26,14 @@ template <class... Kinds> bool isOneOf(const WandAction& action)
     return (std::holds_alternative<Kinds>(action) || ...);
 }
 
-/// Whether something is chosen, switched or ordered, which the hand feels as a tick.
+/// Returns whether the action chooses, switches or orders something, which the hand feels as a tick.
 bool isStep(const WandAction& action)
 {
     return isOneOf<StepTool, SelectChannel, ToggleTopology, ToggleBrushShape, ToggleSymmetry, ToggleInverse>(action) ||
            isOneOf<OpenToolMenu, OpenColorPanel, Undo, Redo, SaveModel, RestoreModel>(action);
 }
 
-/// Returns the request that a command at a panel is; none: it concerns the visit.
+/// Returns the request to the document for a panel's command; none if the command concerns only the headset.
 std::optional<DocumentRequest> requestOf(PanelCommand command)
 {
     switch (command) {
@@ -71,14 +72,14 @@ WandPart partOf(Sector sector)
     return WandPart::PadMiddle;
 }
 
-/// Returns whether the hand holds no button with which it does something.
+/// Returns whether the trigger and the side button are released.
 bool isHandFree(const WandMapping& mapping, Side side)
 {
     const WandGestures& gestures = mapping.gestures(side);
     return !gestures.trigger.isDown && !gestures.side.isDown;
 }
 
-/// Returns what is seen of a wand, except the colour of its tip.
+/// Returns the appearance of a wand, except the colour of its tip.
 ShownWand shownWand(const WandState& wand, const WandMapping& mapping, Side side)
 {
     ShownWand shown;
@@ -103,7 +104,7 @@ ShownWand shownWand(const WandState& wand, const WandMapping& mapping, Side side
     return shown;
 }
 
-/// Returns what the window sees of the user. `radius`: of the brush, metres.
+/// Returns what the window shows of the user. `radius`: radius of the brush, metres.
 AvatarState avatarOf(const FrameInput& input, const SceneState& scene, double radius, std::vector<PanelTarget> panels)
 {
     AvatarState avatar;
@@ -146,8 +147,9 @@ void SculptClient::destroy()
     m_target.destroy();
 }
 
-/// Panels know where the wands were when they decide where these point; hands know whether they point at one; the brush
-/// is looked at when it is known what it is and where.
+/// Processes a frame. The order matters: panels are placed before wands are aimed at them, and wands are aimed before
+/// their gestures become commands. The surface is queried after the commands, which may change the brush and the
+/// placement.
 FrameOutput SculptClient::frame(const FrameInput& input)
 {
     m_output = {};
@@ -172,8 +174,8 @@ FrameOutput SculptClient::frame(const FrameInput& input)
     return m_output;
 }
 
-/// Another model is placed before the person; one that has only grown stays where it is. The hand feels what the window
-/// chose for it.
+/// Takes over changes of the document. Another model is placed before the user; a model that has only grown remains in
+/// its place. The sculpting hand feels a tick if the window has changed the brush.
 void SculptClient::takeUpdate()
 {
     std::optional<DocumentUpdate> update = m_port->takeUpdate();
@@ -201,7 +203,8 @@ void SculptClient::handleRoomChange(const FrameInput& input)
     m_isPlaced = false;
 }
 
-/// The model that is still shown stays where it is until the next one is there whole.
+/// Places the model if necessary, and the panels. A new model is placed only when it is loaded completely, because the
+/// old one is shown until then.
 void SculptClient::place(const FrameInput& input)
 {
     if (!m_isPlaced && input.head && !m_scene.isLoading()) {
@@ -236,8 +239,9 @@ void SculptClient::aimAtPanels(const FrameInput& input)
     }
 }
 
-/// A tip that has gone through a panel is the panel's. A brush that is in the model sculpts, whatever is behind it; so
-/// does a ray that meets the model before a panel.
+/// Returns whether the wand points at a panel, so that its trigger acts there. A tip that has gone through a panel
+/// still points at it. A brush that touches the model sculpts instead, and so does a ray that meets the model before
+/// the panel.
 bool SculptClient::pointsAtPanel(Side side) const
 {
     const std::optional<PanelPointer::Spot>& spot = m_panels.spot(side);
@@ -319,7 +323,7 @@ void SculptClient::handle(Side side, const PanelAction& action)
         },
         [&](LessonRequest request) { m_port->request(request); },
         [&](const ChooseChannel& channel) { m_mapping.selectChannel(channel.channel); },
-        // discardsChanges is what the pressed item said: the picture may be older than the changes.
+        // discardsChanges is what the pressed item showed: the panel may be drawn before the latest changes.
         [&](const OpenFile& file) {
             m_port->request(OpenModel{file.path, file.discardsChanges});
         },
@@ -393,7 +397,8 @@ void SculptClient::updateScene(const FrameInput& input)
     }
 }
 
-/// Nobody at the window waits for the end of a stroke whose hand is gone, or looks at whom the wands lay before.
+/// Ends all actions and hides the user's avatar: the window must not wait for a hand that is gone, or show old
+/// positions.
 void SculptClient::idle()
 {
     handle(m_mapping.releaseAll());

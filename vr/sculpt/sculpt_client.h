@@ -13,8 +13,7 @@
 
 namespace vr
 {
-/// Sculpting in the headset: joins wands, brush, panels and the scene around the document's model. Each visit has its
-/// own.
+/// Sculpting in the headset: connects wands, brush, panels and scene with the document. Each visit has its own client.
 ///
 /// Thread: the headset's, except for the constructor.
 class SculptClient : public FrameClient
@@ -49,14 +48,14 @@ private:
     DocumentUpdate m_update;
     WandMapping m_mapping;
     WandBrush m_brush;
-    std::optional<Pose> m_tip; ///< of the sculpting wand; nothing while that is not seen
+    std::optional<Pose> m_tip; ///< tip of the sculpting wand, room space; none while the wand is not tracked
     Haptics m_haptics;
-    std::array<HapticInput, sideCount> m_hapticInputs; ///< of the frame, by Side
+    std::array<HapticInput, sideCount> m_hapticInputs; ///< input of the present frame, indexed by Side
     WandLabels m_labels;
     ModelPlacement m_placement;
     bool m_isPlaced = false;
-    Pose m_head;          ///< last known
-    FrameOutput m_output; ///< of the frame
+    Pose m_head;          ///< last known pose of the head
+    FrameOutput m_output; ///< output of the present frame
 
     PanelManager m_panels;
     PanelContents m_contents;
@@ -64,6 +63,6 @@ private:
     Scene m_scene;
     EyeTarget m_target;
     SceneState m_state;
-    std::shared_ptr<const core::Footprint> m_tint; ///< that is shown
+    std::shared_ptr<const core::Footprint> m_tint; ///< footprint that is shown as a tint
 };
 } // namespace vr

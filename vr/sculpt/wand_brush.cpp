@@ -7,15 +7,15 @@ namespace vr
 {
 namespace
 {
-/// Returns whether both have the same of what is chosen by hand or panel, and shown by both windows.
+/// Returns whether the brushes agree in all settings that the headset and the window share.
 bool isSameChoice(const core::StrokeSettings& a, const core::StrokeSettings& b)
 {
     return a.tool == b.tool && a.brush == b.brush && a.topology == b.topology && a.symmetry == b.symmetry &&
            a.radial == b.radial && a.color == b.color;
 }
 
-/// Takes what each tool has of its own, which is changed at the window only. A tool that was chosen in the headset gets
-/// its values so.
+/// Takes over the settings that each tool has of its own and that only the window changes. A tool that is chosen in the
+/// headset gets its values this way.
 void takeToolValues(const core::StrokeSettings& from, core::StrokeSettings& stroke)
 {
     stroke.strength = from.strength;
@@ -87,7 +87,8 @@ void WandBrush::end()
     m_pressure = 0;
 }
 
-/// A ray's footprint is not asked for within a stroke: what it would take is being taken.
+/// Queries the surface. During a stroke the footprint of a ray brush is not requested, because the stroke is changing
+/// that part already.
 void WandBrush::querySurface(const ModelPlacement& placement)
 {
     if (std::optional<SurfaceQueryResult> result = m_port->takeQueryResult())
@@ -100,7 +101,8 @@ void WandBrush::querySurface(const ModelPlacement& placement)
                               !m_isDrawing});
 }
 
-/// A stroke may be ahead of what is answered.
+/// Returns whether the brush meets the surface. During a stroke any hit counts, because the surface may have changed
+/// since the answer.
 bool WandBrush::touches(const ModelPlacement& placement) const
 {
     if (!m_queryResult.hit || !m_tip)

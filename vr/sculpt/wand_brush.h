@@ -6,41 +6,45 @@
 
 namespace vr
 {
-/// The brush in the sculpting hand: the stroke that it draws in the document, and what of the surface it meets. The
-/// headset's thread.
+/// The brush of the sculpting hand. It draws strokes in the document and queries the surface near the brush. Thread:
+/// the headset's.
 class WandBrush
 {
 public:
-    /// The port must outlive it.
+    /// Precondition: `port` outlives this object.
     WandBrush(DocumentPort* port, ButtonPreset preset);
 
     const BrushState& state() const { return m_state; }
-    /// Takes what the window changed of the brush. A radius in mm becomes that length on the model as it is shown.
-    /// Whether edges are uniform is the window's, too; otherwise the headset keeps its own topology, as its preset has.
+    /// Takes over the window's changes of the brush. A radius in mm becomes the length that it has on the model as
+    /// shown. Uniform topology is taken from the window; otherwise the headset keeps its own topology, at first that of
+    /// its preset.
     void take(const DocumentUpdate& update, const ModelPlacement& placement);
-    /// By a hand or a panel; the window hears of what it has, too.
+    /// Changes the brush by a wand or a panel. The window is told if a setting has changed that it shares.
     void change(const BrushState& state);
 
-    /// False: it is refused. Where Smooth is not offered, the brush's own tool sculpts instead.
+    /// Begins a stroke. Returns false if the stroke is refused. If smoothing is not offered, the brush's own tool is
+    /// used instead.
     bool begin(BeginStroke begin, const ModelPlacement& placement);
     void draw(const StrokePoint& point, const ModelPlacement& placement);
     void end();
 
-    /// Once a frame, before the others: where the wand's tip is; nothing while it is not seen.
+    /// Sets the pose of the wand's tip; none while it is not tracked. To be called once a frame, before the other
+    /// functions.
     void aim(const std::optional<Pose>& tip) { m_tip = tip; }
-    /// Once a frame: asks where it would meet the surface, and takes what was answered.
+    /// Takes the last answer, and asks where the brush would meet the surface now. To be called once a frame.
     void querySurface(const ModelPlacement& placement);
-    /// Whether a ball at the tip reaches the surface, as far as it is known: what was answered for another place does
-    /// not count.
+    /// Returns whether the brush meets the surface, as far as known. Outside a stroke this is true only for a spherical
+    /// brush whose centre is within its radius of the last answered point.
     bool touches(const ModelPlacement& placement) const;
-    /// How strongly it sculpts, 0 to 1; 0: it does not.
+    /// Returns the pressure of the stroke, 0 to 1; 0: no stroke is open.
     double pressure() const { return m_pressure; }
-    /// Metres from the tip along the ray to the surface, as far as it is known; the same.
+    /// Returns the distance from the tip along the ray of a ray brush to the surface, metres; none if it is not known,
+    /// or if the last answer is for another ray.
     std::optional<double> reach(const ModelPlacement& placement) const;
 
-    /// What is seen of it.
+    /// Returns the appearance of the brush.
     std::variant<std::monostate, BallBrush, RayBrush> shown(const ModelPlacement& placement) const;
-    /// What a ray brush would take; null: nothing, or it is not known.
+    /// Returns the footprint of a ray brush; null: the ray meets nothing, or the answer is not known yet.
     const std::shared_ptr<const core::Footprint>& footprint() const { return m_queryResult.footprint; }
 
 private:
@@ -52,11 +56,12 @@ private:
 
     DocumentPort* m_port;
     BrushState m_state;
-    quint64 m_seenChange = 0, m_seenRadius = 0; ///< of the window
-    bool m_smooths = true;                      ///< where a hand asks for it
+    quint64 m_seenChange = 0, m_seenRadius = 0; ///< values of the window's last update
+    bool m_smooths = true;                      ///< smoothing is offered
     bool m_isDrawing = false;
     double m_pressure = 0;
-    /// Seconds, of the first point: a runtime's clock may begin anywhere, files' times have bounds.
+    /// Time of the first point, seconds. It is subtracted from all times, because a runtime's clock may begin anywhere
+    /// and the times in files are limited.
     std::optional<double> m_firstTime;
     std::optional<Pose> m_tip;
     SurfaceQueryResult m_queryResult;
