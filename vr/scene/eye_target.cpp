@@ -47,7 +47,7 @@ bool EyeTarget::allocate(const EyeImage& image, int samples)
     m_gl->glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, image.format, image.width, image.height);
     m_gl->glBindRenderbuffer(GL_RENDERBUFFER, m_depth);
     const GLenum depthFormat =
-        image.depthFormat ? image.depthFormat : GL_DEPTH_COMPONENT24; // resolved to the same only
+        image.depthFormat ? image.depthFormat : GL_DEPTH_COMPONENT24; // resolving requires equal formats
     m_gl->glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, depthFormat, image.width, image.height);
     m_gl->glBindRenderbuffer(GL_RENDERBUFFER, 0);
     m_gl->glBindFramebuffer(GL_FRAMEBUFFER, m_drawn);
@@ -56,7 +56,7 @@ bool EyeTarget::allocate(const EyeImage& image, int samples)
     return m_gl->glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
 }
 
-/// With GL_FRAMEBUFFER_SRGB on the samples' light is averaged, not their code.
+/// GL_FRAMEBUFFER_SRGB is enabled so that the samples are averaged as linear light, not as encoded values.
 bool EyeTarget::resolve(const EyeImage& image)
 {
     m_gl->glBindFramebuffer(GL_READ_FRAMEBUFFER, m_drawn);
@@ -75,7 +75,7 @@ bool EyeTarget::resolve(const EyeImage& image)
             m_gl->glBlitFramebuffer(0, 0, image.width, image.height, 0, 0, image.width, image.height, what, GL_NEAREST);
         });
     }
-    attach(GL_COLOR_ATTACHMENT0, 0); // the runtime may delete them
+    attach(GL_COLOR_ATTACHMENT0, 0); // the runtime may delete the textures
     attach(GL_DEPTH_ATTACHMENT, 0);
     m_gl->glBindFramebuffer(GL_FRAMEBUFFER, 0);
     return isComplete;

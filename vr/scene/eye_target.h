@@ -7,26 +7,28 @@ class QOpenGLExtraFunctions;
 
 namespace vr
 {
-/// A multisampled framebuffer with depth to draw an eye into, one for all images of the same format and size, and the
-/// way from there into the image. The context that was current at create() must be current at every call.
+/// A multisampled framebuffer with depth that an eye is drawn into, and the step that resolves it into the runtime's
+/// image. One framebuffer serves all images of the same format and size. Precondition: the context of create() is
+/// current at every call.
 class EyeTarget
 {
 public:
     static constexpr int wantedSamples = 4;
 
-    /// As many samples as are wanted, or else as the driver has.
+    /// Prepares a framebuffer of `samples` samples per pixel, or of as many as the driver supports.
     void create(QOpenGLExtraFunctions* gl, int samples = wantedSamples);
     void destroy();
 
-    /// The framebuffer to draw into for that image; 0 if the driver can make none. Another format or size than last
-    /// time costs an allocation.
+    /// Returns the framebuffer to draw into for this image; 0 if the driver can make none. Cost: an allocation if the
+    /// format or the size differs from the last call.
     unsigned int framebufferFor(const EyeImage& image);
-    /// Resolves what was drawn into the image that framebufferFor() was told of, and its depth where that is wanted.
-    /// False if the driver cannot draw into it.
+    /// Resolves what was drawn into the image last passed to framebufferFor(), and the depth if the image has a depth
+    /// texture. Returns false if the driver cannot draw into the image.
     bool resolve(const EyeImage& image);
 
-    int samples() const { return m_samples; } ///< of the framebuffer as it is; 0 or 1: not multisampled
-    double drawCallMs() const { return m_clock.milliseconds(); } ///< CPU time in resolving since create()
+    /// Samples per pixel of the present framebuffer; 0 or 1: not multisampled.
+    int samples() const { return m_samples; }
+    double drawCallMs() const { return m_clock.milliseconds(); } ///< CPU time of resolving since create(), milliseconds
 
 private:
     bool allocate(const EyeImage& image, int samples);
@@ -34,7 +36,7 @@ private:
     QOpenGLExtraFunctions* m_gl = nullptr;
     DrawCallTimer m_clock;
     int m_wanted = 0, m_samples = 0;
-    EyeImage m_made; ///< its format and size are those of the buffers
+    EyeImage m_made; ///< format and size of the present buffers
     bool m_isComplete = false;
     unsigned int m_drawn = 0, m_color = 0, m_depth = 0;
     unsigned int m_resolved = 0;

@@ -4,14 +4,14 @@
 
 namespace vr
 {
-/// What shaders must know of one eye in one frame. Room space is in metres.
+/// Values of one eye in one frame that shaders need. Room space is in metres.
 struct EyeUniforms
 {
-    Eigen::Matrix4f view, projection; ///< room to eye space, and on to clip space
-    Eigen::Matrix4f clip;             ///< room to clip space
-    Eigen::Vector3f eye;              ///< its place in the room
-    Eigen::Vector3f up;               ///< the room's, in eye space
-    Eigen::Matrix3f lights;           ///< from the axes of clay.frag's lights to eye space
-    float pixel = 0;                  ///< what a pixel covers at a distance of 1 m, metres
+    Eigen::Matrix4f view, projection; ///< room space to eye space; eye space to clip space
+    Eigen::Matrix4f clip;             ///< room space to clip space
+    Eigen::Vector3f eye;              ///< position of the eye in room space, metres
+    Eigen::Vector3f up;               ///< up direction of the room, in eye space
+    Eigen::Matrix3f lights;           ///< from the axes of the lights in clay.frag to eye space
+    float pixel = 0;                  ///< width that a pixel covers at a distance of 1 m, metres
 };
 } // namespace vr

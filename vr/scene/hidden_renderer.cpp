@@ -29,7 +29,7 @@ void HiddenRenderer::destroy()
     m_gl = nullptr;
 }
 
-/// Draws either side: which way triangles wind is the runtime's.
+/// Draws both sides of the triangles, because the runtime decides their winding.
 void HiddenRenderer::draw(const HiddenArea& area, const Eigen::Matrix4f& projection)
 {
     if (area.empty())

@@ -6,15 +6,15 @@
 
 namespace vr
 {
-/// Covers what of a picture its lens hides, before anything else is drawn: nothing is shaded there. The context that
-/// was current at create() must be current at every call.
+/// Covers the part of a picture that the lens hides. It is drawn before anything else, so that nothing is shaded there
+/// later. Precondition: the context of create() is current at every call.
 class HiddenRenderer
 {
 public:
     bool create(QOpenGLExtraFunctions* gl, DrawCallTimer* clock);
     void destroy();
 
-    /// Draws with depth test and depth writing on.
+    /// Covers the area. Precondition: depth test and depth writing are enabled.
     void draw(const HiddenArea& area, const Eigen::Matrix4f& projection);
 
 private:

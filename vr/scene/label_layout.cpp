@@ -7,24 +7,25 @@ namespace vr
 {
 namespace
 {
-/// Metres, up to `readable` away; farther off the labels grow. A plate of 2.4 degrees.
+/// Height of a label at distances up to `readable`, metres; it is 2.4 degrees at that distance. Labels farther off are
+/// larger.
 constexpr double labelHeight = 0.0185;
-constexpr double readable = 0.45;   ///< metres
-constexpr double rowPitch = 1.24;   ///< label heights
-constexpr double columnGap = 0.052; ///< metres from the wand's middle
-/// Metres from the pad towards the head: a wand that dips into the clay does not take its labels along. Near the eyes
-/// it is less: a share of the way.
+constexpr double readable = 0.45;   ///< distance from the head up to which labels have their normal size, metres
+constexpr double rowPitch = 1.24;   ///< distance from one row of labels to the next, label heights
+constexpr double columnGap = 0.052; ///< distance from the wand's middle to a column, metres
+/// Distance from the pad towards the head at which labels are placed, metres, so that they stay visible if the wand
+/// dips into the clay. Near the eyes it is limited to a fraction of the distance to the head.
 constexpr double lift = 0.1, maxLiftShare = 1.0 / 3;
 
-// From top to bottom.
+// Labels of each column from top to bottom.
 constexpr WandSpot leftColumn[] = {WandSpot::PadUp, WandSpot::PadLeft, WandSpot::PadDown, WandSpot::Trigger};
 constexpr WandSpot rightColumn[] = {WandSpot::Menu, WandSpot::PadRight, WandSpot::PadMiddle, WandSpot::Side};
 
 struct Column
 {
-    core::Vec3 origin; ///< the middle between the columns
+    core::Vec3 origin; ///< point midway between the columns
     core::Vec3 outward, right, up;
-    double gap; ///< metres
+    double gap; ///< distance from the origin to the labels, metres
     double scale;
 };
 
@@ -64,7 +65,8 @@ LabelPlaces labelPlaces(const Pose& grip, const Pose& head, const LabelAspects& 
     const core::Vec3 middle = grip * placeOf(WandSpot::PadMiddle);
     const Eigen::Matrix3d axes = axesFacing(head, middle);
     const double distance = (head.position - middle).norm(), lifted = std::min(lift, maxLiftShare * distance);
-    const double nearer = distance > 0 ? 1 - lifted / distance : 1; // as large for the eye as at the wand
+    // Scale that keeps the apparent size that labels have at the wand.
+    const double nearer = distance > 0 ? 1 - lifted / distance : 1;
     Column column{middle + lifted * axes.col(2),
                   -axes.col(0),
                   axes.col(0),

@@ -10,8 +10,7 @@ namespace vr
 {
 namespace
 {
-// Pixels. In the room a plate is about a third as many pixels high on the screen, so that its smaller copies are what
-// is seen.
+// Sizes in pixels. On the screen a plate is only about a third as high, so that its smaller mip levels are used.
 constexpr int plateHeight = 64, textHeight = 40, margin = 20, longestText = 680;
 constexpr qsizetype maxKept = 64;
 
@@ -81,7 +80,7 @@ std::optional<LabelTexture> LabelTextures::find(const QString& text)
     return LabelTexture{entry->picture.id(), static_cast<double>(size.width()) / size.height()};
 }
 
-/// All that the last frame did not need.
+/// Deletes all textures that the last frame did not use.
 void LabelTextures::dropUnused()
 {
     for (auto entry = m_entries.begin(); entry != m_entries.end();) {

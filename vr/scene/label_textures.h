@@ -9,32 +9,33 @@
 
 namespace vr
 {
-/// A texture, good until the next startFrame(), and how much wider than high it is.
+/// A texture, valid until the next startFrame(), and its width / height.
 struct LabelTexture
 {
     unsigned int texture = 0;
     double aspect = 1;
 };
 
-/// Short texts on small dark plates, painted when they are first needed and kept while they are. Costs a fraction of a
-/// millisecond for a new text, one in a frame, and no more than a look-up for the others.
+/// Textures of short texts on small dark plates. Each is painted when it is first needed, and kept while it is needed.
+/// Cost: a fraction of a millisecond for a new text, of which each frame paints at most one; a look-up for the other
+/// texts.
 class LabelTextures
 {
 public:
-    /// Loads the font, too, which takes its time.
+    /// Cost: loads the font, which takes some time.
     void create(QOpenGLExtraFunctions* gl);
     void destroy();
 
     /// To be called once a frame, before any find().
     void startFrame();
-    /// Nothing: not painted yet; some frame later it is.
+    /// Returns the texture of a text; none if it is not painted yet. A later frame paints it.
     std::optional<LabelTexture> find(const QString& text);
 
 private:
     struct Entry
     {
         Texture picture;
-        unsigned long usedIn = 0; ///< the last frame that needed it
+        unsigned long usedIn = 0; ///< number of the last frame that used the texture
     };
     void dropUnused();
 

@@ -5,7 +5,7 @@
 
 namespace vr
 {
-/// What of a colour a shader adds and mixes.
+/// Returns an sRGB colour as linear light, in which shaders add and mix colours.
 inline Eigen::Vector3f linearFromSrgb(const core::Rgb& color)
 {
     using core::io::linearFromSrgb;

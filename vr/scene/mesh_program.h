@@ -7,26 +7,28 @@
 
 namespace vr
 {
-/// Shades the mesh and the wands as the desktop shades its mesh.
+/// Shades the mesh and the wands as the desktop's viewer does.
 class MeshProgram : public Program
 {
 public:
     bool create(QOpenGLExtraFunctions* gl) { return Program::create(gl, "clay.vert", "clay.frag"); }
 
-    /// Puts it in use for an eye. Without cut, footprint and faults, each vertex in its own shade.
+    /// Makes the program current for an eye, with smooth shading and without cut line, tint and cavity shading.
     void useFor(const EyeUniforms& eye) const;
-    /// The transform from the vertices' own space, scaled evenly, to the room.
+    /// Sets the transform from the vertices' own space to room space. It must scale uniformly.
     void place(const EyeUniforms& eye, const Eigen::Matrix4f& toRoom) const
     {
         view.set(Eigen::Matrix4f(eye.view * toRoom));
     }
-    /// Tints what is in a ball and in its mirror image: centre and radius, in the vertices' own space. Radius 0: none.
+    /// Tints the vertices in a ball and in its mirror image. Units: centre and radius in the vertices' own space;
+    /// radius 0: no tint.
     void tintBalls(const EyeUniforms& eye, const Eigen::Matrix4f& toRoom, const Eigen::Vector4f& ball,
                    const Eigen::Vector4f& image) const;
-    /// Draws a line where the plane through the origin of the vertices' own space cuts. Zero: none.
+    /// Draws a line where a plane through the origin of the vertices' own space cuts the mesh. `normal`: zero for no
+    /// line.
     void cutAlong(const EyeUniforms& eye, const Eigen::Matrix4f& toRoom, const Eigen::Vector3f& normal) const;
     void shade(const core::Shading& shading) const;
-    /// The number of sectors about the y axis in which the ball and its image are.
+    /// Sets the number of sectors about the y axis in which the ball and its mirror image are repeated.
     void setSectors(float count) const;
 
     Uniform flatShading{this, "flatShading"};

@@ -9,12 +9,12 @@
 
 namespace vr
 {
-/// A large model that comes during a visit is sent so much a frame, or its frames would be late.
+/// Bytes of a large model that are uploaded in one frame. The whole model would delay the frame.
 inline constexpr std::size_t sliceBytes = 2'000'000;
 
-/// The mesh as it is drawn. A large model comes in slices beside the one before, which is shown until the new one is
-/// there whole; what is sculpted meanwhile follows it, in order. Before the first step(), and for small models, all is
-/// there at once. `Buffer`: as MeshBuffer.
+/// The mesh as it is drawn. A large model is uploaded in slices while the last model is shown; changes made meanwhile
+/// are applied after the upload, in order. Before the first step(), and for small models, the upload is done at once.
+/// `Buffer`: MeshBuffer or a class like it.
 template <class Buffer> class MeshStream
 {
 public:
@@ -30,16 +30,17 @@ public:
         *this = {};
     }
 
-    /// Patches of one mesh in order, a whole one first.
+    /// Applies a patch. Precondition: patches of one mesh come in order, a whole one first.
     void apply(core::MeshPatch patch);
-    /// Once a frame.
+    /// Uploads the next slice. To be called once a frame.
     void step();
     bool isLoading() const { return m_slices.has_value(); }
 
     Buffer& shown() { return m_buffers[m_shown]; }
     const Buffer& shown() const { return m_buffers[m_shown]; }
     std::uint64_t bytes() const { return m_buffers[0].counters().bytes + m_buffers[1].counters().bytes; }
-    /// Models that came whole and were not given up for a newer one.
+    /// Returns the number of models uploaded completely. A model that a newer one replaced during its upload does not
+    /// count.
     std::uint64_t wholeUploads() const { return m_wholeUploads; }
 
 private:
@@ -50,9 +51,10 @@ private:
 
     std::array<Buffer, 2> m_buffers;
     std::size_t m_shown = 0;
-    std::optional<PatchSlices> m_slices;              ///< of the model that is coming
-    std::optional<core::MeshPatch> m_pending;         ///< of it, too, and newer
-    bool m_hasStepped = false, m_hasOldModel = false; ///< the other buffer still has a model that nobody will see
+    /// Slices of the model that is being uploaded; none: no upload is in progress.
+    std::optional<PatchSlices> m_slices;
+    std::optional<core::MeshPatch> m_pending;         ///< changes of the model that is being uploaded
+    bool m_hasStepped = false, m_hasOldModel = false; ///< hasOldModel: the buffer that is not shown still has a model
     std::uint64_t m_wholeUploads = 0;
 };
 

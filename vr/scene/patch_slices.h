@@ -4,22 +4,22 @@
 
 namespace vr
 {
-/// What a patch sends to OpenGL.
+/// Returns the number of bytes that a patch uploads to OpenGL.
 std::size_t bytesOf(const core::MeshPatch& patch);
 
-/// A whole patch, cut into patches that follow one another: first an empty whole one, then its values in order. Only
-/// the last leaves a mesh that can be drawn. Gives back memory as soon as it is not needed.
+/// Cuts a whole patch into patches to be applied one after another: first an empty whole one, then the values in order.
+/// The mesh can be drawn only after the last one. Memory is freed as soon as it is not needed.
 class PatchSlices
 {
 public:
     explicit PatchSlices(core::MeshPatch whole);
 
     bool atEnd() const { return m_isBegun && m_vertices.left == 0 && m_faces.left == 0; }
-    /// Good until the next call. `bytes`: about that much, at most.
+    /// Returns the next patch, of at most about `bytes` bytes. It is valid until the next call.
     const core::MeshPatch& next(std::size_t bytes);
 
 private:
-    /// How far one of the patch's arrays has been cut.
+    /// Progress of cutting one array of the patch.
     struct Cut
     {
         std::size_t left = 0, value = 0, span = 0;

@@ -6,12 +6,12 @@ namespace vr
 {
 namespace
 {
-// Dark, and nowhere black: panels that smear show black trailing behind what moves.
+// Colours of the background. They are dark but never black: on some displays moving objects leave black trails.
 const Eigen::Vector3f topColor(0.200F, 0.212F, 0.232F), horizonColor(0.298F, 0.314F, 0.340F),
-    bottomColor(0.168F, 0.176F, 0.192F);              // sRGB
-const Eigen::Vector3f lineColor(0.50F, 0.54F, 0.60F); // linear
+    bottomColor(0.168F, 0.176F, 0.192F);              // sRGB, 0 to 1
+const Eigen::Vector3f lineColor(0.50F, 0.54F, 0.60F); // linear light, 0 to 1
 constexpr float lineAlpha = 0.16F;
-constexpr float cell = 0.1F, reach = 5; ///< metres; each tenth line is a stronger one
+constexpr float cell = 0.1F, reach = 5; ///< metres; every tenth line is stronger
 } // namespace
 
 bool RoomRenderer::create(QOpenGLExtraFunctions* gl, DrawCallTimer* clock)

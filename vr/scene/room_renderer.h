@@ -6,24 +6,25 @@
 
 namespace vr
 {
-/// Under what the model hangs: its shade on the floor. Room space.
+/// A soft shadow of the model on the floor. Units: metres in room space.
 struct FloorShade
 {
-    Eigen::Vector3f under = Eigen::Vector3f::Zero(); ///< y = 0
-    Eigen::Vector2f halfSize{1, 1};                  ///< metres; the softer the higher
+    Eigen::Vector3f under = Eigen::Vector3f::Zero(); ///< point of the floor below the model's middle, y = 0
+    /// Half extents of the shadow; they grow with the model's height above the floor.
+    Eigen::Vector2f halfSize{1, 1};
     float strength = 0;
 };
 
-/// The room around the model. The context that was current at create() must be current at every call.
+/// Draws the room around the model. Precondition: the context of create() is current at every call.
 class RoomRenderer
 {
 public:
     bool create(QOpenGLExtraFunctions* gl, DrawCallTimer* clock);
     void destroy();
 
-    /// Behind all that was drawn.
+    /// Draws the background behind everything that was drawn before.
     void drawDome(const EyeUniforms& eye);
-    /// A grid at y = 0 about the middle of the room. Blends.
+    /// Draws a grid at y = 0 around the middle of the room. Precondition: blending is enabled.
     void drawFloor(const EyeUniforms& eye, const FloorShade& shade);
 
 private:

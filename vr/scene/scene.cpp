@@ -1,5 +1,5 @@
-// First what is opaque (mesh, wands), then the dome behind it, then what is translucent: floor, panels, and the rest
-// from far to near.
+// Order of drawing: wands and mesh, which are opaque, then the dome behind them, then the translucent floor, panels and
+// other shapes, the last two from far to near.
 #include "vr/scene/scene.h"
 
 #include "vr/scene/hidden_renderer.h"
@@ -21,7 +21,7 @@
 
 namespace vr
 {
-/// The part of the state that the mesh's shader takes.
+/// The part of the state that the mesh's shader needs.
 struct MeshAppearance
 {
     Eigen::Matrix4f toRoom = Eigen::Matrix4f::Identity();
@@ -34,8 +34,9 @@ struct MeshAppearance
 
 namespace
 {
-constexpr double minLevel = 0.2;   ///< of the head's sideways axis, to be taken as level
-constexpr double shadeReach = 0.9; ///< metres: what hangs higher hardly shades the floor
+/// Least horizontal part of the head's sideways axis with which the head can be levelled.
+constexpr double minLevel = 0.2;
+constexpr double shadeReach = 0.9; ///< metres; a model that is higher hardly shades the floor
 constexpr float strongestShade = 0.5F;
 
 MeshAppearance meshAppearance(const SceneState& state)
@@ -61,8 +62,8 @@ MeshAppearance meshAppearance(const SceneState& state)
     return look;
 }
 
-/// The lights stand behind who looks at the model from there, over the left shoulder, as on the desktop: they go around
-/// it with the head and do not turn or roll with it, or the shades would swim.
+/// Returns the axes of the lights. As on the desktop, the lights are behind the viewer, over the left shoulder. They
+/// follow the head around the model, but do not turn or roll with it, because the shading would swim.
 Eigen::Matrix3f lightAxes(const SceneState& state)
 {
     Pose head = state.head;
@@ -100,7 +101,7 @@ struct Scene::State
     TranslucentRenderer translucentRenderer;
     LabelTextures labels;
 
-    // Of the frame.
+    // State of the present frame.
     MeshAppearance look;
     Eigen::Matrix3f lights = Eigen::Matrix3f::Identity();
     FloorShade shade;
@@ -226,7 +227,7 @@ void Scene::draw(const EyeView& eye)
     const EyeUniforms uniforms = s.uniformsOf(eye);
     s.gl->glBindFramebuffer(GL_FRAMEBUFFER, eye.framebuffer);
     s.gl->glViewport(0, 0, eye.width, eye.height);
-    s.gl->glEnable(GL_FRAMEBUFFER_SRGB); // does nothing to an image of linear light
+    s.gl->glEnable(GL_FRAMEBUFFER_SRGB); // has no effect on an image of linear light
     s.gl->glDisable(GL_SCISSOR_TEST);
     s.gl->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     s.gl->glEnable(GL_DEPTH_TEST);

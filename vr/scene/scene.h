@@ -12,42 +12,44 @@ class QOpenGLExtraFunctions;
 
 namespace vr
 {
-/// Draws what a headset shows: the mesh with the desktop's shader, and around it room, wands, brush, plane of symmetry
-/// and panels. Its own little renderer: OpenGL 3.3 core or more, without Qt3D. Writes linear light; an sRGB image
-/// encodes it.
+/// Draws everything that the headset shows: the mesh with the desktop's shader, and around it the room, wands, brush,
+/// plane of symmetry and panels. It is a small renderer of its own: OpenGL 3.3 core or later, without Qt3D. It writes
+/// linear light, which an sRGB image encodes.
 ///
-/// On the thread of its context, which must be current at every call. Per frame: apply() if there is a patch, prepare()
-/// once, draw() for each eye. Nothing is allocated from frame to frame, but for texts that are new.
+/// Use in each frame: apply() if there is a patch, prepare() once, draw() for each eye. Nothing is allocated from frame
+/// to frame, except for new texts.
+///
+/// Thread: that of its context, which must be current at every call.
 class Scene
 {
 public:
     Scene();
     ~Scene();
 
-    /// False if a shader does not compile; the log is in the debug output. Takes some tenths of a second.
+    /// Returns false if a shader does not compile; the log is in the debug output. Cost: some tenths of a second.
     bool create(QOpenGLExtraFunctions* gl);
-    /// Before the scene goes, and its context.
+    /// Frees the OpenGL objects. To be called before the scene or its context is destroyed.
     void destroy();
 
-    /// Patches of one mesh in order, a whole one first. Cost: as core::MeshBuffer::apply(). But a large model that
-    /// comes once frames have been prepared is sent in slices, one in each prepare(), and the one before is shown until
-    /// the new one is there whole.
+    /// Applies a patch. Patches of one mesh come in order, a whole one first. A large model that comes after the first
+    /// prepare() is uploaded in slices, one in each prepare(); the last model is shown until the new one is complete.
+    /// Cost: as core::MeshBuffer::apply(), unless the model is uploaded in slices.
     void apply(core::MeshPatch patch);
-    /// What is shown is still the model before.
+    /// Returns whether the last model is still shown because a new one is being uploaded.
     bool isLoading() const;
-    /// Marks the vertices that a ray brush would take, in place of those before; null: none. A whole patch takes the
-    /// marks away, and while a model is loading there are none.
+    /// Marks the vertices of a ray brush's footprint in place of earlier marks; null: no marks. A whole patch removes
+    /// the marks, and a model that is being uploaded has none.
     void tint(const core::Footprint* footprint);
 
-    /// What can be done once for both eyes.
+    /// Prepares a frame: does the work that both eyes share.
     void prepare(const SceneState& state);
-    /// Into the eye's framebuffer, all of it.
+    /// Draws the whole picture of an eye into its framebuffer.
     void draw(const EyeView& eye);
 
-    std::uint64_t meshBytes() const; ///< uploaded since create()
+    std::uint64_t meshBytes() const; ///< bytes of meshes uploaded since create()
     std::uint64_t wholeUploads() const;
-    /// CPU time within draw calls since create(), milliseconds: without a graphics card they shade the picture
-    /// themselves.
+    /// Returns the CPU time of draw calls since create(), milliseconds. Without a graphics card the driver rasterises
+    /// within them.
     double drawCallMs() const;
     unsigned long drawCalls() const;
 

@@ -9,7 +9,7 @@ namespace vr
 {
 namespace
 {
-constexpr double smoothCosine = 0.77; ///< faces that meet at less than 40 degrees are one surface
+constexpr double smoothCosine = 0.77; ///< faces that meet at less than 40 degrees are shaded as one surface
 constexpr int around = 32, rings = 16;
 
 core::Vec3 middleOf(const SolidBuilder::Loop& loop)
@@ -23,7 +23,7 @@ std::array<std::int8_t, 4> packed(const core::Vec3& normal)
     return {byte(normal.x()), byte(normal.y()), byte(normal.z()), 0};
 }
 
-/// The loop drawn towards its middle by that much.
+/// Returns the loop shrunk towards its middle by `by`, metres.
 SolidBuilder::Loop inset(const SolidBuilder::Loop& loop, double by)
 {
     const core::Vec3 middle = middleOf(loop);

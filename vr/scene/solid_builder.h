@@ -6,19 +6,20 @@
 
 namespace vr
 {
-/// Builds a closed triangle mesh, in metres. Counter-clockwise seen from outside.
+/// Builds a closed triangle mesh, in metres. Triangles are counter-clockwise as seen from outside.
 class SolidBuilder
 {
 public:
     using Loop = std::vector<core::Vec3>;
 
-    /// A skin over loops of equally many points, from the first, which is counter-clockwise seen from before it, to the
-    /// last; both ends are closed by fans to their middles.
+    /// Adds a surface through loops with the same number of points, from the first loop to the last. The first loop
+    /// must be counter-clockwise as seen from outside the solid. Fans about the loops' middles close both ends.
     void loft(const std::vector<Loop>& loops);
 
     void add(const SolidBuilder& other);
 
-    /// Smooth, but for edges sharper than about 40 degrees. White: the shading's tint gives the colour.
+    /// Returns the mesh with smooth normals, except at edges sharper than about 40 degrees. The vertices are white,
+    /// because the shading's tint gives the colour.
     core::DrawArrays drawArrays() const;
 
 private:
@@ -28,11 +29,11 @@ private:
     std::vector<core::Triangle> m_faces;
 };
 
-/// Half axes of an ellipsoid along x, y and z.
+/// Returns an ellipsoid. `half`: half axes along x, y and z, metres.
 SolidBuilder ellipsoid(const core::Vec3& middle, const core::Vec3& half);
 
-/// A plate with a bevelled upper edge over an outline in x and z, which is counter-clockwise seen from above and all of
-/// it seen from its middle. Upward is +y; `bottom` and `top` are heights.
+/// Heights of a plate with a bevelled upper edge, metres along +y. The outline of plate() is in x and z,
+/// counter-clockwise as seen from above, and star-shaped about its middle.
 struct PlateHeights
 {
     double bottom = 0, top = 0, bevel = 0;

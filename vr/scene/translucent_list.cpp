@@ -14,16 +14,17 @@ namespace
 {
 const Eigen::Vector3f planeColor(0.15F, 0.33F, 0.66F), accentColor(0.22F, 0.56F, 1.0F), paleColor(0.85F, 0.88F, 0.92F);
 const Eigen::Vector3f holdColor(1.0F, 0.48F, 0.10F);
-const Eigen::Vector3f spotlightColor(0.30F, 1.0F, 0.06F); ///< nothing else has it
+const Eigen::Vector3f spotlightColor(0.30F, 1.0F, 0.06F); ///< a colour that nothing else has
 
 constexpr float thin = 0.0011F, thinner = 0.0008F; ///< widths of lines, metres
-constexpr float mirrored = 0.45F;                  ///< how strong a brush's mirror image is
+constexpr float mirrored = 0.45F;                  ///< strength of a brush's mirror image as a fraction of the brush's
 constexpr double rayReach = 3, dotRadius = 0.0035, thumbRadius = 0.0042;
-constexpr double offSurface = 0.0006; ///< so that what lies on a surface is seen
+constexpr double offSurface = 0.0006; ///< distance above a surface at which shapes are drawn to be visible, metres
 constexpr double holdRadius = 0.026, holdLift = 0.030;
 constexpr float holdHole = 0.80F, footprintHole = 0.97F;
-const core::Vec3 holdPlace(0, 0, 0.012); ///< between the side buttons
-// The light where somebody points: metres.
+/// Middle of the ring for holds in grip space, metres: between the side buttons.
+const core::Vec3 holdPlace(0, 0, 0.012);
+// Sizes of the light where somebody points, metres.
 constexpr double spotlightRadius = 0.007, minWave = 0.012, maxWave = 0.036, beamHeight = 0.35;
 constexpr float beamWidth = 0.003F, waveHole = 0.78F, hiddenOpacity = 0.45F;
 
@@ -37,7 +38,7 @@ Rectangle rectangle(const core::Vec3& center, const core::Vec3& halfX, const cor
     return {toFloat(center), toFloat(halfX), toFloat(halfY)};
 }
 
-/// That a ring of that radius fills, across a unit vector.
+/// Returns the square around a ring of this radius, perpendicular to a unit normal.
 Rectangle acrossTo(const core::Vec3& center, const core::Vec3& normal, double radius)
 {
     const core::Vec3 x = normal.unitOrthogonal();
@@ -73,8 +74,8 @@ private:
     void addFootprint(const RayBrush::Hit& hit, float strength);
     void addLabels(const ShownWand& wand);
     void addHold(const ShownWand& wand);
-    /// Visits the maps from the brush to where its stroke is done besides: in the other sectors, and across the plane
-    /// of symmetry.
+    /// Visits the transforms from the brush to its images: in the other radial sectors, and mirrored by the plane of
+    /// symmetry.
     template <class Visit> void forEachImage(Visit visit) const;
 
     const SceneState& m_state;
@@ -90,7 +91,7 @@ void TranslucentListBuilder::addLine(const core::Vec3& from, const core::Vec3& t
     add(0.5 * (from + to), line);
 }
 
-/// It faces the head.
+/// Adds a disc that faces the head.
 void TranslucentListBuilder::addDot(const core::Vec3& at, double radius, const Eigen::Vector3f& color)
 {
     const Eigen::Matrix3d axes = axesFacing(m_state.head, at);
@@ -221,13 +222,14 @@ void TranslucentListBuilder::addLaser(const Laser& laser)
     addDot(laser.to, dotRadius, accentColor);
 }
 
-/// A glowing bead, a wave that spreads on the surface, and a beam from above: it is found by its shape, too, and
-/// through the clay.
+/// Adds a glowing bead, a wave that spreads on the surface, and a beam from above. Their shapes make the place easy to
+/// find, even through the clay.
 void TranslucentListBuilder::addSpotlight(const Spotlight& spotlight)
 {
     const core::Vec3 at = spotlight.center + offSurface * spotlight.normal;
     const Eigen::Matrix3d axes = axesFacing(m_state.head, at);
-    const auto bead = [&](double radius, const Eigen::Vector3f& color, float alpha) { // the smaller before the larger
+    // Smaller discs are in front of larger ones.
+    const auto bead = [&](double radius, const Eigen::Vector3f& color, float alpha) {
         const core::Vec3 before = at + (spotlightRadius - radius / 4) * axes.col(2);
         add(before, Ring{.place = rectangle(before, radius * axes.col(0), radius * axes.col(1)),
                          .color = color,

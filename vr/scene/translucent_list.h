@@ -8,13 +8,13 @@
 
 namespace vr
 {
-/// All translucent shapes of a frame, the farthest first.
+/// All translucent shapes of a frame. Each list is sorted from far to near.
 struct TranslucentList
 {
-    std::vector<TranslucentShape> panels; ///< pictures; they hide what is behind them
+    std::vector<TranslucentShape> panels; ///< pictures, which hide what is behind them
     std::vector<TranslucentShape> others;
 };
 
-/// In place of what the lists held. No allocation once they have been as long.
+/// Replaces the contents of `into`. Allocates nothing if the lists have been as long before.
 void buildTranslucentList(const SceneState& state, LabelTextures& labels, TranslucentList& into);
 } // namespace vr

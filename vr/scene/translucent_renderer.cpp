@@ -10,9 +10,9 @@ namespace vr
 namespace
 {
 constexpr int ballSubdivisions = 4;
-constexpr float farSide = 0.45F; ///< of a shell, seen through the near one
+constexpr float farSide = 0.45F; ///< strength of a shell's far side, which is seen through its near side
 constexpr float hiddenShell = 0.16F;
-constexpr float planeBorder = 1.2F; ///< pixels
+constexpr float planeBorder = 1.2F; ///< width of the border, pixels
 
 core::DrawArrays unitBall()
 {

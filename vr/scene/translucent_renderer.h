@@ -10,18 +10,17 @@
 
 namespace vr
 {
-/// Draws translucent shapes, after all opaque ones. The context that was current at create() must be current at every
-/// call.
+/// Draws translucent shapes, after all opaque ones. Precondition: the context of create() is current at every call.
 class TranslucentRenderer
 {
 public:
-    /// False if a shader does not compile.
+    /// Returns false if a shader does not compile.
     bool create(QOpenGLExtraFunctions* gl, DrawCallTimer* clock);
     void destroy();
 
-    /// Panels write depth, so that they hide what is drawn later behind them.
+    /// Writing of depth: on for panels, so that they hide what is drawn later behind them.
     enum class DepthWrite { Off, On };
-    /// The farthest first. Blends over what is there.
+    /// Draws shapes, which are sorted from far to near, and blends them over the picture.
     void draw(const EyeUniforms& eye, std::span<const TranslucentShape> sorted, DepthWrite depthWrite);
 
 private:

@@ -54,7 +54,8 @@ bool isIn(const PresetRow& row, HandMode mode)
     return row.mode == HandMode::Any || row.mode == mode;
 }
 
-/// The trigger is the panel's then, and what is refused was not done.
+/// Returns whether the action is the function of a row. Actions at a panel are not; a refused function was not
+/// executed.
 bool isOfRow(const WandAction& action)
 {
     return !std::holds_alternative<PressPanel>(action) && !std::holds_alternative<ReleasePanel>(action) &&
@@ -66,7 +67,7 @@ bool opensPanel(const WandAction& action)
     return std::holds_alternative<OpenToolMenu>(action) || std::holds_alternative<OpenColorPanel>(action);
 }
 
-/// Whether the other hand has done its part in it, by the same gesture.
+/// Returns whether both hands take part in the action by the same gesture.
 bool isOfBothHands(const WandAction& action)
 {
     const auto* stroke = std::get_if<BeginStroke>(&action);
@@ -75,17 +76,17 @@ bool isOfBothHands(const WandAction& action)
 
 constexpr double degrees = 180 / std::numbers::pi;
 
-/// Degrees between where the head looks and the wand's buttons.
+/// Returns the angle between the direction of view and the wand's buttons, degrees.
 double angleTo(const WandState& wand, const Pose& head)
 {
     const core::Vec3 to = wand.grip * placeOf(WandSpot::PadMiddle) - head.position;
     return std::atan2(head.forward().cross(to).norm(), head.forward().dot(to)) * degrees;
 }
 
-/// Where the head sees the wand's buttons.
+/// Direction and distance from the head to the wand's buttons.
 struct Bearing
 {
-    double aside, above; ///< degrees
+    double aside, above; ///< degrees to the right and upward
     double distance;     ///< metres
 };
 
@@ -95,7 +96,7 @@ Bearing bearingOf(const WandState& wand, const Pose& head)
     return {std::atan2(to.x(), -to.z()) * degrees, std::atan2(to.y(), std::hypot(to.x(), to.z())) * degrees, to.norm()};
 }
 
-constexpr double unseenAngle = 180; ///< degrees
+constexpr double unseenAngle = 180; ///< angle of a wand that cannot be looked at, degrees
 
 float approached(float opacity, bool isWanted, double seconds)
 {
@@ -161,7 +162,7 @@ void WandLabels::write(Hand& hand, HandRole role) const
         }
 }
 
-/// Another wand is in the hand, or the first one.
+/// Writes the labels of a hand again if it has another kind of wand.
 void WandLabels::updateKinds(const InputFrame& frame, const WandMapping& hands)
 {
     for (const Side side : sides) {
@@ -172,7 +173,8 @@ void WandLabels::updateKinds(const InputFrame& frame, const WandMapping& hands)
     }
 }
 
-/// What came before a panel opened, or closed, in the same frame is of the mode before.
+/// Marks the functions of the commands as used. Commands before the opening or closing of a panel in the same frame
+/// belong to the mode before it.
 void WandLabels::note(const WandMapping& hands, std::span<const WandCommand> commands)
 {
     for (const WandCommand& command : commands) {
@@ -196,7 +198,7 @@ void WandLabels::use(const WandMapping& hands, Side side, Gesture gesture)
             m_used |= bitOf(row);
 }
 
-/// Whether it has been looked at for long enough.
+/// Updates how long the wand has been looked at. Returns whether that is long enough to show its labels.
 bool WandLabels::Hand::look(double degrees, double seconds)
 {
     const bool wasNear = isNear;
@@ -210,7 +212,7 @@ bool WandLabels::Hand::isSeen() const
     return std::ranges::any_of(opacities, [](float opacity) { return opacity > 0; });
 }
 
-/// The farther of two wands that are close to each other, if the nearer has labels.
+/// Returns the farther of two wands that are close to each other, if the nearer one shows labels; else none.
 std::optional<Side> WandLabels::behind(const InputFrame& frame, const Pose& head) const
 {
     const auto& [left, right] = frame.wands;
@@ -236,14 +238,14 @@ void WandLabels::fade(Hand& hand, bool isLookedAt, double seconds)
     }
 }
 
-/// As fast as they come: a panel is to be read.
+/// Fades the labels out as fast as labels fade in, so that they do not hide a panel.
 void WandLabels::hide(Hand& hand, double seconds)
 {
     for (float& opacity : hand.opacities)
         opacity = std::max(opacity - static_cast<float>(seconds / labelFadeIn), 0.0F);
 }
 
-/// A line that says something else fades in.
+/// Sets the mode. Labels with another text fade in from 0.
 void WandLabels::setMode(Hand& hand, HandMode mode)
 {
     const Lines& before = hand.lines();

@@ -8,44 +8,50 @@
 
 namespace vr
 {
-// Seconds and degrees.
+// Times are in seconds, angles in degrees.
 inline constexpr double labelFadeOut = 1, labelFadeIn = 0.3;
-inline constexpr double labelLookSeconds = 0.5; ///< a wand has to be looked at for so long
-/// Between where the head looks and the wand: labels come back below the first, and go again above the second.
+inline constexpr double labelLookSeconds = 0.5; ///< seconds that a wand must be looked at before its labels return
+/// Angles between the direction of view and a wand, degrees. A wand counts as looked at below the first; it ceases to
+/// be above the second.
 inline constexpr double labelLookAngle = 12, labelLookAwayAngle = 16;
-/// Between two wands as the head sees them: farther apart, beside each other or above, the labels of both have room.
+/// Angles between two wands as the head sees them, degrees. If they are farther apart, sideways or vertically, there is
+/// room for the labels of both.
 inline constexpr double minLabelGapAside = 30, minLabelGapAbove = 14;
-/// So much farther apart they have to be when there was none, so that hands may tremble; metres are of their distances
-/// from the head.
+/// Hysteresis of the decision whether both wands have room, so that labels do not flicker when hands tremble: degrees
+/// for the angles, metres for the difference of the distances from the head.
 inline constexpr double labelGapSlack = 3, labelGapSlackMetres = 0.03;
 
-/// What the labels at both wands' buttons say, and how well they are seen: the rows of the preset. A label is there
-/// until what it tells of was done once, all of it where a button has two functions; then it comes back while the wand
-/// is looked at. A wand that draws is not: it is the clay that is looked at. One that points at a panel has none, which
-/// would stand before what it points at; nor has the farther of two wands between which there is no room for the labels
-/// of both. A wand that lacks a part has no label there. With another preset, or other hands, all of them are new.
+/// Texts and opacities of the labels at both wands' buttons, from the rows of the preset.
 ///
-/// Pure: any thread, no clock but the frames' own. Allocates nothing but in the step that finds another choice.
+/// A label is shown until its function was used once, or both functions of a button that has two. After that it returns
+/// while the wand is looked at. A wand that draws does not count as looked at, because the user looks at the clay. A
+/// wand that points at a panel has no labels, which would hide the panel. If there is no room for the labels of both
+/// wands, the farther wand has none. A wand that lacks a part has no label for it. After a change of the preset, or of
+/// the hands' roles, all functions count as unused.
+///
+/// Uses no clock except the frames' times. Allocates only in a step that finds new settings or another kind of wand.
+/// Thread: any.
 class WandLabels
 {
 public:
-    /// Of each frame, after WandMapping::step(): `hands` as it is then, and the commands that it gave.
+    /// Updates the labels for a frame. To be called after WandMapping::step(), with that mapping as `hands` and with
+    /// the commands that it returned.
     void step(const InputFrame& frame, const Pose& head, const WandMapping& hands,
               std::span<const WandCommand> commands);
 
-    /// By WandSpot.
+    /// Returns the labels of a wand, indexed by WandSpot.
     std::array<WandLabel, wandSpotCount> labels(Side side) const;
 
 private:
-    /// What is at one spot.
+    /// The text at one spot.
     struct Line
     {
         QString text;
-        std::uint32_t rows = 0; ///< bit i: row i of the preset
+        std::uint32_t rows = 0; ///< functions that the text names; bit i: row i of the preset
     };
     using Lines = std::array<Line, wandSpotCount>;
 
-    /// Parts that a wand is made of, as WandState has them.
+    /// Parts that a wand has, as in WandState.
     struct WandKind
     {
         bool isStick = false, isSimple = false;
@@ -54,12 +60,12 @@ private:
 
     struct Hand
     {
-        std::array<Lines, handModeCount> linesOf; ///< by HandMode
-        WandKind kind;                            ///< that the lines are of
+        std::array<Lines, handModeCount> linesOf; ///< indexed by HandMode
+        WandKind kind;                            ///< kind of wand that the lines were written for
         HandMode mode = HandMode::Plain;
         std::array<float, wandSpotCount> opacities{};
-        bool isNear = false; ///< to where the head looks, in the last frame
-        double nearFor = 0;  ///< seconds
+        bool isNear = false; ///< the wand was near the direction of view in the last frame
+        double nearFor = 0;  ///< seconds that the wand has been near the direction of view
 
         bool look(double degrees, double seconds);
         bool isSeen() const;
@@ -80,9 +86,9 @@ private:
     const Hand& at(Side side) const { return m_hands[static_cast<std::size_t>(side)]; }
 
     FrameClock m_clock;
-    std::optional<WandSettings> m_settings; ///< that the lines are of
-    std::array<Hand, sideCount> m_hands;    ///< by Side
-    std::uint32_t m_used = 0;               ///< rows
-    std::optional<Side> m_behind;           ///< whose labels there is no room for
+    std::optional<WandSettings> m_settings; ///< settings that the lines were written for
+    std::array<Hand, sideCount> m_hands;    ///< indexed by Side
+    std::uint32_t m_used = 0;               ///< functions used already; bit i: row i of the preset
+    std::optional<Side> m_behind;           ///< wand whose labels have no room
 };
 } // namespace vr

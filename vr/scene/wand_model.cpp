@@ -1,5 +1,5 @@
-// The body is lofted over sections from a table, the pad is cut into its four sides and a middle, the buttons are
-// plates and ellipsoids that stand a little out of the body.
+// The body is lofted over the sections of a table. The pad is cut into four sides and a middle. The buttons are plates
+// and ellipsoids that protrude a little from the body.
 #include "vr/scene/wand_model.h"
 
 #include "vr/openxr/wand_state.h"
@@ -15,7 +15,7 @@ namespace
 {
 using std::numbers::pi;
 
-/// Of the body across z; metres.
+/// Cross-section of the body at a z; metres.
 struct Section
 {
     double z, halfWidth, top, bottom;
@@ -29,12 +29,13 @@ constexpr Section sections[] = {
     {-0.1260, 0.0066, 0.0052, -0.0054}, {-0.1310, 0.0050, 0.0040, -0.0042},
 };
 constexpr int stepsBetween = 4, sidesAround = 56;
-constexpr double squareness = 2.5; ///< of a section: 2 is an ellipse
+constexpr double squareness = 2.5; ///< exponent of a section's superellipse; 2 is an ellipse
 
 constexpr double padMiddleZ = -0.048, padRadius = 0.0190, padMiddleRadius = 0.0062, padGap = 0.0007;
 constexpr double padBottom = 0.0130, padTop = 0.0166;
 constexpr double menuZ = -0.0830, menuRadius = 0.0046;
-/// Section of the thumbstick across y, from the hollow for the thumb in its cap to its foot in the body; metres.
+/// Cross-section of the thumbstick at a height y, from the hollow for the thumb in its cap to its foot in the body;
+/// metres.
 struct StickSection
 {
     double height, radius;
@@ -50,10 +51,10 @@ constexpr double triggerWay = 16 * pi / 180;
 
 double between(double a, double b, double c, double d, double t)
 {
-    return b + 0.5 * t * (c - a + t * (2 * a - 5 * b + 4 * c - d + t * (3 * (b - c) + d - a))); // Catmull-Rom
+    return b + 0.5 * t * (c - a + t * (2 * a - 5 * b + 4 * c - d + t * (3 * (b - c) + d - a))); // Catmull-Rom spline
 }
 
-/// Between section i and the next.
+/// Returns the section between section i and the next one at t, 0 to 1.
 Section sectionAt(std::size_t i, double t)
 {
     const auto at = [&](int offset) -> const Section& {
@@ -88,13 +89,14 @@ SolidBuilder body()
     return solid;
 }
 
-/// About the pad's middle; turn 0 points to the tip, and counter-clockwise seen from above.
+/// Returns a point at a radius from the pad's middle, metres. A turn of 0 points to the tip; turns are in radians,
+/// counter-clockwise as seen from above.
 core::Vec3 onPad(double radius, double turn)
 {
     return {-radius * std::sin(turn), 0, padMiddleZ - radius * std::cos(turn)};
 }
 
-/// A quarter of the pad but for the middle, a gap on each side.
+/// Returns a quarter of the pad without its middle, with a gap on each side.
 SolidBuilder padSide(double turn)
 {
     constexpr int steps = 14;
@@ -203,7 +205,7 @@ Eigen::Affine3d stickTurn(const Eigen::Vector2d& push)
 {
     const core::Vec3 foot(0, std::rbegin(stickSections)->height, padMiddleZ);
     const double share = std::min(1.0, push.norm());
-    const core::Vec3 axis = core::Vec3(-push.y(), 0, -push.x()).normalized(); // zero stays zero
+    const core::Vec3 axis = core::Vec3(-push.y(), 0, -push.x()).normalized(); // normalized() leaves zero unchanged
     return Eigen::Translation3d(foot) * Eigen::AngleAxisd(stickWay * share, share > 0 ? axis : core::Vec3::UnitX()) *
            Eigen::Translation3d(-foot);
 }

@@ -6,7 +6,7 @@ namespace vr
 {
 namespace
 {
-constexpr float glow = 1.2F; ///< of a bead: it shines
+constexpr float glow = 1.2F; ///< factor of a coloured bead's brightness, above 1 so that it shines
 
 const core::Shading bodyLook{
     .tint = {0.052F, 0.055F, 0.062F}, .wrap = 0.25F, .gloss = 0.20F, .sharpness = 26, .rim = 0.30F};

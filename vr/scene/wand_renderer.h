@@ -7,14 +7,14 @@
 
 namespace vr
 {
-/// Draws wands, shaded as the mesh is. The context that was current at create() must be current at every call.
+/// Draws wands with the shader of the mesh. Precondition: the context of create() is current at every call.
 class WandRenderer
 {
 public:
     void create(QOpenGLExtraFunctions* gl, DrawCallTimer* clock);
     void destroy();
 
-    /// `program` is in use for that eye.
+    /// Draws a wand. Precondition: `program` is in use for this eye.
     void draw(const EyeUniforms& eye, const MeshProgram& program, const ShownWand& wand);
 
 private:
