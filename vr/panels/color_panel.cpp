@@ -7,7 +7,7 @@ namespace vr
 namespace
 {
 constexpr double colorWidth = 760, colorNameWidth = 136, colorValueWidth = 96, swatchHeight = 84, ownSwatchWidth = 220;
-constexpr double colorDistance = 0.5; ///< metres, as with the tools
+constexpr double colorDistance = 0.5; ///< metres from which the panel is read, the same as for the tools
 constexpr int swatchColumns = 6;
 constexpr std::array channels{&core::Rgb::r, &core::Rgb::g, &core::Rgb::b};
 constexpr std::array sliders{PanelSlider::Red, PanelSlider::Green, PanelSlider::Blue};

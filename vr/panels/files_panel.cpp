@@ -11,7 +11,7 @@ namespace
 {
 constexpr double filesWidth = 980, tileHeight = 224, buttonHeight = 92, statusHeight = 84, arrowWidth = 84,
                  pageWidth = 120, openWidth = 316, titleWidth = 340, groupGap = 8;
-constexpr double filesDistance = 0.6; ///< metres: at arm's length
+constexpr double filesDistance = 0.6; ///< metres from which the panel is read: arm's length
 } // namespace
 
 bool FileTile::operator==(const FileTile& other) const
@@ -40,7 +40,7 @@ FilesPanel FilesPanel::after(const PanelAction& action) const
     return panel;
 }
 
-/// What was chosen may be gone from the folder since.
+/// Returns whether the chosen file can be opened. It may have disappeared from the folder since it was chosen.
 bool FilesPanel::canOpen() const
 {
     return !isBusy &&

@@ -16,13 +16,13 @@ namespace vr
 {
 namespace
 {
-constexpr double padding = 14;     ///< within a button
-constexpr double uprightIcon = 66; ///< of a button with its text below the icon
+constexpr double padding = 14;     ///< space within a button around its contents, dmm
+constexpr double uprightIcon = 66; ///< size of an icon that has its text below it, dmm
 constexpr double ringWidth = 5, ringGap = 9;
 constexpr double barHeight = 26, colorBarHeight = 46, knobHeight = 58;
 constexpr double switchWidth = 104, switchHeight = 52;
-constexpr double nameHeight = 46;    ///< of a tile's name
-constexpr int fullCircle = 360 * 16; ///< in Qt's sixteenths of a degree
+constexpr double nameHeight = 46;    ///< height of a tile's name, dmm
+constexpr int fullCircle = 360 * 16; ///< full circle in Qt's unit, sixteenths of a degree
 
 QColor colorOf(TextRole role)
 {
@@ -100,7 +100,7 @@ void ItemPainter::operator()(const ButtonLook& look) const
         paintAside(look);
 }
 
-/// The text below the icon.
+/// Paints the icon and the text below it.
 void ItemPainter::paintUpright(const ButtonLook& look) const
 {
     const QRectF inside = m_area.adjusted(padding / 3, padding, -padding / 3, -padding);
@@ -111,7 +111,7 @@ void ItemPainter::paintUpright(const ButtonLook& look) const
                theme::text);
 }
 
-/// The icon with its ring, and the text at its right; both in the middle.
+/// Paints the icon with its ring, and the text to its right. The whole is centred.
 void ItemPainter::paintAside(const ButtonLook& look) const
 {
     const QRectF inside = box(m_area, padding);
@@ -224,7 +224,7 @@ void ItemPainter::paintOutline(const QColor& color) const
     m_painter.drawRoundedRect(box(m_area, theme::outline / 2), theme::itemCorner, theme::itemCorner);
 }
 
-/// Each line's capitals stand in the middle of its share of the height.
+/// Paints lines of text. The capitals of each line are centred vertically in the line's share of the height.
 void ItemPainter::paintLines(const FittedText& text, const QRectF& area, Qt::Alignment alignment,
                              const QColor& color) const
 {
@@ -249,7 +249,7 @@ void ItemPainter::paintIcon(const QString& name, const QRectF& area) const
     m_painter.drawImage(area, iconPicture(name, theme::text, static_cast<int>(std::lround(pixels))));
 }
 
-/// It fills clockwise from the top.
+/// Paints the ring of a held item. It fills clockwise from the top.
 void ItemPainter::paintRing(const QRectF& icon) const
 {
     const QRectF ring = box(icon, -ringGap);

@@ -12,9 +12,9 @@ struct ItemState
     bool isHovered = false;
     bool isPressed = false;
     bool mustHold = false;
-    double held = 0; ///< of the time that it must be held, 0 to 1
+    double held = 0; ///< fraction of the time that the item must be held, 0 to 1
 };
 
-/// Within the item's area. The painter's unit is the dmm.
+/// Paints an item within its area. The painter's unit is the dmm (panel_layout.h).
 void paintItem(QPainter& painter, const PanelItem& item, const ItemState& state);
 } // namespace vr

@@ -11,11 +11,12 @@ namespace vr
 namespace
 {
 constexpr double lessonWidth = 940, wayHeight = 92, leafWidth = 84, countWidth = 120, markSign = 52, noteHeight = 44;
-constexpr double lessonDistance = 0.6; ///< metres: at arm's length
-constexpr double wrapShare = 0.95; ///< of the width: painted in dots, letters are a little wider or narrower than here
+constexpr double lessonDistance = 0.6; ///< metres from which the panel is read: arm's length
+/// Fraction of the width that is used: painted letters may be a little wider than measured here.
+constexpr double wrapShare = 0.95;
 constexpr int linesPerPage = 7, maxMarks = 4;
 
-/// In lines of one size, which all pages have.
+/// Wraps the text at the normal size, so that the letters of all pages have the same height.
 FittedText wrappedText(const QString& text, double width)
 {
     return fitted(text, width, {.height = theme::bodyHeight, .minHeight = theme::bodyHeight, .lines = 10'000});
@@ -57,7 +58,8 @@ void LessonPanel::addText(PanelBuilder& builder) const
     builder.add(places[3], {{.icon = QStringLiteral("next")}, ShowLessonPage{shown + 1}, shown + 1 < pages});
 }
 
-/// A sign and the text's weight: colour alone says nothing. Of many marks those that are still to be met.
+/// Adds the requirements of the step. A sign and the weight of the text show which are met, because colour alone is not
+/// enough. If there are too many, those not met are shown first.
 void LessonPanel::addMarks(PanelBuilder& builder) const
 {
     QList<LessonMark> shownMarks = marks;

@@ -10,13 +10,14 @@ namespace vr
 {
 namespace
 {
-constexpr double noticeWidth = 700; ///< of its text
+constexpr double noticeWidth = 700; ///< largest width of the text, dmm
 constexpr int noticeLines = 6;
-constexpr double noticeDistance = 0.5;               ///< metres: before the clay, which must not hide it; it passes
+/// Metres from which it is read: before the clay, which must not hide it.
+constexpr double noticeDistance = 0.5;
 constexpr double fadeIn = 0.15, fadeOut = 0.6;       ///< seconds
-constexpr double toBeSeen = 1, minReadingTime = 1.5; ///< seconds: eyes are elsewhere when it comes
+constexpr double toBeSeen = 1, minReadingTime = 1.5; ///< seconds: the user needs time to notice it
 constexpr double perLetter = 0.06,
-                 perHanLetter = 0.2; ///< seconds of a slow reader; the latter stands for a word or half of one
+                 perHanLetter = 0.2; ///< seconds that a slow reader needs; a Han letter is a word or half of one
 
 double readingTime(const QString& text)
 {

@@ -23,9 +23,9 @@ enum class PanelCommand {
     RestoreModel, ///< as it was when it was opened
     InvertMask,
     ClearMask,
-    SaveModel, ///< under a new number
+    SaveModel, ///< saves under a new number
     Recentre,
-    LevelModel, ///< its Y axis becomes vertical
+    LevelModel, ///< turns the model until its Y axis is vertical
     LeaveVr
 };
 
@@ -42,7 +42,7 @@ struct ChooseSymmetry
     bool operator==(const ChooseSymmetry&) const = default;
 };
 
-/// The next stroke adds a ball, or the stamp's model.
+/// Makes the next stroke add a ball, or the stamp's model.
 struct AddNext
 {
     bool isOn = true;
@@ -51,7 +51,7 @@ struct AddNext
 
 struct ChooseRadial
 {
-    int count = 1; ///< of sectors; 1: none
+    int count = 1; ///< number of sectors; 1: no radial symmetry
     bool operator==(const ChooseRadial&) const = default;
 };
 
@@ -69,26 +69,26 @@ struct ChooseColor
 
 struct ShowPage
 {
-    int page = 0; ///< of the files
+    int page = 0; ///< page of the files panel
     bool operator==(const ShowPage&) const = default;
 };
 
-/// Of a step's text.
+/// Turns to a page of the text of a lesson's step.
 struct ShowLessonPage
 {
     int page = 0;
     bool operator==(const ShowLessonPage&) const = default;
 };
 
-/// What a pupil can request of a lesson.
+/// Requests of a pupil in a lesson.
 enum class LessonRequest {
-    Play,  ///< or pause
-    TryIt, ///< what was done in the step is taken back
+    Play,  ///< plays or pauses the teacher's strokes
+    TryIt, ///< takes back what was done in the step
     Back,
     Next
 };
 
-/// To be opened, perhaps.
+/// Selects a file, which may then be opened.
 struct ChooseFile
 {
     QString path;
@@ -98,11 +98,11 @@ struct ChooseFile
 struct OpenFile
 {
     QString path;
-    bool discardsChanges = false; ///< the item said so, and must be held
+    bool discardsChanges = false; ///< the item warned of that and had to be held
     bool operator==(const OpenFile&) const = default;
 };
 
-/// The hand that sculpts.
+/// Chooses the hand that sculpts.
 struct ChooseHand
 {
     Side sculpting = Side::Right;
@@ -115,7 +115,7 @@ struct ShowPerformance
     bool operator==(const ShowPerformance&) const = default;
 };
 
-/// The grid on the ground.
+/// Shows or hides the grid on the floor.
 struct ShowFloor
 {
     bool isShown = true;
@@ -123,12 +123,12 @@ struct ShowFloor
 };
 
 enum class PanelSlider {
-    Red, ///< 0 to 255, whole, as the next two; in the order of channels
+    Red, ///< this and the next two: whole numbers of 0 to 255, in the order of channels
     Green,
     Blue,
-    Height,    ///< metres that the model stands higher
+    Height,    ///< metres that the model is raised
     TurnSpeed, ///< degrees a second
-    Contact,   ///< 0 to 1, as the others; in the order of Sensation
+    Contact,   ///< this and all following: levels of 0 to 1, in the order of Sensation
     Texture,
     Fusion,
     Refusal,
@@ -143,13 +143,13 @@ struct Slide
     bool operator==(const Slide&) const = default;
 };
 
-/// What a person wants by an item of a panel.
+/// A request of the user by an item of a panel.
 using PanelAction =
     std::variant<PanelCommand, core::Tool, core::BrushShape, core::Topology, ButtonPreset, SettingsPage, ShowPanel,
                  AddNext, ChooseSymmetry, ChooseRadial, ChooseChannel, ChooseColor, ShowPage, ChooseFile, OpenFile,
                  ChooseHand, ShowPerformance, ShowFloor, Slide, ShowLessonPage, LessonRequest>;
 
-/// Returns whether both are of one item: a slider asks for one value after the other.
+/// Returns whether both actions belong to the same item. A slider has an action for each of its values.
 inline bool isSameItem(const PanelAction& a, const PanelAction& b)
 {
     const auto *slideA = std::get_if<Slide>(&a), *slideB = std::get_if<Slide>(&b);

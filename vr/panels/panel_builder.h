@@ -7,7 +7,7 @@
 
 namespace vr
 {
-/// One of several, of which one is chosen.
+/// One of several alternatives, of which one is chosen.
 struct PanelChoice
 {
     QString text;
@@ -19,7 +19,7 @@ struct PanelChoice
 struct SliderRow
 {
     QString name;
-    QString value; ///< as text
+    QString value; ///< the value as text
     SliderLook look;
     Slide slide;
 };
@@ -36,16 +36,16 @@ struct PanelTitle
 {
     QString text;
     QString note{};
-    double textWidth = 0; ///< of the text if there is a note
+    double textWidth = 0; ///< width of `text` if there is a note, dmm
 };
 
-/// Puts a panel together row by row, from the top. All rows are as wide as the panel but for its margins.
+/// Builds a panel row by row from the top. Every row is as wide as the panel without its margins.
 class PanelBuilder
 {
 public:
     explicit PanelBuilder(PanelKind kind, double width, double distance);
 
-    /// The panel ends below its last row.
+    /// Returns the panel, which ends below its last row.
     PanelLayout finished() const;
 
     QRectF nextRow(double height);
@@ -57,12 +57,12 @@ public:
     void add(const QRectF& area, const PanelButton& button);
     void add(const PanelItem& item) { m_layout.items.push_back(item); }
 
-    /// A note at its right, and after that buttons with icons.
+    /// Adds the title with its note on the right, and after these the buttons, which have icons.
     void addTitle(const PanelTitle& title, const std::vector<PanelButton>& buttons = {});
-    /// A name, and after `nameWidth` what may be chosen; without a name, all the row.
+    /// Adds a name of width `nameWidth`, and the alternatives to its right. Without a name they fill the row.
     void addChoice(const QString& name, double nameWidth, const std::vector<PanelChoice>& choices);
     void addChoice(const QRectF& row, const std::vector<PanelChoice>& choices);
-    /// A name, and after `nameWidth` the switch.
+    /// Adds a name of width `nameWidth`, and the switch to its right.
     void addSwitch(const QString& name, double nameWidth, const SwitchLook& look, const PanelAction& action);
     void addSlider(const SliderRow& row, double nameWidth);
 
@@ -71,7 +71,8 @@ private:
     double m_y;
 };
 
-/// Side by side, with the gap between them. A width of 0 is the rest, shared evenly among those.
+/// Divides a row into cells side by side with theme::gap between them. Cells of width 0 share the remaining width
+/// evenly.
 std::vector<QRectF> cells(const QRectF& row, const std::vector<double>& widths);
 std::vector<QRectF> evenCells(const QRectF& row, std::size_t count);
 } // namespace vr

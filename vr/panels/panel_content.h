@@ -14,9 +14,9 @@ namespace vr
 {
 class PanelBuilder;
 
-// What panels show: values. Equal values have equal pictures, in one language.
+// Contents of the panels, as values. Equal values have equal pictures in the same language.
 
-/// At the hand that does not sculpt.
+/// Content of the tool menu, which is at the hand that does not sculpt.
 struct ToolPanel
 {
     Q_DECLARE_TR_FUNCTIONS(vr::ToolPanel)
@@ -26,11 +26,11 @@ public:
     core::BrushShape brush = core::BrushShape::Sphere;
     core::Topology topology = core::Topology::Adaptive;
     bool isSymmetric = false;
-    int radial = 1;         ///< sectors
-    bool isInverse = false; ///< strokes do the opposite
+    int radial = 1;         ///< number of sectors
+    bool isInverse = false; ///< strokes use the opposite of the tool
     bool addsNext = false;  ///< the next stroke adds a ball
     bool canUndo = false, canRedo = false;
-    bool canChange = true; ///< the model as a whole: restore it, or change its mask
+    bool canChange = true; ///< the whole model can be changed: it can be restored, or its mask changed
 
     bool operator==(const ToolPanel&) const = default;
     PanelLayout layout() const;
@@ -43,7 +43,7 @@ private:
     void addPanelButtons(PanelBuilder& builder) const;
 };
 
-/// The paint colour by its channels, as in the paper's section 4.1, or from a swatch.
+/// Content of the colour panel. The paint colour is set by channels, as in the paper's section 4.1, or by a swatch.
 struct ColorPanel
 {
     Q_DECLARE_TR_FUNCTIONS(vr::ColorPanel)
@@ -52,7 +52,7 @@ public:
     static constexpr int maxSwatches = 12;
 
     core::Rgb color;
-    int channel = 0;           ///< that the thumb sets: 0 red, 1 green, 2 blue
+    int channel = 0;           ///< channel that the thumb changes: 0 red, 1 green, 2 blue
     QList<core::Rgb> swatches; ///< the first maxSwatches are shown
 
     bool operator==(const ColorPanel&) const = default;
@@ -64,16 +64,16 @@ private:
 
 struct FileTile
 {
-    QString path;          ///< tells tiles apart
-    QString name;          ///< as people know it
+    QString path;          ///< identifies the tile
+    QString name;          ///< name for display
     QImage picture;        ///< null: not made yet
-    bool isBroken = false; ///< it cannot be read
+    bool isBroken = false; ///< the file cannot be read
 
-    /// The same picture, not an equal one.
+    /// Compares pictures by identity, not by their pixels.
     bool operator==(const FileTile& other) const;
 };
 
-/// Models of a folder to open, and Save.
+/// Content of the files panel: the models of a folder, which can be opened, and Save.
 struct FilesPanel
 {
     Q_DECLARE_TR_FUNCTIONS(vr::FilesPanel)
@@ -81,18 +81,18 @@ struct FilesPanel
 public:
     static constexpr int columns = 3, tilesPerPage = 2 * columns;
 
-    QString folder; ///< its name, for people
+    QString folder; ///< name of the folder, for display
     QList<FileTile> files;
     int page = 0;
-    QString chosen;                 ///< a path
-    bool hasUnsavedChanges = false; ///< which opening would lose
-    bool isBusy = false;            ///< saving or opening
-    QString saved;                  ///< what Save wrote last, for people
+    QString chosen;                 ///< path of the chosen file
+    bool hasUnsavedChanges = false; ///< opening another file would lose changes
+    bool isBusy = false;            ///< a model is being saved or opened
+    QString saved;                  ///< name that Save used last, for display
 
     bool operator==(const FilesPanel&) const = default;
     PanelLayout layout() const;
     int pageCount() const;
-    /// After ShowPage or ChooseFile; others leave it as it is.
+    /// Returns the panel after ShowPage or ChooseFile. Other actions change nothing.
     FilesPanel after(const PanelAction& action) const;
 
 private:
@@ -130,21 +130,21 @@ private:
     void addHaptics(PanelBuilder& builder) const;
 };
 
-/// Numbers, from time to time.
+/// Content of the performance panel: numbers that are updated from time to time.
 struct PerformancePanel
 {
     Q_DECLARE_TR_FUNCTIONS(vr::PerformancePanel)
 
 public:
-    // Medians over frames, in milliseconds of the headset's thread; the phases and their sum without draw calls.
-    std::array<double, framePhaseCount> cpuMs{}; ///< by FramePhase
+    // Medians over frames of the headset thread's CPU time, milliseconds. Phases and their sum are without draw calls.
+    std::array<double, framePhaseCount> cpuMs{}; ///< indexed by FramePhase
     double totalMs = 0;
     double drawCallMs = 0;
-    int framesPerSecond = 0; ///< that were shown
+    int framesPerSecond = 0; ///< number of frames shown per second
     std::uint64_t dropped = 0;
 
-    /// Of the last second. `timings`: the oldest first. Takes some microseconds; numbers that are to be read change a
-    /// few times a second.
+    /// Returns the numbers of the last second. `timings`: the oldest first. To be called a few times a second, because
+    /// numbers that change faster cannot be read. Cost: some microseconds.
     static PerformancePanel of(const std::vector<FrameTiming>& timings, std::uint64_t droppedFrames);
 
     bool operator==(const PerformancePanel&) const = default;
@@ -154,7 +154,7 @@ private:
     static QString nameOf(FramePhase phase);
 };
 
-/// One thing that a lesson's step asks for.
+/// One requirement of a lesson's step.
 struct LessonMark
 {
     QString text;
@@ -163,20 +163,20 @@ struct LessonMark
     bool operator==(const LessonMark&) const = default;
 };
 
-/// A step of the lesson that is open in the window. A text that is too long for the panel has pages: no letter is
-/// smaller than another panel's.
+/// Content of the lesson panel: a step of the lesson that is open in the window. A text that is too long for the panel
+/// has pages, because its letters must not be smaller than those of other panels.
 struct LessonPanel
 {
     Q_DECLARE_TR_FUNCTIONS(vr::LessonPanel)
 
 public:
     QString lesson, title, text;
-    int step = 0; ///< from 0; `steps`: the page after the last
+    int step = 0; ///< from 0; equal to `steps`: the page after the last step
     int steps = 1;
     QList<LessonMark> marks;
-    bool canPlay = false; ///< the teacher has strokes for it
+    bool canPlay = false; ///< the teacher has strokes for this step
     bool isPlaying = false;
-    int page = 0; ///< of the text; beyond the last it is the last
+    int page = 0; ///< page of the text; a number beyond the last page means the last page
 
     bool operator==(const LessonPanel&) const = default;
     PanelLayout layout() const;
@@ -188,7 +188,7 @@ private:
     void addButtons(PanelBuilder& builder) const;
 };
 
-/// One sentence.
+/// Content of the notice panel: one sentence.
 struct NoticePanel
 {
     QString text;
@@ -196,11 +196,12 @@ struct NoticePanel
     bool operator==(const NoticePanel&) const = default;
     PanelLayout layout() const;
 };
-/// Of a notice that was shown so many seconds ago: 0 before and after its time, which is long enough to read it.
+/// Returns the opacity of a notice that appeared `age` seconds ago. The opacity is 0 before and after the notice's
+/// time, which is long enough to read it.
 double noticeOpacity(const NoticePanel& notice, double age);
 
 using PanelContent =
-    /// By PanelKind.
+    /// Alternatives are in the order of PanelKind.
     std::variant<ToolPanel, ColorPanel, FilesPanel, SettingsPanel, PerformancePanel, NoticePanel, LessonPanel>;
 
 PanelKind kindOf(const PanelContent& content);

@@ -2,13 +2,13 @@
 
 #include <QFile>
 #include <QImageReader>
-#include <QtCore/QBuffer> // Qt3D has one of that name, too
+#include <QtCore/QBuffer> // Qt3D has a header <QBuffer> too
 
 namespace vr
 {
 namespace
 {
-/// The colour in the files that stands for the text's.
+/// Colour in the files that is replaced by the text's colour.
 constexpr char inkInFile[] = "#000000";
 } // namespace
 

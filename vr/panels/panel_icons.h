@@ -5,6 +5,7 @@
 
 namespace vr
 {
-/// The drawing :/icons/<name>.svg in that colour, `pixels` wide and high; null if there is none. Any thread.
+/// Returns the drawing :/icons/<name>.svg in the colour `ink`, `pixels` wide and high; null if there is no such file.
+/// Thread: any.
 QImage iconPicture(const QString& name, const QColor& ink, int pixels);
 } // namespace vr

@@ -10,25 +10,25 @@
 
 namespace vr
 {
-/// A panel as it was painted, and what is where on that picture.
+/// A painted panel, with the layout of the items on the picture.
 struct PanelImage
 {
     std::shared_ptr<const PanelLayout> layout;
-    QImage image; ///< premultiplied
+    QImage image; ///< premultiplied alpha
 };
 
-/// Paints panels on a thread of its own, each when what it shows has changed. show() and take() belong to one thread,
-/// which they never let wait: they cost a comparison and a copy of values.
+/// Paints panels on a thread of its own, each when its content has changed. Thread: show() and take() are called on one
+/// thread and never block it. Cost of each call: a comparison and a copy of values.
 class PanelImages
 {
 public:
     PanelImages();
     ~PanelImages();
 
-    /// What the panel of that kind shows from now on. May be called each frame; if the painter is just taking what was
-    /// asked, this is not heard, and the next call is.
+    /// Sets the content of a panel from now on. May be called each frame. A call is ignored if the painter is just
+    /// using the requests; the next call succeeds.
     void show(const PanelContent& content, const PanelTouches& touches = {});
-    /// The newest, once.
+    /// Returns the newest picture of a panel; none if it was taken already.
     std::optional<PanelImage> take(PanelKind kind);
 
 private:
@@ -44,12 +44,12 @@ private:
     bool hasWork() const;
     void paintAll(const PaintRequests& requests);
 
-    PaintRequests m_requested; ///< last; the caller's own
-    std::mutex m_mutex;        ///< of the next three
+    PaintRequests m_requested; ///< last request for each panel; used only by the calling thread
+    std::mutex m_mutex;        ///< guards the next three members
     PaintRequests m_pending;
     std::array<std::optional<PanelImage>, panelKindCount> m_ready;
     bool m_isStopping = false;
     std::condition_variable m_wake;
-    std::thread m_thread; ///< last: it uses the others
+    std::thread m_thread; ///< declared last, because the thread uses the other members
 };
 } // namespace vr

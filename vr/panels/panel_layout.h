@@ -14,8 +14,9 @@
 
 namespace vr
 {
-// Lengths on panels are in dmm, millimetres as seen from one metre: what is 60 dmm high is 3.44 degrees high from
-// wherever the panel is meant to be read. x to the right, y down, from the panel's upper left corner.
+// Lengths on panels are in dmm: millimetres as seen from a distance of one metre. An item of 60 dmm is 3.44 degrees
+// high at the distance from which its panel is meant to be read. x is to the right, y down, from the panel's upper left
+// corner.
 
 enum class TextRole { Title, Body, Faint, Number };
 
@@ -27,14 +28,14 @@ struct TextLook
     int lines = 1;
 };
 
-/// The icon :/icons/<name>.svg, a text, or both.
+/// A button with the icon :/icons/<name>.svg, a text, or both.
 struct ButtonLook
 {
     QString text{};
     QString icon{};
     bool isChosen = false;
-    bool isUpright = false; ///< the text below the icon
-    bool isFlat = false;    ///< no ground of its own unless it is chosen or pointed at
+    bool isUpright = false; ///< the text is below the icon
+    bool isFlat = false;    ///< no background unless the button is chosen or pointed at
 };
 
 /// A switch that is on or off, and its text.
@@ -47,8 +48,8 @@ struct SwitchLook
 struct SliderLook
 {
     double min = 0, max = 1, step = 0.01;
-    double origin = 0;      ///< the bar grows from there
-    QColor first{}, last{}; ///< what the ends stand for; invalid: a plain bar
+    double origin = 0;      ///< value at which the filled bar begins
+    QColor first{}, last{}; ///< colours of the least and the greatest value; invalid: a plain bar
     bool isChosen = false;
 };
 
@@ -58,11 +59,11 @@ struct SwatchLook
     bool isChosen = false;
 };
 
-/// A model as a picture with its name.
+/// A model's picture with its name.
 struct TileLook
 {
     QString name;
-    QImage picture; ///< null: the icon
+    QImage picture; ///< null: the icon is shown
     QString icon;
     bool isChosen = false;
 };
@@ -73,43 +74,44 @@ struct WellLook
 
 using ItemLook = std::variant<TextLook, ButtonLook, SwitchLook, SliderLook, SwatchLook, TileLook, WellLook>;
 
-/// Its look stays within its area. An item that acts overlaps no other such item.
+/// A part of a panel. Its look is drawn within its area. Items that act do not overlap each other.
 struct PanelItem
 {
     QRectF area;
     ItemLook look;
-    std::optional<PanelAction> action{}; ///< of a slider: sets its present value
+    std::optional<PanelAction> action{}; ///< action; that of a slider sets its present value
     bool isEnabled = true;
-    bool mustHold = false; ///< acts when it has been pressed for holdSeconds
+    bool mustHold = false; ///< the item acts when it has been pressed for holdSeconds
 
     bool isSlider() const { return std::holds_alternative<SliderLook>(look); }
     bool isInteractive() const { return action && isEnabled; }
 };
 
-/// What is where on a panel, for painting and pointing both.
+/// The items of a panel and their places, used for both painting and pointing.
 struct PanelLayout
 {
     PanelKind kind = PanelKind::Notice;
     QSizeF size;                  ///< dmm
-    double distance = 0.6;        ///< metres from which it is to be read
-    std::vector<PanelItem> items; ///< what comes later lies above
+    double distance = 0.6;        ///< distance from which the panel is meant to be read, metres
+    std::vector<PanelItem> items; ///< later items are drawn above earlier ones
 
-    /// Width and height in the room.
+    /// Returns the width and height in the room, metres.
     Eigen::Vector2d metres() const;
-    /// `point`: metres from the panel's middle, x to the right, y up.
+    /// Returns a point in the panel's coordinates, dmm. `point`: metres from the panel's middle, x to the right, y up.
     QPointF toPanel(const Eigen::Vector2d& point) const;
     bool contains(const Eigen::Vector2d& point) const;
 
-    /// Null if no interactive item is there.
+    /// Returns the interactive item at a point; null if there is none.
     const PanelItem* itemAt(const Eigen::Vector2d& point) const;
     const PanelItem* itemFor(const PanelAction& action) const;
-    /// What a press there wants.
+    /// Returns the action of a press at a point; none if no interactive item is there.
     std::optional<PanelAction> hit(const Eigen::Vector2d& point) const;
 };
 
-/// Where the middle of a slider's knob can be, from its least value to its most.
+/// Returns the line on which the middle of a slider's knob moves, from the least value to the greatest.
 QLineF sliderTrack(const QRectF& area);
 double sliderShare(const SliderLook& look, double value);
-/// Precondition: the item is interactive. A slider's value follows the point's x and stays in its range.
+/// Returns the action of a press at a point. A slider's value follows the point's x and stays in its range.
+/// Precondition: the item is interactive.
 PanelAction actionAt(const PanelItem& item, const QPointF& point);
 } // namespace vr

@@ -11,9 +11,10 @@ namespace vr
 namespace
 {
 constexpr double degree = std::numbers::pi / 180;
-constexpr double noticeHeights[] = {-0.1, -0.3, 0.3, -0.5}; ///< metres below the eyes, the best first
+/// Places of a notice, metres below the eyes, the best first.
+constexpr double noticeHeights[] = {-0.1, -0.3, 0.3, -0.5};
 
-/// Relative to where the user looks; the model is in the middle.
+/// Position of a panel relative to where the user looks; the model is in the middle.
 struct DefaultPosition
 {
     double aside; ///< radians
@@ -23,7 +24,7 @@ struct DefaultPosition
 DefaultPosition defaultPositionOf(PanelKind kind)
 {
     switch (kind) {
-    case PanelKind::Tools: // of one hand: out of the way of Files and Settings
+    case PanelKind::Tools: // used only if no panel is attached to a hand: out of the way of Files and Settings
         return {12 * degree, 0.3};
     case PanelKind::Color:
         return {-12 * degree, 0.3};
@@ -33,16 +34,16 @@ DefaultPosition defaultPositionOf(PanelKind kind)
     case PanelKind::Settings:
         return {-35 * degree, 0.08};
     case PanelKind::Performance:
-        return {0, -0.38}; // above the model: the settings, which switch it on, are beside it
+        return {0, -0.38}; // above the model, because the settings, which switch this panel on, are beside it
     default:
-        return {0, noticeHeights[0]}; // a sentence a little above where the person looks
+        return {0, noticeHeights[0]}; // a little above where the user looks
     }
 }
 
-/// The tools, and what they lead to.
+/// Panels of which only one is open at a time: the tools, and the panels that open from it.
 constexpr PanelKind pages[] = {PanelKind::Tools, PanelKind::Files, PanelKind::Settings};
 
-/// A head at the same place that looks there.
+/// Returns a level head at the same position that looks towards a point.
 Pose lookingAt(const core::Vec3& point, const Pose& head)
 {
     const core::Vec3 way = point - head.position;
@@ -94,7 +95,7 @@ void PanelManager::show(const PanelContent& content, float opacity)
     m_images.show(content, touches);
 }
 
-/// One in a frame: a picture is a megabyte or two to upload.
+/// Uploads at most one picture in a frame: a picture has a megabyte or two.
 void PanelManager::takePicture()
 {
     for (std::size_t i = 0; i < panelKindCount; ++i) {
@@ -145,7 +146,7 @@ Pose PanelManager::placeOf(PanelKind kind, const Sight& sight) const
     return placeOnOpening(kind, sight, *place.placed.layout, place.pose ? std::nullopt : place.replaced);
 }
 
-/// Finds where it hides no other panel: a little above where the user looks, or higher, or below.
+/// Returns a place where the notice hides no other panel: a little above where the user looks, or higher, or below.
 Pose PanelManager::placeOfNotice(const Sight& sight) const
 {
     const PanelLayout& layout = *at(PanelKind::Notice).placed.layout;

@@ -7,53 +7,56 @@
 
 namespace vr
 {
-/// The panels of a visit: which are open, where they stand, what is seen of them, and what two wands do at them. The
-/// headset's thread; panels are painted on another (PanelImages), and appear when they are.
+/// The panels of a visit: which are open, where they are, what they show, and what the two wands do at them. Panels are
+/// painted on another thread (PanelImages) and appear when they are ready. Thread: the headset's.
 class PanelManager
 {
 public:
-    /// The context that was current at create() must be current at show(), list() and destroy().
+    /// Precondition: the context of create() is current at place() and destroy().
     void create(QOpenGLExtraFunctions* gl);
     void destroy();
 
-    /// A panel that opens is placed anew where the person looks, unless it goes with a hand. Of the tools and what they
-    /// lead to, files and settings, one is open at a time: the next one takes its place, where the person looks.
+    /// Opens or closes a panel. A panel that opens is placed where the user looks, unless it is attached to a hand. Of
+    /// Tools, Files and Settings only one is open at a time: a new one appears in the direction of the one that it
+    /// replaces.
     void open(PanelKind kind, bool isOpen = true);
     bool isOpen(PanelKind kind) const { return at(kind).isOpen; }
-    /// Room space has changed: all are placed again.
+    /// Makes all panels be placed again, because room space has changed.
     void resetPlacement();
 
-    /// For each open panel, each frame. `opacity`: 0 to 1; one of 0 is not there.
+    /// Sets the content of an open panel. To be called each frame. `opacity`: 0 to 1; at 0 the panel is absent.
     void show(const PanelContent& content, float opacity = 1);
 
-    /// Once a frame, before wands point. Room space.
+    /// Input of place(), which is called once a frame before aim(). Units: room space.
     struct Sight
     {
         Pose head;
-        std::array<std::optional<Pose>, sideCount> grips; ///< by Side; none: the hand is not seen
-        Side sculpting = Side::Right;                     ///< has the colours, the other the tools
-        core::Sphere model;                               ///< which panels keep out of
-        bool isOneHanded = false;                         ///< no panel goes with a hand
+        std::array<std::optional<Pose>, sideCount> grips; ///< indexed by Side; none: the hand is not tracked
+        Side sculpting = Side::Right;                     ///< hand with the colour panel; the other hand has the tools
+        /// Ball that panels stay out of; it must not hide them either.
+        core::Sphere model;
+        bool isOneHanded = false; ///< no panel is attached to a hand
     };
     void place(const Sight& sight);
-    /// Returns where a panel that goes with no hand is placed when it opens, perhaps in another's place. Pure.
+    /// Returns the pose at which a panel opens that is attached to no hand. `replaced`: pose of the panel that it
+    /// replaces.
     static Pose placeOnOpening(PanelKind kind, const Sight& sight, const PanelLayout& layout,
                                const std::optional<Pose>& replaced = {});
 
-    /// Returns what a slider, a held item or a poke asks for. Call once per frame and hand, before press() and
-    /// release(). No aim: the wand is lost. A hand cannot point at a panel that it carries.
+    /// Returns the action of a slider, a held item or a poke. To be called once per frame and hand, before press() and
+    /// release(). `aim`: none if the wand is lost. A hand cannot point at a panel that it carries.
     std::optional<PanelAction> aim(Side side, const std::optional<PanelPointer::Aim>& aim, double time);
-    /// The hand is about something else than what it points at.
+    /// Ignores what the hand points at, because the hand is doing something else.
     void lookAway(Side side) { pointer(side).lookAway(); }
-    /// Where that hand points.
+    /// Returns the point of a panel at which a hand points.
     const std::optional<PanelPointer::Spot>& spot(Side side) const { return pointer(side).spot(); }
     std::optional<PanelAction> press(Side side) { return pointer(side).press(); }
     std::optional<PanelAction> release(Side side, bool isClick) { return pointer(side).release(isClick); }
 
-    /// Panels at which wands may point.
+    /// Returns the panels at which wands may point.
     std::vector<PanelTarget> targets() const;
 
-    /// What is seen: into `panels`, in place of what that held.
+    /// Replaces the contents of `panels` by the visible panels.
     void list(std::vector<Panel>& panels) const;
 
 private:
@@ -61,8 +64,8 @@ private:
     {
         bool isOpen = false;
         std::optional<Pose> pose;
-        std::optional<Pose> replaced; ///< of the panel whose place it takes
-        PlacedPanel placed;           ///< its layout is null until it was painted
+        std::optional<Pose> replaced; ///< pose of the panel that this one replaces
+        PlacedPanel placed;           ///< its layout is null until the panel was painted
         Texture picture;
         float opacity = 1;
     };
@@ -78,11 +81,11 @@ private:
     void takePicture();
 
     PanelImages m_images;
-    std::array<Place, panelKindCount> m_places;     ///< by PanelKind
-    std::array<PanelPointer, sideCount> m_pointers; ///< by Side
-    std::vector<PlacedPanel> m_targets;             ///< of aim()
+    std::array<Place, panelKindCount> m_places;     ///< indexed by PanelKind
+    std::array<PanelPointer, sideCount> m_pointers; ///< indexed by Side
+    std::vector<PlacedPanel> m_targets;             ///< panels at which the wand of the last aim() may point
     Side m_sculpting = Side::Right;
     bool m_isOneHanded = false;
-    std::size_t m_turn = 0; ///< whose picture is looked for first
+    std::size_t m_turn = 0; ///< kind of panel whose picture is looked for first
 };
 } // namespace vr

@@ -4,22 +4,23 @@
 
 namespace vr
 {
-/// What a wand does at an item.
+/// What a wand does at an item of a panel.
 struct PanelTouch
 {
-    PanelAction item; ///< any action of it
+    PanelAction item; ///< any action of the item
     bool isPressed = false;
-    double held = 0; ///< the share of the time that it must be held, 0 to 1
+    double held = 0; ///< fraction of the time that the item must be held, 0 to 1
 
     bool operator==(const PanelTouch&) const = default;
 };
 
-/// By Side.
+/// Indexed by Side.
 using PanelTouches = std::array<std::optional<PanelTouch>, sideCount>;
 
-/// So many pixels to a dmm are about as many as the best headsets have.
+/// Pixels per dmm, about as many as the best headsets have.
 inline constexpr double panelSharpness = 1.2;
 
-/// The panel, premultiplied, with transparent corners. Any thread; takes some milliseconds.
+/// Returns the picture of a panel, with premultiplied alpha and transparent corners. Thread: any. Cost: some
+/// milliseconds.
 QImage paint(const PanelLayout& layout, const PanelTouches& touches = {}, double pixelsPerDmm = panelSharpness);
 } // namespace vr

@@ -10,17 +10,18 @@ namespace
 {
 using core::Vec3;
 
-constexpr double handReach = 0.07; ///< metres from the palm along the wand: where it stands
-constexpr double handClear = 0.06; ///< metres of air between the wand and its lower edge
+constexpr double handReach = 0.07; ///< metres from the palm along the wand to the point above which the panel is
+constexpr double handClear = 0.06; ///< gap between the wand and the panel's lower edge, metres
 constexpr double farthestAtHand =
-    0.65; ///< metres from the eyes: letters are large enough there, however low the hand hangs
-constexpr double farthestReach = 1.3; ///< metres
+    0.65; ///< largest distance from the eyes, metres: letters are readable there, however low the hand is
+constexpr double farthestReach = 1.3; ///< distance from the head at which a panel is out of reach, metres
 constexpr double asideStep = 5 * std::numbers::pi / 180, maxAside = 110 * std::numbers::pi / 180;
 constexpr double maxAsideOfHand = 60 * std::numbers::pi / 180;
-constexpr int halvings = 16; ///< of that: a fiftieth of a millimetre at arm's length
+constexpr int halvings = 16; ///< steps of the bisection of maxAsideOfHand: a fiftieth of a millimetre at arm's length
 constexpr double nothing = 1e-9;
 
-/// Upright as far as it can be: seen from straight above, as the head is.
+/// Returns the pose of a panel that faces the head, as upright as possible. A panel seen from straight above is turned
+/// as the head is.
 Pose facing(const Vec3& middle, const Pose& head)
 {
     const Vec3 z = (head.position - middle).normalized();
@@ -35,7 +36,8 @@ Pose facing(const Vec3& middle, const Pose& head)
     return {Eigen::Quaterniond(axes), middle};
 }
 
-/// Where it looks, in the plan; a head that looks straight up or down looks where its top or its chin points.
+/// Returns the horizontal direction in which the head looks. If it looks straight up or down, the direction of its chin
+/// or of its top is used.
 Vec3 heading(const Pose& head)
 {
     const Vec3 forward = head.forward(), top = head.rotation * Vec3::UnitY();
@@ -61,7 +63,8 @@ double distanceToSegment(const Vec3& point, const Vec3& from, const Vec3& to)
     return (from + t * along - point).norm();
 }
 
-/// Neither in the sphere nor hidden by it: at the corners, the middles of the sides and the middle.
+/// Returns whether the panel is outside the sphere and not hidden by it. Tests its corners, the middles of its sides
+/// and its middle.
 bool isClear(const Pose& panel, const Pose& head, const Eigen::Vector2d& size, const core::Sphere& clear)
 {
     for (const double x : {-0.5, 0.0, 0.5})

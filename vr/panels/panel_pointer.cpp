@@ -8,7 +8,7 @@ namespace vr
 {
 namespace
 {
-constexpr double ringSteps = 24; ///< so many pictures of a ring that fills
+constexpr double ringSteps = 24; ///< number of pictures of a ring that fills
 
 bool isThere(PanelKind kind, std::span<const PlacedPanel> panels)
 {
@@ -58,7 +58,8 @@ void PanelPointer::lookAway()
     m_spot.reset();
 }
 
-/// A press that begins when the tip goes through an item from the front, and ends when it comes back, or leaves aside.
+/// Handles a press by the tip. It begins when the tip goes through an item from the front, and ends when the tip comes
+/// back or leaves sideways.
 std::optional<PanelAction> PanelPointer::poke(const std::optional<Aim>& aim)
 {
     const bool isThrough = aim && m_spot && m_place->point.distance < aim->tip;

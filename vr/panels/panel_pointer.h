@@ -10,53 +10,54 @@
 
 namespace vr
 {
-/// A panel in the room, as it is seen.
+/// A panel as it is placed in the room.
 struct PlacedPanel
 {
     Pose pose;
-    std::shared_ptr<const PanelLayout> layout; ///< never null
+    std::shared_ptr<const PanelLayout> layout; ///< not null when it is passed to PanelPointer::aim()
 };
 
-/// Wand that points at panels and presses their items, by its trigger or by its tip, which is put through an item
-/// and drawn back. Pure: no clock but the frames' own.
+/// A wand that points at panels and presses their items by its trigger or by its tip. The tip presses an item by a
+/// poke: it is put through the item and drawn back. The only clock is the frames' times.
 ///
-/// A press acts when it is let go over the item on which it began. A slider follows it from the first moment on, also
-/// beyond its ends and the panel's edge. An item that must be held acts once, when it has been held for holdSeconds
-/// without leaving it; a FrameClock says how long that is. What began on one panel never acts on another, and a panel
-/// that goes away takes the press with it.
+/// A press acts when it is released over the item on which it began. A slider follows the wand from the beginning of
+/// the press, even beyond the slider's ends and the panel's edge. An item that must be held acts once, when it was held
+/// for holdSeconds without a break; a FrameClock measures the time. A press that began on one panel never acts on
+/// another, and ends when its panel disappears.
 class PanelPointer
 {
 public:
-    /// The nearest panel that it points at, from the front.
+    /// The point at which the wand points, on the nearest panel that it meets from the front.
     struct Spot
     {
         PanelKind kind;
         core::Vec3 point; ///< room space
     };
 
-    /// Pose of a wand.
+    /// The ray of a wand, in room space.
     struct Aim
     {
-        core::Ray ray;       ///< from the palm
-        double tip = 0;      ///< metres from there along the ray
-        bool mayPoke = true; ///< false: the hand does something else
+        core::Ray ray;       ///< from the palm in the direction of aim
+        double tip = 0;      ///< distance from the palm to the tip, metres
+        bool mayPoke = true; ///< false: the hand is busy, so its tip presses nothing
     };
 
-    /// Call once a frame, before press() and release(). Nothing: the wand is lost. `time` in seconds. What a slider, a
-    /// held item or a poke wants.
+    /// Returns the action of a slider, a held item or a poke. To be called once a frame, before press() and release().
+    /// `aim`: none if the wand is lost. Units: `time` in seconds.
     std::optional<PanelAction> aim(const std::optional<Aim>& aim, double time, std::span<const PlacedPanel> panels);
-    /// The hand is about something else than what it points at.
+    /// Ignores what the wand points at, because the hand is doing something else. A press in progress goes on.
     void lookAway();
-    /// As vr::PressPanel and vr::ReleasePanel have it. A press elsewhere than on an item does nothing.
+    /// Begins or ends a press by the trigger (vr::PressPanel, vr::ReleasePanel). A press that is not on an item does
+    /// nothing.
     std::optional<PanelAction> press();
     std::optional<PanelAction> release(bool isClick);
 
     const std::optional<Spot>& spot() const { return m_spot; }
-    /// For its picture; nothing if it does nothing there.
+    /// Returns what the wand does at an item of a panel, for the panel's picture; none if it touches no item.
     std::optional<PanelTouch> touch(PanelKind kind) const;
 
 private:
-    /// On a panel's plane.
+    /// A point on a panel's plane.
     struct Place
     {
         PlacedPanel panel;
@@ -72,7 +73,7 @@ private:
         PanelAction item;
         double time;
         bool isPoke = false;
-        bool isOver = false; ///< what must be held has acted, or was left
+        bool isOver = false; ///< a held item has acted already, or was left
     };
 
     static PressKind kindOf(const PanelItem& item);
@@ -87,10 +88,10 @@ private:
     std::optional<PanelTouch> pressedTouch() const;
 
     FrameClock m_clock;
-    double m_time = 0;            ///< seconds, by the clock
-    std::optional<Place> m_place; ///< where it points; while it presses, on the plane of the panel that it presses
+    double m_time = 0;            ///< sum of frame times by m_clock, seconds
+    std::optional<Place> m_place; ///< where the wand points; during a press, on the plane of the pressed panel
     std::optional<Spot> m_spot;
     std::optional<Press> m_press;
-    std::optional<PanelKind> m_before; ///< the panel that the tip was right before, in the last frame
+    std::optional<PanelKind> m_before; ///< panel that the tip was in front of in the last frame
 };
 } // namespace vr

@@ -2,13 +2,14 @@
 
 #include <QColor>
 
-/// How panels look: dark and calm, so that they neither dazzle nor take the eye from the clay. Lengths in dmm
+/// Appearance of panels: dark and calm, so that they neither dazzle nor distract from the clay. Lengths are in dmm
 /// (panel_layout.h).
 namespace vr::theme
 {
-// 3.45 degrees, and half of that for the smallest text: notes of the field on what is read without effort in a headset.
+// Heights of text: 3.45 degrees for titles, and half of that for the smallest text. Practitioners recommend these
+// heights for reading without effort in a headset.
 inline constexpr double titleHeight = 60.3, bodyHeight = 34, minHeight = 30.2;
-inline constexpr double lineSpacing = 1.22; ///< of a text's height
+inline constexpr double lineSpacing = 1.22; ///< distance between lines, in heights of the text
 
 inline constexpr double margin = 32, gap = 14, corner = 28, itemCorner = 14, outline = 3;
 inline constexpr double titleRow = 84, row = 80;

@@ -13,8 +13,8 @@ namespace vr
 namespace
 {
 constexpr double performanceWidth = 620, lineHeight = 42, numberWidth = 130, performanceTitleWidth = 270;
-constexpr double performanceDistance = 0.6; ///< metres
-constexpr double lastMs = 1000;             ///< is told about
+constexpr double performanceDistance = 0.6; ///< metres from which the panel is read
+constexpr double lastMs = 1000;             ///< duration that the numbers cover, milliseconds
 
 struct Line
 {
@@ -25,10 +25,10 @@ struct Line
 struct Recent
 {
     std::vector<FrameTiming> shown;
-    double ms = 0; ///< from the first frame's begin to the last one's end, as the runtime planned them
+    double ms = 0; ///< planned duration from the first frame's beginning to the last one's end, milliseconds
 };
 
-/// A dropped frame took its time, too.
+/// Returns the shown frames of the last second. The time of dropped frames counts too.
 Recent recent(const std::vector<FrameTiming>& timings)
 {
     Recent found;
@@ -42,7 +42,7 @@ Recent recent(const std::vector<FrameTiming>& timings)
     return found;
 }
 
-/// 0: of none.
+/// Returns the median of the values; 0 if there are none.
 template <typename Value> double median(const std::vector<FrameTiming>& timings, const Value& valueOf)
 {
     std::vector<double> values;

@@ -10,10 +10,10 @@ namespace vr
 namespace
 {
 constexpr double settingsWidth = 940, settingsNameWidth = 300;
-constexpr double settingsDistance = 0.6; ///< metres: at arm's length
+constexpr double settingsDistance = 0.6; ///< metres from which the panel is read: arm's length
 constexpr double raiseStep = 0.02, turnStep = 5, levelStep = 0.05;
 
-/// Within its range; what is no number is its least.
+/// Returns the value clamped to its range; NaN becomes the least value.
 double within(double value, double min, double max)
 {
     return value >= min ? std::min(value, max) : min;

@@ -12,7 +12,7 @@ namespace vr
 {
 namespace
 {
-constexpr double rounding = 1e-6; ///< of room for a whole number of lines
+constexpr double rounding = 1e-6; ///< tolerance of a height that is a whole number of lines
 
 QFont fontOf(double height, QFont::Weight weight)
 {
@@ -23,7 +23,7 @@ QFont fontOf(double height, QFont::Weight weight)
     return font;
 }
 
-/// Broken between words only: a word that is too wide is a line that is too wide.
+/// Breaks the text between words only. A word that is too wide makes its line too wide.
 std::vector<QString> wrapped(const QString& text, const QFont& font, double width)
 {
     QTextLayout layout(text, font);
@@ -45,7 +45,7 @@ double spacingOf(const QFont& font)
     return font.pixelSize() * theme::lineSpacing;
 }
 
-/// One always is.
+/// Returns the largest number of lines, at least 1.
 std::size_t maxLines(const QFont& font, const TextStyle& style)
 {
     return static_cast<std::size_t>(
@@ -61,7 +61,7 @@ double widest(const std::vector<QString>& lines, const QFont& font)
     return width;
 }
 
-/// The last line that may be takes all that follows.
+/// Joins all surplus lines to the last allowed line, and cuts lines that are too wide.
 std::vector<QString> cut(const std::vector<QString>& lines, const QFont& font, double width, const TextStyle& style)
 {
     const QFontMetricsF metrics(font);

@@ -7,13 +7,13 @@
 
 namespace vr
 {
-/// Heights are of the font's em, in whatever unit is painted in.
+/// Style of a text. Heights are those of the font's em, in the painter's unit.
 struct TextStyle
 {
     double height = 40;
-    double minHeight = 36;       ///< it shrinks so far before it is cut
-    int lines = 1;               ///< at most
-    double maxBlockHeight = 1e6; ///< the height that they may take
+    double minHeight = 36;       ///< smallest height to which the text shrinks before it is cut
+    int lines = 1;               ///< largest number of lines
+    double maxBlockHeight = 1e6; ///< largest height of all lines together
     Qt::TextElideMode cut = Qt::ElideRight;
     QFont::Weight weight = QFont::Normal;
 };
@@ -22,12 +22,12 @@ struct FittedText
 {
     QFont font;
     std::vector<QString> lines;
-    double width = 0; ///< of the widest line
+    double width = 0; ///< width of the widest line
 
     double lineSpacing() const;
 };
 
-/// A text that stays in a width and its lines: smaller where needed, in more lines where it may, and cut with an
-/// ellipsis where all that does not help. Any thread.
+/// Returns the text so that it fits into a width and a number of lines. It shrinks if necessary, wraps if it may have
+/// several lines, and is cut with an ellipsis if all that is not enough. Thread: any.
 FittedText fitted(const QString& text, double width, const TextStyle& style);
 } // namespace vr

@@ -10,7 +10,7 @@ constexpr double toolWidth = 1200, toolNameWidth = 210, toolHeight = 124, button
                  toolTitleWidth = 300;
 constexpr double symmetryWidth = 270, radialWidth = 170;
 constexpr double filesButtonWidth = 230, placeButtonWidth = 262, addButtonWidth = 330, leaveButtonWidth = 300;
-constexpr double toolDistance = 0.5; ///< metres; a hand that holds something up to be read
+constexpr double toolDistance = 0.5; ///< metres from which the panel is read: it is held up by a hand
 constexpr std::array<std::size_t, 4> toolsInRow{4, 4, 4, 4};
 
 QString iconOf(core::Tool tool)

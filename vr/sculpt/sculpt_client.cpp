@@ -15,7 +15,7 @@ constexpr double stillPhase = 0.4;
 /// Period of the pulsing light at a pointed place, seconds: it is noticed, but does not flicker.
 constexpr double pulseSeconds = 1.2;
 
-/// Returns a ball around the model, in room space. Panels in front of the user are placed so that they do not hide it.
+/// Returns a ball around the model, in room space. Panels are placed outside it and where it does not hide them.
 core::Sphere modelSphere(const ModelPlacement& placement, const core::Box& box)
 {
     return {placement.middle(), box.isEmpty() ? 0 : placement.lengthToRoom(box.sizes().maxCoeff()) / 2};
