@@ -4,7 +4,7 @@
 
 namespace vr
 {
-/// What a wand does at an item of a panel.
+/// The state of a wand at an item of a panel.
 struct PanelTouch
 {
     PanelAction item; ///< any action of the item

@@ -20,7 +20,7 @@ void checkNames(const Names& names)
     require(!names.localized.empty(), XR_ERROR_LOCALIZED_NAME_INVALID, "the localized name is empty");
 }
 
-/// Among those whose handles are alive.
+/// Fails if one of the names is taken by one of `others`, whose handles are alive.
 template <class Items> void checkUnique(const Names& names, const Items& others)
 {
     for (const auto& other : others) {
@@ -63,7 +63,7 @@ std::vector<XrPath> checkedSubactions(const Paths& paths, const XrActionCreateIn
     return subactions;
 }
 
-/// What would be ignored in silence.
+/// Warns of a binding that would be ignored silently.
 void warnOfLostBinding(Call& call, const Paths& paths, const Action& action, const Source* source)
 {
     if (!source) {

@@ -21,10 +21,10 @@ class ActionSet : public Object
 public:
     std::string name, localizedName;
     std::uint32_t priority = 0;
-    bool isAttached = false;                      ///< to any session: it can no longer change
-    std::vector<std::shared_ptr<Action>> actions; ///< also those whose handle is destroyed
+    bool isAttached = false;                      ///< attached to a session, so that the set can no longer change
+    std::vector<std::shared_ptr<Action>> actions; ///< actions of the set, including those whose handles are destroyed
 };
 
-/// Null, or one that the action was created with; else fails.
+/// Fails unless `subaction` is null or one of the paths that the action was created with.
 void requireSubaction(const Paths& paths, const Action& action, XrPath subaction);
 } // namespace simulator

@@ -8,9 +8,9 @@ struct ActionQuery
 {
     XrAction action = XR_NULL_HANDLE;
     XrPath subaction = XR_NULL_PATH;
-    XrActionType type = XR_ACTION_TYPE_BOOLEAN_INPUT; ///< that it must have
+    XrActionType type = XR_ACTION_TYPE_BOOLEAN_INPUT; ///< type that the action must have
 };
 
-/// Fails unless it is attached to the session, of that type, and has that subaction path.
+/// Returns the action. Fails unless it is attached to the session and has the type and the subaction path of the query.
 const Action& attachedAction(Call& call, const Session& session, const ActionQuery& query);
 } // namespace simulator

@@ -5,7 +5,7 @@
 
 namespace simulator
 {
-/// One call of the client's while it is being answered.
+/// A call by the client while it is being answered.
 class Call
 {
 public:
@@ -15,7 +15,7 @@ public:
         , lock(held)
     {}
 
-    /// Of a handle that is neither stale nor lost.
+    /// Returns the object of a handle. Fails if the handle is stale or the object is lost.
     template <class T, class Handle> T& get(Handle handle)
     {
         const auto object = runtime.handles.get<T>(handle);
@@ -23,22 +23,23 @@ public:
         return *object;
     }
 
-    /// The client broke a rule that no result tells of.
+    /// Logs that the client broke a rule for which no result exists.
     void error(const std::string& text) { runtime.log.error(std::string(name) + ": " + text, where()); }
     void warn(const std::string& text) { runtime.log.warning(std::string(name) + ": " + text, where()); }
-    /// Warns unless the client's context is current here: it may not be elsewhere, and some runtimes rely on it.
+    /// Warns unless the client's context is current on this thread. It may not be current elsewhere, and some runtimes
+    /// rely on it.
     void checkContext(const Session& session);
 
     nlohmann::json where() const;
-    /// One that the call concerns and that is about to be lost.
+    /// Returns whether an object that the call concerns is about to be lost.
     bool isLossPending() const;
 
     const char* const name;
     Runtime& runtime;
     std::unique_lock<std::mutex>& lock;
-    nlohmann::json line = nlohmann::json::object(); ///< for the log
+    nlohmann::json line = nlohmann::json::object(); ///< what the log says about the call
 
 private:
-    std::vector<std::shared_ptr<Object>> m_concerned; ///< kept alive to the end of the call
+    std::vector<std::shared_ptr<Object>> m_concerned; ///< objects that the call concerns, kept alive to its end
 };
 } // namespace simulator

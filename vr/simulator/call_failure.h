@@ -9,11 +9,11 @@
 
 namespace simulator
 {
-/// Thrown to end the call that is being answered.
+/// Thrown to end the present call with an error.
 struct CallFailure
 {
     XrResult result;
-    const char* reason; ///< for the log
+    const char* reason; ///< text for the log
 };
 
 inline void require(bool condition, XrResult otherwise, const char* reason)
@@ -28,7 +28,7 @@ template <class T> T& validated(T* pointer)
     return *pointer;
 }
 
-/// Of a structure that says its own type.
+/// Returns the structure. Fails unless its type is set as expected.
 template <class T> T& validated(T* pointer, XrStructureType type)
 {
     require(validated(pointer).type == type, XR_ERROR_VALIDATION_FAILURE,
@@ -36,7 +36,7 @@ template <class T> T& validated(T* pointer, XrStructureType type)
     return *pointer;
 }
 
-/// What the client offers for the answer of a call in the two-call idiom.
+/// The client's array for the result of a function with the two-call idiom.
 template <class T> struct OutputArray
 {
     std::uint32_t capacity;
@@ -44,7 +44,8 @@ template <class T> struct OutputArray
     T* items;
 };
 
-/// `put(T& to, item)` for each item, if they fit.
+/// Writes the number of items and, unless the capacity is 0, calls put(to, item) for each item. Fails if the items do
+/// not fit.
 template <class T, class Items, class Put> void writeItems(OutputArray<T> output, const Items& items, Put put)
 {
     validated(output.count) = static_cast<std::uint32_t>(std::size(items));
@@ -62,7 +63,7 @@ template <class T, class Items> void writeItems(OutputArray<T> output, const Ite
     writeItems(output, items, [](T& to, const T& item) { to = item; });
 }
 
-/// With its terminating zero.
+/// Writes the text with its terminating zero, in the two-call idiom.
 inline void writeText(OutputArray<char> output, std::string_view text)
 {
     validated(output.count) = static_cast<std::uint32_t>(text.size() + 1);

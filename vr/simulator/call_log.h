@@ -9,23 +9,23 @@
 
 namespace simulator
 {
-/// What the client did: counted here, and written to a file if there is one, an object a line.
+/// A log of what the client did. It is kept in memory, and written to a file if there is one, one JSON object per line.
 class CallLog
 {
 public:
-    /// Begins anew; null: no file.
+    /// Clears the log and opens its file; null: no file.
     void open(const char* path);
 
     void call(const char* name, nlohmann::json line);
-    /// The client broke a rule of the specification.
+    /// Logs that the client broke a rule of the specification.
     void error(const std::string& text, const nlohmann::json& where);
-    /// It broke none, but a headset would show a flaw, or another runtime refuse.
+    /// Logs that the client broke no rule, but that a headset would show a flaw or another runtime would refuse.
     void warning(const std::string& text, const nlohmann::json& where);
     void haptic(const nlohmann::json& pulse);
     void frame(const nlohmann::json& frame);
     void flush();
 
-    /// {"client_errors": [], "client_warnings": [], "haptics": [], "calls": {name: count}, "last_frame": {}}
+    /// Returns {"client_errors": [], "client_warnings": [], "haptics": [], "calls": {name: count}, "last_frame": {}}.
     nlohmann::json report() const;
 
 private:

@@ -5,7 +5,7 @@
 #define XR_USE_GRAPHICS_API_OPENGL
 #include <openxr/openxr_platform.h>
 
-/// What answers each function of OpenXR. They may throw CallFailure.
+/// Implementations of the functions of OpenXR. They may throw CallFailure.
 namespace simulator
 {
 // instance_calls.cpp

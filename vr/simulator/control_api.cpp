@@ -30,7 +30,7 @@ template <class Work> const char* errorOf(Work work)
     }
 }
 
-/// The client has done all that it does after a frame.
+/// Returns whether the client has done everything that it does after a frame.
 bool isAtRest(const Runtime& runtime)
 {
     const bool isRunning = runtime.session && runtime.session->isRunning();

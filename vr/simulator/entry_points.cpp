@@ -1,6 +1,6 @@
-// The doors: the loader asks xrNegotiateLoaderRuntimeInterface() for getInstanceProcAddr(), and that for all else. Each
-// function of OpenXR is an Entry: it takes the mutex, waits while it is frozen, lets a scripted result or the function
-// of calls.h answer, and writes what was asked.
+// Entry points. The loader gets getInstanceProcAddr() from xrNegotiateLoaderRuntimeInterface(), and all other functions
+// from getInstanceProcAddr(). Each function of OpenXR is an Entry. It takes the mutex, waits while it is frozen, gets
+// its answer from a scripted result or from the function of calls.h, and logs the call.
 #include "vr/simulator/calls.h"
 #include "vr/simulator/enum_names.h"
 #include "vr/simulator/loader_interface.h"
@@ -102,7 +102,8 @@ struct Entry<FunctionName, Implementation>
 template <class Function, Name FunctionName, auto Implementation>
 std::pair<std::string_view, PFN_xrVoidFunction> entry()
 {
-    constexpr Function function = &Entry<FunctionName, Implementation>::call; // so that the two agree on the arguments
+    // Makes the compiler check that the arguments agree.
+    constexpr Function function = &Entry<FunctionName, Implementation>::call;
     return {FunctionName.text, reinterpret_cast<PFN_xrVoidFunction>(function)};
 }
 
@@ -175,7 +176,7 @@ const std::map<std::string_view, PFN_xrVoidFunction>& instanceEntries()
     return entries;
 }
 
-/// Functions of an extension.
+/// Entry points of an extension's functions.
 struct ExtensionEntries
 {
     const char* extension;

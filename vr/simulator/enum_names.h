@@ -7,7 +7,8 @@
 
 namespace simulator
 {
-/// The enumerators' own names; without one the specification's stand-in, as XR_UNKNOWN_SUCCESS_77.
+/// Returns the enumerator's own name. A value without a name gets the specification's placeholder, such as
+/// XR_UNKNOWN_SUCCESS_77.
 std::string nameOf(XrResult result);
 std::string nameOf(XrStructureType type);
 std::string nameOf(XrSessionState state);

@@ -15,7 +15,8 @@ struct Triangles
     std::vector<std::uint32_t> indices;
 };
 
-/// The corners of an eye's picture, at the distance of 1: right-angled triangles of that share of its sides.
+/// Returns the corners of an eye's picture at a distance of 1: right-angled triangles whose legs are `share` of its
+/// sides.
 Triangles cornersOf(const XrFovf& fov, double share)
 {
     Triangles corners;

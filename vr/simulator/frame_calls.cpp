@@ -11,7 +11,8 @@ namespace
 using Clock = std::chrono::steady_clock;
 using std::chrono::nanoseconds;
 
-constexpr auto patience = std::chrono::seconds(10); ///< with a client that waits for a frame twice and begins none
+/// Longest wait for a client that waits for a second frame and has not begun the first.
+constexpr auto patience = std::chrono::seconds(10);
 
 bool isGone(const Session& session)
 {
@@ -39,8 +40,8 @@ void waitUntilAllowed(Call& call, Session& session)
         --runtime.framesAllowed;
 }
 
-/// When the next frame's interval begins. Those of a live display follow each other by the clock: a frame that misses
-/// its own is late.
+/// Returns when the next frame's interval begins. The intervals of a live display follow each other by the clock; a
+/// frame that misses its interval is late.
 Clock::time_point nextStart(SimulatedWorld& world, const Session& session)
 {
     const XrDuration period = world.period();
@@ -62,7 +63,7 @@ void waitForDisplay(Call& call, Session& session)
     session.frameStart = start;
 }
 
-/// The display time moves by one period, and by as many more as the frame is late.
+/// Advances the display time by one period, and by one more for each period that the frame is late.
 Frame nextFrame(Runtime& runtime, Session& session)
 {
     SimulatedWorld& world = runtime.world;
@@ -93,7 +94,7 @@ XrResult waitFrame(Call& call, XrSession handle, const XrFrameWaitInfo* info, Xr
     applyScript(runtime, session);
     waitUntilAllowed(call, session);
     waitForDisplay(call, session);
-    requireRunning(call.get<Session>(handle)); // it may have changed meanwhile
+    requireRunning(call.get<Session>(handle)); // the session may have changed during the wait
     const Frame frame = nextFrame(runtime, session);
     session.waited = frame;
     state->predictedDisplayTime = frame.displayTime;

@@ -35,13 +35,13 @@ GLenum targetOf(const TextureForm& form)
     return form.layers > 1 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D;
 }
 
-/// Not by its name: clients have variables of that name.
+/// Returns an OpenGL function found at run time. Linking by name is impossible: clients have variables of that name.
 template <class Function> Function glFunction(const char* name)
 {
     return reinterpret_cast<Function>(glXGetProcAddressARB(reinterpret_cast<const GLubyte*>(name)));
 }
 
-/// Of the texture that is bound.
+/// Allocates the memory of the bound texture.
 void allocate(const TextureForm& form)
 {
     const auto format = static_cast<GLenum>(form.format);
@@ -53,7 +53,7 @@ void allocate(const TextureForm& form)
                                                             form.height);
 }
 
-/// Reads the texture that is bound: 24 bits of each depth in red, green and blue.
+/// Reads the bound depth texture: red, green and blue contain the 24 bits of each depth.
 void readDepth(const TextureForm& form, std::vector<std::uint8_t>& pixels)
 {
     constexpr double deepest = (1 << 24) - 1;
@@ -68,7 +68,7 @@ void readDepth(const TextureForm& form, std::vector<std::uint8_t>& pixels)
     }
 }
 
-/// The part of one layer's pixels, turned upside up.
+/// Returns a part of one layer's pixels, turned so that the top row is first.
 Picture cut(const TexturePart& part, const std::uint8_t* layer)
 {
     Picture picture{part.width, part.height, {}};
@@ -92,7 +92,7 @@ public:
         , m_read(glXGetCurrentReadDrawable())
     {
         if (m_context)
-            glFinish(); // so that we see what it has drawn
+            glFinish(); // the client's drawing must be complete before it is read
         if (!glXMakeContextCurrent(m_ours, None, None, share.m_context))
             throw std::runtime_error("the runtime's own OpenGL context cannot be made current");
     }

@@ -9,23 +9,23 @@
 #include <optional>
 #include <vector>
 
-struct _XDisplay; // what Display, GLXFBConfig and GLXContext stand for, without X's many macros
+struct _XDisplay; // types behind Display, GLXFBConfig and GLXContext, declared here to avoid X's many macros
 struct __GLXFBConfigRec;
 struct __GLXcontextRec;
 struct __GLsync;
 
 namespace simulator
 {
-/// One image of a swapchain, in OpenGL's terms.
+/// Format and size of one image of a swapchain.
 struct TextureForm
 {
-    std::int64_t format = 0; ///< sized, internal
+    std::int64_t format = 0; ///< sized internal format of OpenGL
     int width = 0, height = 0;
     int layers = 1; ///< above 1: a texture array
     int levels = 1;
 };
 
-/// A part of a texture; rows from below.
+/// A rectangle in one layer of a texture; y counts rows from the bottom.
 struct TexturePart
 {
     unsigned int texture = 0;
@@ -34,8 +34,8 @@ struct TexturePart
     int layer = 0;
 };
 
-/// An OpenGL context of our own that shares textures with the client's. Its functions make it current on the calling
-/// thread and then give the thread back what it had.
+/// An OpenGL context of the simulator that shares textures with the client's context. Its functions make it current on
+/// the calling thread, and then restore what was current there.
 class ShareContext
 {
 public:
@@ -46,31 +46,31 @@ public:
         __GLXcontextRec* context = nullptr;
     };
 
-    /// From a structure's next chain.
+    /// Returns the client's OpenGL binding in a structure's next chain; none if there is no such binding.
     static std::optional<Client> find(const void* chain);
 
-    /// Throws std::runtime_error if the client's cannot be shared with.
+    /// Throws std::runtime_error if no context can share textures with the client's.
     explicit ShareContext(const Client& client);
     ~ShareContext();
     ShareContext(const ShareContext&) = delete;
     ShareContext& operator=(const ShareContext&) = delete;
 
-    /// On this thread.
+    /// Returns whether the client's context is current on this thread.
     bool isClientCurrent() const;
 
-    static const std::vector<std::int64_t>& formats(); ///< the preferred first
+    static const std::vector<std::int64_t>& formats(); ///< supported formats of images, the preferred first
     static bool isDepth(std::int64_t format);
 
     std::vector<unsigned int> createTextures(const TextureForm& form, std::size_t count) const;
     void destroyTextures(const std::vector<unsigned int>& textures) const;
 
-    /// Both in the client's context, which is current: what it has drawn so far, and whether all of that is done. The
-    /// mark is used up.
+    /// markDrawing() marks what the client has drawn so far. isDone() returns whether all of that is complete, and
+    /// deletes the mark. Precondition: the client's context is current.
     static __GLsync* markDrawing();
     static bool isDone(__GLsync* mark);
 
-    /// Reads what a viewer would see: a linear format's values encoded as sRGB; depth as a number of 24 bits, red the
-    /// highest.
+    /// Reads what a viewer would see. Values of a linear format are encoded as sRGB. Depth is a number of 24 bits, with
+    /// its highest byte in red.
     Picture read(const TexturePart& part) const;
 
 private:

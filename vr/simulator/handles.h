@@ -10,7 +10,7 @@
 
 namespace simulator
 {
-/// What a handle stands for.
+/// The object that a handle refers to.
 class Object
 {
 public:
@@ -19,12 +19,13 @@ public:
     Object& operator=(const Object&) = delete;
     virtual ~Object() = default;
 
-    std::optional<XrResult> lost; ///< what all calls but destroy answer that concern it or its children
+    /// Result of all calls, except destroying, that concern the object or its children; none: not lost.
+    std::optional<XrResult> lost;
     Object* parent = nullptr;
-    std::uint64_t number = 0; ///< its handle
+    std::uint64_t number = 0; ///< number of its handle
 };
 
-/// All handles that are alive. They are numbers that are never used twice, so that a stale one is found out.
+/// All live handles. Their numbers are never used twice, so that a stale handle is detected.
 class Handles
 {
 public:
@@ -37,7 +38,7 @@ public:
         return std::bit_cast<Handle>(object->number);
     }
 
-    /// Also one that is lost.
+    /// Returns the object of a handle, even if it is lost.
     template <class T, class Handle> std::shared_ptr<T> find(Handle handle) const
     {
         const auto found = m_objects.find(std::bit_cast<std::uint64_t>(handle));
@@ -64,7 +65,7 @@ public:
         return found;
     }
 
-    /// Children first.
+    /// Destroys an object, and before it all its children.
     void destroy(const Object& object)
     {
         const std::uint64_t number = object.number;
@@ -80,7 +81,7 @@ public:
     }
 
 private:
-    std::map<std::uint64_t, std::shared_ptr<Object>> m_objects; ///< children are younger than their parents
+    std::map<std::uint64_t, std::shared_ptr<Object>> m_objects; ///< children have greater numbers than their parents
     std::uint64_t m_next = 1000;
 };
 } // namespace simulator

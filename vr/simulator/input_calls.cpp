@@ -39,7 +39,7 @@ ActionState readState(Call& call, XrSession handle, const XrActionStateGetInfo* 
     return read;
 }
 
-/// Those hands of the set that the client asked for.
+/// Returns the action set and the hands for which the client wants it.
 ActiveSet checkedSet(Call& call, const Session& session, const XrActiveActionSet& asked)
 {
     const auto& set = call.get<ActionSet>(asked.actionSet);
@@ -70,10 +70,10 @@ bool isUserPath(std::string_view path)
            path == "/user/gamepad" || path == "/user/treadmill";
 }
 
-/// "trackpad" of "/user/hand/left/input/trackpad/x", with a capital.
+/// Returns the name of a component with a capital: "Trackpad" for "/user/hand/left/input/trackpad/x".
 std::string componentName(std::string_view path)
 {
-    constexpr std::string_view before = "put/"; // of input and output
+    constexpr std::string_view before = "put/"; // end of "input/" and of "output/"
     const std::size_t start = path.find(before) + before.size();
     std::string name(path.substr(start, path.find('/', start) - start));
     name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));

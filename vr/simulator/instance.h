@@ -14,7 +14,7 @@ namespace simulator
 class Action;
 class ActionSet;
 
-/// What has happened and was not told yet.
+/// A queue of events that the client has not polled yet.
 class Events
 {
 public:
@@ -27,9 +27,10 @@ public:
     }
 
     std::optional<XrEventDataBuffer> take();
-    /// Loses the events that wait, but for a session's states, and the client is told that some were.
+    /// Discards the waiting events, except changes of a session's state. The client gets an event that reports the
+    /// loss.
     void lose();
-    /// Those that tell of it.
+    /// Removes the events about a session.
     void drop(XrSession session);
 
 private:
@@ -47,11 +48,12 @@ class Instance : public Object
 public:
     Paths paths;
     Events events;
-    XrVersion apiVersion = 0;                      ///< the client asked for it
-    std::set<std::string, std::less<>> extensions; ///< that the client enabled
+    XrVersion apiVersion = 0;                      ///< version that the client asked for
+    std::set<std::string, std::less<>> extensions; ///< extensions that the client has enabled
     bool requirementsAsked = false;
-    std::optional<std::int64_t> lostAt;                 ///< frame of the session
-    std::vector<std::shared_ptr<ActionSet>> actionSets; ///< also those whose handles are destroyed: bindings live on
-    std::map<std::string, std::vector<SuggestedBinding>> suggestions; ///< by profile
+    std::optional<std::int64_t> lostAt; ///< frame of the session in which the instance is lost
+    /// Sets of the instance; those whose handles are destroyed are included, because their bindings live on.
+    std::vector<std::shared_ptr<ActionSet>> actionSets;
+    std::map<std::string, std::vector<SuggestedBinding>> suggestions; ///< indexed by profile
 };
 } // namespace simulator

@@ -49,10 +49,10 @@ void checkFov(const XrFovf& fov)
             XR_ERROR_VALIDATION_FAILURE, "an angle of view is out of range");
 }
 
-/// A picture that was drawn from elsewhere than it says swims before the eyes.
+/// Warns if a view was drawn from another pose than xrLocateViews reports: the picture would swim before the eyes.
 void compareWithView(Call& call, const Session& session, const XrCompositionLayerProjection& layer, std::uint32_t eye)
 {
-    constexpr double allowed = 1e-3; // metres, or parts of a quaternion
+    constexpr double allowed = 1e-3; // metres for positions, deviation of the dot product from 1 for quaternions
     const auto& space = call.get<Space>(layer.space);
     const auto located = locateView(call.runtime.world, {space, session.views(), eye, session.begun->displayTime});
     const vr::Pose drawn = fromXr(layer.views[eye].pose);
@@ -62,7 +62,7 @@ void compareWithView(Call& call, const Session& session, const XrCompositionLaye
         call.warn("a view is not where xrLocateViews says it is at the frame's display time");
 }
 
-/// Finds it in a view's chain; null where no depth comes with it.
+/// Returns the depth information in a view's next chain; null if there is none.
 const XrCompositionLayerDepthInfoKHR* depthOf(const XrCompositionLayerProjectionView& view)
 {
     for (auto* it = static_cast<const XrBaseInStructure*>(view.next); it; it = it->next)

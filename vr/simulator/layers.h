@@ -5,13 +5,13 @@
 
 namespace simulator
 {
-/// What a frame shows.
+/// The pictures that a frame shows.
 struct Layers
 {
     struct Shown
     {
-        /// left, right or mono of the first projection layer, and left_depth ... where depth comes with it; quad0,
-        /// quad1 ...
+        /// Name of the picture: left, right or mono for a view of the first projection layer; left_depth, right_depth
+        /// or mono_depth for its depth; quad0, quad1 and so on.
         std::string name;
         TexturePart part;
         bool isQuad = false;
@@ -22,11 +22,11 @@ struct Layers
     nlohmann::json description = nlohmann::json::array();
 };
 
-/// Fails as the specification says.
+/// Returns the layers of a frame. Fails where the specification demands it.
 Layers checkedLayers(Call& call, const Session& session, const XrFrameEndInfo& info);
 
-/// If the script wants this frame's: <folder>/session0_frame0012_left.png and so on.
+/// Writes the pictures of a frame that the script wants, as <folder>/session0_frame0012_left.png and so on.
 void keepPictures(Runtime& runtime, const Session& session, const Frame& frame, const Layers& layers);
-/// If somebody watches: what the left eye sees, or the only one, without the quads.
+/// Stores what the left or only eye sees, without the quads, if a picture was requested by fettle_xr_picture().
 void showPicture(Runtime& runtime, const Session& session, const Layers& layers);
 } // namespace simulator

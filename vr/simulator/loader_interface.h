@@ -5,13 +5,13 @@
 #include <cstddef>
 #include <cstdint>
 
-/// How the loader and a runtime find each other, interface version 1: the specification's chapter "Loader" says it,
-/// Debian's headers lack it.
+/// The interface by which the loader and a runtime find each other, version 1. The specification's chapter "Loader"
+/// defines it; Debian's headers lack it.
 namespace simulator
 {
 enum class LoaderStructure : std::int32_t { LoaderInfo = 1, RuntimeRequest = 3 };
 inline constexpr std::uint32_t loaderInterfaceVersion = 1;
-/// The version of OpenXR that the simulator implements, whatever the headers' own is.
+/// Version of OpenXR that the simulator implements, whatever the version of the headers is.
 inline constexpr XrVersion implementedVersion = XR_MAKE_VERSION(1, 0, 20);
 
 struct LoaderInfo

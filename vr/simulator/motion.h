@@ -24,14 +24,14 @@ inline Eigen::Quaterniond between(const Eigen::Quaterniond& a, const Eigen::Quat
     return a.slerp(part, b);
 }
 
-/// A value as a function of time: still, or on its way evenly to the next.
+/// A value as a function of time: it is constant, or moves evenly to the next value.
 template <class T> class Track
 {
 public:
     struct Segment
     {
         XrTime start = 0;
-        XrDuration duration = 0; ///< 0: it is there at once
+        XrDuration duration = 0; ///< nanoseconds; 0: the value changes at once
         T from, to;
 
         bool isUnderway(XrTime time) const { return time >= start && time < start + duration; }
@@ -39,8 +39,8 @@ public:
 
     explicit Track(const T& value) : m_segments{Segment{0, 0, value, value}} {}
 
-    /// From `start` on; a segment that is underway ends there, and those to come are given up. What was long before is
-    /// forgotten.
+    /// Moves the value from `start` on. A segment in progress ends at `start`, and later segments are removed. Segments
+    /// of long ago are forgotten.
     void moveTo(const T& to, XrTime start, XrDuration duration)
     {
         while (m_segments.size() > 1 && m_segments[1].start < start - memory)
@@ -50,7 +50,7 @@ public:
         m_segments.push_back({start, duration, at(start), to});
     }
 
-    /// The segment of that time, which must not be forgotten yet.
+    /// Returns the segment at a time. Precondition: the segment is not forgotten yet.
     const Segment& segment(XrTime time) const
     {
         const auto after = std::upper_bound(m_segments.begin() + 1, m_segments.end(), time,
@@ -67,12 +67,12 @@ public:
     }
 
 private:
-    static constexpr XrDuration memory = 2'000'000'000; ///< longer than clients ask back
+    static constexpr XrDuration memory = 2'000'000'000; ///< nanoseconds; longer than clients look back
 
-    std::vector<Segment> m_segments; ///< by start, the first from ever
+    std::vector<Segment> m_segments; ///< sorted by start; the first segment is valid for all earlier times too
 };
 
-/// A pose that moves: its position evenly along a line, its rotation evenly about an axis.
+/// A moving pose. Its position moves evenly along a line, its rotation evenly about an axis.
 struct Motion
 {
     Track<core::Vec3> position{core::Vec3::Zero()};
@@ -80,7 +80,7 @@ struct Motion
 
     vr::Pose at(XrTime time) const { return {rotation.at(time), position.at(time)}; }
 
-    /// Metres a second.
+    /// Returns the velocity, metres a second.
     core::Vec3 velocity(XrTime time) const
     {
         const auto& segment = position.segment(time);
@@ -88,7 +88,7 @@ struct Motion
                                         : core::Vec3::Zero();
     }
 
-    /// Radians a second, about an axis of the room.
+    /// Returns the angular velocity about an axis of the room, radians a second.
     core::Vec3 turning(XrTime time) const
     {
         const auto& segment = rotation.segment(time);

@@ -8,18 +8,18 @@
 
 namespace simulator
 {
-/// The paths of one instance and their numbers.
+/// The path strings of one instance and their numbers.
 class Paths
 {
 public:
-    /// Of a well-formed text, else fails.
+    /// Returns the number of a path, which is added if it is new. Fails if the text is not well-formed.
     XrPath number(const std::string& text);
-    /// The number it has already; 0: none.
+    /// Returns the number of a path that was added before; 0: it was not.
     XrPath known(std::string_view text) const;
     const std::string& text(XrPath path) const;
 
     static bool isWellFormed(std::string_view path);
-    /// What may stand between two slashes, and as an action's name.
+    /// Returns whether the name may be used between two slashes of a path, and as the name of an action.
     static bool isLevel(std::string_view name);
 
 private:

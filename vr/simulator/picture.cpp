@@ -1,5 +1,5 @@
-// PNG (ISO/IEC 15948): a signature, then chunks of length, name, bytes and their check; the pixels are one zlib stream,
-// each row preceded by the number of its filter, here always none.
+// PNG (ISO/IEC 15948) is a signature followed by chunks of length, name, bytes and checksum. The pixels are one zlib
+// stream. Each row begins with the number of its filter, here always 0 for none.
 #include "vr/simulator/picture.h"
 
 #include <QByteArray>
@@ -25,7 +25,7 @@ constexpr std::array<quint32, 256> checkTable = [] {
     return table;
 }();
 
-/// CRC-32 of ISO 3309, as PNG wants it.
+/// Returns the CRC-32 of ISO 3309, which PNG requires.
 quint32 check(const QByteArray& bytes)
 {
     quint32 sum = ~0U;
@@ -49,7 +49,7 @@ QByteArray chunk(const char* name, const QByteArray& bytes)
 QByteArray header(const Picture& picture)
 {
     constexpr char form[] = {8, 6, 0, 0,
-                             0}; // bits, red green blue alpha, and the only compression, filters and order there are
+                             0}; // bit depth, colour type RGBA, methods of compression, filtering and interlacing
     return bigEndian(static_cast<quint32>(picture.width)) + bigEndian(static_cast<quint32>(picture.height)) +
            QByteArray(form, sizeof form);
 }
@@ -63,7 +63,7 @@ QByteArray pixels(const Picture& picture)
         rows.append('\0');
         rows.append(reinterpret_cast<const char*>(picture.rgba.data()) + y * row, row);
     }
-    constexpr qsizetype ownLength = 4; // before the zlib stream, Qt's
+    constexpr qsizetype ownLength = 4; // qCompress() puts the length before the zlib stream
     return qCompress(rows, fastCompression).mid(ownLength);
 }
 } // namespace

@@ -6,13 +6,13 @@
 
 namespace simulator
 {
-/// 8 bits of red, green, blue and alpha a pixel, the top row first; sRGB.
+/// An sRGB picture of 8 bits each of red, green, blue and alpha per pixel, the top row first.
 struct Picture
 {
     int width = 0, height = 0;
     std::vector<std::uint8_t> rgba;
 };
 
-/// As PNG. Throws std::runtime_error if it cannot be written.
+/// Writes the picture as a PNG file. Throws std::runtime_error if that is impossible.
 void writePng(const Picture& picture, const std::string& path);
 } // namespace simulator

@@ -8,7 +8,7 @@ enum class Where { Both, Left, Right };
 
 struct Component
 {
-    std::string_view path; ///< without the hand
+    std::string_view path; ///< path below that of the hand
     Source::Kind kind;
     Input input = Input::Trigger;
     Where where = Where::Both;
@@ -20,7 +20,8 @@ namespace
 using Kind = Source::Kind;
 constexpr double clickOfTrigger = 0.8;
 constexpr double touchOfTrigger = 0.01;
-constexpr double never = 2; ///< the system button is the runtime's own: it may be bound, and is never pressed
+/// Threshold of the system button, which no value reaches: the button may be bound, but the runtime keeps it.
+constexpr double never = 2;
 
 constexpr Component gripPose{"/input/grip/pose", Kind::Grip};
 constexpr Component aimPose{"/input/aim/pose", Kind::Aim};
@@ -158,7 +159,7 @@ constexpr Profile known[] = {
     {"/interaction_profiles/microsoft/xbox_controller", "Xbox Controller", {}, gamepad},
 };
 
-/// A path of the whole, cut after the hand.
+/// A full path, cut after the hand.
 struct HandPath
 {
     Hand hand;
@@ -179,7 +180,7 @@ bool isOn(const Component& component, Hand hand)
     return component.where == Where::Both || (component.where == Where::Left) == (hand == Hand::Left);
 }
 
-/// "/input/trigger" of "/input/trigger/value"
+/// Returns the parent of a path: "/input/trigger" for "/input/trigger/value".
 std::string_view parentOf(std::string_view path)
 {
     const std::string_view parent = path.substr(0, path.rfind('/'));
@@ -193,7 +194,7 @@ const Component* find(const Profile& profile, Hand hand, std::string_view path)
     return found == profile.components.end() ? nullptr : &*found;
 }
 
-/// Of a parent's children the first of these.
+/// Returns the first of these children that the parent has; null if it has none.
 const Component* childOf(const Profile& profile, const HandPath& parent, std::initializer_list<std::string_view> names)
 {
     for (const std::string_view name : names) {

@@ -14,10 +14,10 @@ namespace simulator
 enum class Hand { Left, Right };
 inline constexpr std::array hands{Hand::Left, Hand::Right};
 
-/// "/user/hand/left"
+/// Returns the path of a hand, such as "/user/hand/left".
 std::string_view userPath(Hand hand);
 
-/// What a script can set of one wand: 0 to 1, of pads and sticks -1 to 1.
+/// The inputs of a wand that a script can set. Values are 0 to 1, for pads and sticks -1 to 1.
 enum class Input {
     Trigger,
     Squeeze,
@@ -34,36 +34,38 @@ enum class Input {
 };
 inline constexpr std::size_t inputCount = 12;
 
-/// The way from an action to what it reads or moves.
+/// An input or output of a wand to which an action is bound.
 struct Source
 {
     enum class Kind { Boolean, Float, Vector, Grip, Aim, Haptic };
 
-    std::string path; ///< "/user/hand/left/input/trigger/value"
+    std::string path; ///< full path, such as "/user/hand/left/input/trigger/value"
     Hand hand = Hand::Left;
     Kind kind = Kind::Boolean;
-    Input x = Input::Trigger; ///< a vector's x, another's only value
-    Input y = Input::Trigger; ///< a vector's
-    double threshold = 0.5;   ///< from where on it counts as pressed
+    Input x = Input::Trigger; ///< input of a vector's x, or the only input of another kind
+    Input y = Input::Trigger; ///< input of a vector's y
+    double threshold = 0.5;   ///< value from which the input counts as pressed
 };
 
 struct Component;
 
-/// A kind of wand, as the specification's interaction profiles list it.
+/// A kind of wand: an interaction profile of the specification.
 struct Profile
 {
     std::string_view path;
-    std::string_view name; ///< for people
+    std::string_view name; ///< name for display
     std::span<const Component> components;
-    std::span<const std::string_view> unread = {}; ///< whole paths that may be bound, of what nobody holds in a hand
+    /// Full paths that may be bound but are never read, because no hand holds the device.
+    std::span<const std::string_view> unread = {};
 };
 
 std::span<const Profile> profiles();
 const Profile* profileAt(std::string_view path);
 
-/// Whether the profile has that input or output, or the parent of some inputs.
+/// Returns whether the profile has an input or output of this path, or inputs below it.
 bool hasPath(const Profile& profile, std::string_view path);
 
-/// What an action of that type reads at that path, which the profile has; none if the value cannot be converted.
+/// Returns what an action of this type reads at a path; none if the value cannot be converted. Precondition: the
+/// profile has the path.
 std::optional<Source> sourceAt(const Profile& profile, std::string_view path, XrActionType type);
 } // namespace simulator

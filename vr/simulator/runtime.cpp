@@ -25,7 +25,8 @@ std::string contents(const char* path)
 
 Runtime& Runtime::get()
 {
-    static Runtime& runtime = *new Runtime; // never deleted: what it holds of a client's display may be gone at the end
+    // Never deleted: at the end of the process the client's display, which it uses, may be gone.
+    static Runtime& runtime = *new Runtime;
     return runtime;
 }
 

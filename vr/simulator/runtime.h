@@ -15,17 +15,17 @@ namespace simulator
 class Instance;
 class Session;
 
-/// A move of the origin of a reference space: of the floor, or of the middle of the room.
+/// A move of the origin of a reference space.
 struct Recentring
 {
     XrReferenceSpaceType space = XR_REFERENCE_SPACE_TYPE_LOCAL;
-    vr::Pose origin;        ///< the new one, in the room
+    vr::Pose origin;        ///< new origin in the room
     std::int64_t after = 0; ///< frames from the event to the change
 };
 
-/// The state of the simulated runtime, one object in a process. It stays when the loader unloads the library, so that a
-/// client can connect again. `mutex` guards it: every call into the runtime and every command of the control holds it,
-/// except while it waits.
+/// The state of the simulated runtime, one object in a process. It survives when the loader unloads the library, so
+/// that a client can connect again. `mutex` guards it: every call into the runtime and every function of control_api.h
+/// holds the mutex, except while it waits.
 class Runtime
 {
 public:
@@ -36,25 +36,25 @@ public:
     void load(const std::string& script);
     /// Loads the script that the environment names, unless a script was loaded. Throws std::exception.
     void loadOnce();
-    /// Applies the changes of a step at the next frame's time, and notifies those that wait.
+    /// Applies the changes of a step at the next frame's time, and wakes all waiting calls.
     void apply(const ScriptStep& step);
 
     /// Returns the number that the session's next frame will have; 0 without a session.
     std::int64_t nextFrame() const;
     /// Moves the origin of a reference space, and sends the session the event.
     void recentre(const Recentring& recentring);
-    /// Hides that share of the pictures' sides at their corners, and sends the session the events.
+    /// Hides a fraction of the pictures' sides at their corners, and sends the session the events.
     void hide(double share);
-    /// Announces the loss of the session after so many frames.
+    /// Announces that the session will be lost after `afterFrames` frames.
     void loseSession(std::int64_t afterFrames);
-    /// Announces the loss of the instance after so many frames.
+    /// Announces that the instance will be lost after `afterFrames` frames.
     void loseInstance(std::int64_t afterFrames);
-    /// Loses session and instance if their announced frame has come.
+    /// Loses the session and the instance if their announced frame has come.
     void loseIfDue();
     /// Asks the client to end the session.
     void exitSession();
 
-    /// Returns the log and the present state.
+    /// Returns the log and the present state as JSON.
     nlohmann::json report() const;
 
     std::mutex mutex;
@@ -63,16 +63,16 @@ public:
     Script script;
     CallLog log;
     Handles handles;
-    std::shared_ptr<Instance> instance; ///< one at a time
-    std::shared_ptr<Session> session;   ///< one at a time
+    std::shared_ptr<Instance> instance; ///< the only instance; null: none
+    std::shared_ptr<Session> session;   ///< the only session; null: none
     std::int64_t sessionsMade = 0;
     std::int64_t framesEnded = 0;   ///< since the process began
-    std::int64_t framesAllowed = 0; ///< with pace Stepped
-    bool isClientWaiting = false;   ///< it waits for a frame to be allowed
-    bool isClientFrozen = false;    ///< it is in a call that does not return
-    std::string pictureFolder;      ///< where pictures of frames are kept; empty: nowhere
-    bool isPictureWanted = false;   ///< the next frame is to be kept in `picture`
-    std::optional<Picture> picture; ///< of the newest frame that was wanted
+    std::int64_t framesAllowed = 0; ///< with pace Stepped: frames that the client may still wait for
+    bool isClientWaiting = false;   ///< with pace Stepped: the client waits until a frame is allowed
+    bool isClientFrozen = false;    ///< the client is in a call that does not return
+    std::string pictureFolder;      ///< folder for pictures of frames; empty: no pictures are kept
+    bool isPictureWanted = false;   ///< the next frame's picture is to be stored in `picture`
+    std::optional<Picture> picture; ///< newest picture that was wanted
 
 private:
     Runtime() = default;

@@ -8,8 +8,9 @@
 
 namespace simulator
 {
-/// What happens by itself: {"start": step, "steps": [step with "frame" and perhaps "session", ...]}. Sessions are
-/// counted from 0, a session's frames from 0 at its first xrWaitFrame; a step without "session" is of the first.
+/// Changes at given frames: {"start": step, "steps": [step with "frame" and perhaps "session", ...]}. Sessions count
+/// from 0, and a session's frames from 0 at its first xrWaitFrame. A step without "session" belongs to the first
+/// session.
 class Script
 {
 public:
@@ -20,11 +21,11 @@ public:
         friend auto operator<=>(const Moment&, const Moment&) = default;
     };
 
-    /// Throws std::exception that says what is not understood.
+    /// Throws std::exception that names the part that is not understood.
     static Script parse(const std::string& json);
 
     const ScriptStep& start() const { return m_start; }
-    /// Null: nothing happens then.
+    /// Returns the step of a moment; null: none.
     const ScriptStep* at(const Moment& moment) const;
 
 private:

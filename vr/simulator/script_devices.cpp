@@ -40,7 +40,7 @@ struct NamedInput
 {
     std::string_view key;
     Input first;
-    bool isPair = false; ///< the next one is its y
+    bool isPair = false; ///< `first` is the x of a pair; the next Input is its y
 };
 
 constexpr NamedInput namedInputs[] = {

@@ -5,10 +5,10 @@
 
 namespace simulator
 {
-/// A movement takes that many frames; 0: it is there at once.
+/// Number of frames that a movement takes; 0: it happens at once.
 using Over = std::int64_t;
 
-/// What a step says of the head, and of a wand. These throw as readStep().
+/// Returns the changes that a step makes to the head, or to a wand. Throws as readStep().
 Change headChange(const nlohmann::json& value, Over over);
 Change wandChange(const nlohmann::json& value, Over over, Hand hand);
 } // namespace simulator

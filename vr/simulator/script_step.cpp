@@ -158,7 +158,7 @@ Change exitChange(const json& value, Over)
     };
 }
 
-/// true: the next frame; else those.
+/// Keeps pictures of the listed frames. The value true means the next frame.
 Change keepChange(const json& value, Over)
 {
     std::vector<std::int64_t> frames;

@@ -11,10 +11,11 @@ namespace simulator
 {
 class Runtime;
 
-/// What a script changes at one moment. Movements begin at `start`.
+/// A change that a script makes at one moment. Movements begin at `start`.
 using Change = std::function<void(Runtime&, XrTime start)>;
 using ScriptStep = std::vector<Change>;
 
-/// Throws std::runtime_error that says what is not understood. The vocabulary is in control_api.h.
+/// Reads a step in the vocabulary of control_api.h. Throws std::runtime_error that names the part that is not
+/// understood.
 ScriptStep readStep(const nlohmann::json& json);
 } // namespace simulator

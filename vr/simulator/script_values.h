@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-/// The values that a script is written with. All of these throw std::runtime_error with what is wrong.
+/// Readers of the values in a script. All throw std::runtime_error that says what is wrong.
 namespace simulator
 {
 inline constexpr double radiansPerDegree = 3.14159265358979323846 / 180;
@@ -20,14 +20,16 @@ bool readBool(const nlohmann::json& value);
 std::string readText(const nlohmann::json& value);
 std::int64_t readCount(const nlohmann::json& value);
 double readPositive(const nlohmann::json& value);
-/// A number, or false and true for 0 and 1.
+/// Reads a number; false and true count as 0 and 1.
 double readAmount(const nlohmann::json& value);
 std::vector<double> readNumbers(const nlohmann::json& value, std::size_t count);
 core::Vec3 readVector(const nlohmann::json& value);
-/// Key "rotation": [x, y, z, w]; "yaw_pitch_roll": degrees, about Y (left is positive), then X (up), then Z.
+/// Reads a rotation. Key "rotation": quaternion [x, y, z, w]. Key "yaw_pitch_roll": degrees about Y (left is positive),
+/// then X (up), then Z.
 Eigen::Quaterniond readRotation(const std::string& key, const nlohmann::json& value);
 vr::Pose readPose(const nlohmann::json& value);
-/// true, false, "rotation" for nothing but that and a guess, or "no_position" for nothing but that.
+/// Reads the quality of tracking: true, false, "rotation" (the position is a guess) or "no_position" (only the rotation
+/// is known).
 Tracking readTracking(const nlohmann::json& value);
 
 template <class Choice> Choice readOneOf(const nlohmann::json& value, const std::map<std::string, Choice>& choices)

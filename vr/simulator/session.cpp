@@ -62,7 +62,7 @@ XrSessionState Session::highestState() const
     return m_runtime.world.hasFocus ? XR_SESSION_STATE_FOCUSED : XR_SESSION_STATE_VISIBLE;
 }
 
-// The enumerators from READY to FOCUSED are neighbours.
+// States are stepped by arithmetic: the enumerators from READY to FOCUSED are consecutive.
 void Session::updateState()
 {
     if (m_state == XR_SESSION_STATE_IDLE && m_exitRequested)

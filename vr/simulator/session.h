@@ -12,12 +12,12 @@ class Runtime;
 
 struct Frame
 {
-    std::int64_t number = 0; ///< since the session was made
+    std::int64_t number = 0; ///< number of the frame since the session was made
     XrTime displayTime = 0;
 };
 
-/// A session and its way through the specification's states. It goes up one state with each frame that ends, and down
-/// at once.
+/// A session and its state, as the specification defines it. The state rises by one with each frame that ends, and
+/// falls at once.
 class Session : public Object
 {
 public:
@@ -29,12 +29,13 @@ public:
     bool isFocused() const { return m_state == XR_SESSION_STATE_FOCUSED; }
     bool isShown() const { return m_state == XR_SESSION_STATE_VISIBLE || isFocused(); }
 
-    /// Once it has its handle.
+    /// Enters the first states. To be called when the session has its handle.
     void open();
     void begin(XrViewConfigurationType views);
     void end();
     void requestExit();
-    /// Lowers the state to the highest that the world allows, or makes the session ready again.
+    /// Lowers the state to the highest that the world allows. An idle session becomes ready, or exits if that was
+    /// requested.
     void updateState();
     /// Raises the state by one, if the world allows it.
     void raiseState();
@@ -44,11 +45,12 @@ public:
     XrViewConfigurationType views() const { return m_views; }
     Instance& instance() const;
 
-    std::int64_t index = 0; ///< among the sessions of this process
+    std::int64_t index = 0; ///< number of this session among those of the process
     std::int64_t nextFrame = 0;
-    std::optional<Frame> waited, begun;               ///< and not yet begun, and not yet ended
-    std::chrono::steady_clock::time_point frameStart; ///< of the last interval
-    std::optional<std::int64_t> lostAt;               ///< frame
+    /// Waited: frame that is not begun yet; begun: frame that is not ended yet.
+    std::optional<Frame> waited, begun;
+    std::chrono::steady_clock::time_point frameStart; ///< beginning of the last frame's interval
+    std::optional<std::int64_t> lostAt;               ///< frame in which the session is lost
     SessionInput input;
 
 private:

@@ -1,5 +1,5 @@
-// A sync in steps: which bindings are heard (their set is active, their wand is there, no set of higher priority takes
-// their source), what each action makes of those that it has, and how that differs from the last time.
+// Steps of xrSyncActions: find the active bindings, whose set is active, whose wand is on, and whose source is used by
+// no set of higher priority; combine the bindings of each action; compare the result with the last one.
 #include "vr/simulator/session_input.h"
 
 #include "vr/simulator/instance.h"
@@ -25,7 +25,7 @@ bool isHeard(const SessionInput::Binding& binding, const SimulatedWorld& world, 
            });
 }
 
-/// Parents and children touch each other's values.
+/// Returns whether one path is the other or its parent: such paths share values.
 bool overlap(const std::string& a, const std::string& b)
 {
     const auto contains = [](const std::string& parent, const std::string& child) {
@@ -42,7 +42,7 @@ double reading(const Wand& wand, const Source& source, XrActionType type, XrTime
     return isSwitch ? (isPressed ? 1 : 0) : value;
 }
 
-/// The source that moves most counts, the first pose.
+/// Combines a binding into the action's state. The source with the greatest value counts; of poses the first one.
 void combine(ActionState& state, const SessionInput::Binding& binding, const SimulatedWorld& world)
 {
     const Source& source = binding.source;

@@ -10,24 +10,24 @@ namespace simulator
 {
 struct SuggestedBinding;
 
-/// What an action says, of one subaction path or of all.
+/// The state of an action, for one subaction path or for all.
 struct ActionState
 {
     bool isActive = false;
-    double x = 0, y = 0; ///< a boolean is 0 or 1
+    double x = 0, y = 0; ///< value; a boolean is 0 or 1
     bool isChanged = false;
     XrTime changedAt = 0;
-    std::optional<Source> pose; ///< where a pose comes from
+    std::optional<Source> pose; ///< source of a pose
 };
 
-/// An action set that is to be read, and for which hands.
+/// An action set that xrSyncActions reads, and for which hands.
 struct ActiveSet
 {
     const ActionSet* set = nullptr;
     std::array<bool, hands.size()> isFor{true, true};
 };
 
-/// The action sets of one session, what they are bound to, and what they said at the last xrSyncActions.
+/// The action sets of one session, their bindings, and their states at the last xrSyncActions.
 class SessionInput
 {
 public:
@@ -44,13 +44,14 @@ public:
     bool has(const ActionSet& set) const;
     void attach(std::vector<std::shared_ptr<ActionSet>> sets);
 
-    /// Which profile each hand has now, if the client knows it. True: it is another than before.
+    /// Chooses the profile of each hand, if the client has suggested bindings for it. Returns whether a profile has
+    /// changed.
     bool chooseProfiles(const SimulatedWorld& world, const Suggestions& suggestions);
     const Profile* profile(Hand hand) const { return m_profiles[static_cast<std::size_t>(hand)]; }
     const std::vector<Binding>& bindings() const { return m_bindings; }
 
     void sync(const SimulatedWorld& world, const Paths& paths, const std::vector<ActiveSet>& active);
-    /// All is inactive.
+    /// Makes all actions inactive.
     void deactivate() { m_states.clear(); }
     ActionState state(const Action& action, XrPath subaction) const;
     std::optional<Source> poseSource(const Action& action, XrPath subaction) const

@@ -16,7 +16,7 @@ Motion still(const core::Vec3& position)
 
 SimulatedWorld::SimulatedWorld()
 {
-    constexpr double tilt = -0.6; // radians: a wand held at ease points a little downwards
+    constexpr double tilt = -0.6; // radians: a wand in a relaxed hand points a little downwards
     aim = {Eigen::Quaterniond(Eigen::AngleAxisd(tilt, core::Vec3::UnitX())), core::Vec3(0, -0.01, -0.05)};
     head.motion = still({0, eyeHeight, 0});
     local = still({0, eyeHeight, 0});

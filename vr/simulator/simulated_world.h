@@ -10,16 +10,16 @@
 namespace simulator
 {
 enum class Pace {
-    Real,   ///< a frame lasts as long as the display's
-    Live,   ///< the same, and a client that is slower misses frames: time is the clock's
+    Real,   ///< a frame lasts as long as on a real display
+    Live,   ///< as Real, but the display time is the clock's: a client that is slower misses frames
     Fast,   ///< xrWaitFrame does not wait
-    Stepped ///< xrWaitFrame waits until the control lets a frame go
+    Stepped ///< xrWaitFrame waits until the control allows a frame
 };
 
 enum class Tracking {
     Full,
-    RotationOnly, ///< the position is a guess
-    NoPosition,   ///< not even that
+    RotationOnly, ///< the rotation is known, the position is a guess
+    NoPosition,   ///< only the rotation is known
     None
 };
 
@@ -27,11 +27,11 @@ enum class Views { Stereo, Mono, MonoFirst };
 
 struct Headset
 {
-    int width = 1080, height = 1200; ///< pixels of one eye, recommended
+    int width = 1080, height = 1200; ///< recommended size of one eye's picture, pixels
     double hertz = 90;
-    std::vector<float> otherRates; ///< that the display can have, in hertz
+    std::vector<float> otherRates; ///< other refresh rates of the display, hertz
 
-    /// Everything that it can have.
+    /// Returns all refresh rates that the display can have, hertz.
     std::vector<float> rates() const
     {
         std::vector<float> all = otherRates;
@@ -41,13 +41,13 @@ struct Headset
     }
     Views views = Views::Stereo;
     double eyeDistance = 0.064;               ///< metres
-    XrFovf fov{-0.94F, 0.81F, 0.96F, -0.98F}; ///< of the left eye; the right one's is its mirror image
-    double hiddenShare = 0;                   ///< of a picture's sides, at each corner, which a lens hides
+    XrFovf fov{-0.94F, 0.81F, 0.96F, -0.98F}; ///< angles of the left eye, radians; those of the right eye are mirrored
+    double hiddenShare = 0;                   ///< fraction of a picture's sides that the lens hides at each corner
 };
 
 struct Head
 {
-    Motion motion; ///< between the eyes
+    Motion motion; ///< motion of the point between the eyes
     Tracking tracking = Tracking::Full;
 };
 
@@ -61,46 +61,46 @@ struct Wand
     double value(Input input, XrTime time) const { return inputs[static_cast<std::size_t>(input)].at(time); }
 };
 
-/// Answers a call in the runtime's stead, that many times.
+/// A result that replaces the runtime's own answer to a call.
 struct ScriptedResult
 {
     XrResult result = XR_SUCCESS;
     int times = 1;
-    int after = 0; ///< calls that are answered as ever before it
+    int after = 0; ///< number of calls that the runtime answers normally before
 };
 
-/// All that a script steers. Poses are in the room: metres, Y up, the floor at y = 0.
+/// Everything that a script controls. Poses are in the room: metres, Y up, the floor at y = 0.
 struct SimulatedWorld
 {
     SimulatedWorld();
 
     XrDuration period() const { return static_cast<XrDuration>(1e9 / headset.hertz + 0.5); }
-    /// The display time of the next frame, if it is not late.
+    /// Returns the display time of the next frame if it is not late.
     XrTime next() const { return now + period(); }
 
-    XrTime now = 1'000'000'000; ///< the display time of the frame that was last waited for
-    XrDuration late = 0;        ///< of the next frame
+    XrTime now = 1'000'000'000; ///< display time of the frame last waited for, nanoseconds
+    XrDuration late = 0;        ///< delay of the next frame, nanoseconds
     Pace pace = Pace::Real;
     Headset headset;
 
     bool hasRuntime = true, hasHeadset = true, hasOpenGl = true;
-    bool hasExtensions = true; ///< besides OpenGL's
+    bool hasExtensions = true; ///< extensions other than OpenGL's are offered
     XrVersion leastOpenGl = XR_MAKE_VERSION(3, 3, 0);
     bool isWorn = true, isVisible = true, hasFocus = true, shouldRender = true;
 
     Head head;
     std::array<Wand, hands.size()> wands;
-    vr::Pose aim; ///< where a wand points, as seen from its grip
+    vr::Pose aim; ///< pose of a wand's aim relative to its grip
     std::string profile = "/interaction_profiles/htc/vive_controller";
 
     bool hasStage = true, hasLocalFloor = false;
-    Motion stage, local; ///< origins
+    Motion stage, local; ///< origins of STAGE and LOCAL in the room
     std::optional<XrExtent2Df> bounds = XrExtent2Df{3, 2};
 
-    std::map<std::string, ScriptedResult> scriptedResults; ///< by call
-    std::string frozen;                                    ///< the call that does not return
-    std::set<std::int64_t> keptFrames;                     ///< whose pictures are kept
+    std::map<std::string, ScriptedResult> scriptedResults; ///< indexed by the call's name
+    std::string frozen;                                    ///< name of the call that does not return
+    std::set<std::int64_t> keptFrames;                     ///< frames whose pictures are kept
     int keepEvery = 0;
-    bool watchesDrawing = false; ///< a swapchain that goes while its images are drawn on is an error
+    bool watchesDrawing = false; ///< destroying a swapchain whose images are still drawn on is an error of the client
 };
 } // namespace simulator

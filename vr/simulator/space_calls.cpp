@@ -30,7 +30,7 @@ void requireTime(XrTime time)
     require(time > 0, XR_ERROR_TIME_INVALID, "the time is not positive");
 }
 
-/// Into an XrSpaceVelocity in the chain, if there is one.
+/// Writes the velocity into an XrSpaceVelocity of the chain, if there is one.
 void tellVelocity(void* chain, const SpaceLocation& located)
 {
     for (auto* it = static_cast<XrBaseOutStructure*>(chain); it; it = it->next) {

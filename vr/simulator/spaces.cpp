@@ -21,7 +21,7 @@ SpaceLocation moving(const Motion& motion, Tracking tracking, XrTime time)
 SpaceLocation originAt(const SimulatedWorld& world, XrReferenceSpaceType type, XrTime time)
 {
     const vr::Pose local = world.local.at(time);
-    if (type == localFloor) // below the other's origin
+    if (type == localFloor) // on the floor below the origin of LOCAL
         return {{local.rotation, {local.position.x(), 0, local.position.z()}}};
     switch (type) {
     case XR_REFERENCE_SPACE_TYPE_VIEW:

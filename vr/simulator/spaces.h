@@ -9,7 +9,7 @@ namespace simulator
 {
 class Action;
 
-/// Where something is, in the room or in a space.
+/// Pose and motion of an object, relative to the room or to a space.
 struct SpaceLocation
 {
     vr::Pose pose;
@@ -19,18 +19,18 @@ struct SpaceLocation
 
     bool isValid() const { return tracking != Tracking::None; }
     bool hasPosition() const { return tracking < Tracking::NoPosition; }
-    /// A point that is fixed to it.
+    /// Returns the location of a point that is fixed to this object.
     SpaceLocation with(const vr::Pose& own) const;
-    /// As seen from there, which may move itself.
+    /// Returns the location relative to `base`, which may move too.
     SpaceLocation seenFrom(const SpaceLocation& base) const;
-    /// The bits of XrSpaceLocationFlags, which are those of XrViewStateFlags.
+    /// Returns the bits of XrSpaceLocationFlags, which are also those of XrViewStateFlags.
     XrFlags64 flags() const;
 };
 
 class Space : public Object
 {
 public:
-    /// A pose action and the hand that is asked for; null path: whichever has it.
+    /// A pose action and the hand whose pose is used; null path: any hand that has the action.
     struct OfAction
     {
         std::shared_ptr<Action> action;
@@ -40,7 +40,7 @@ public:
 
     Space(Origin origin, const vr::Pose& offset) : m_origin(std::move(origin)), m_offset(offset) {}
 
-    /// In the room.
+    /// Returns the location in the room.
     SpaceLocation at(const SimulatedWorld& world, XrTime time) const;
     const Origin& origin() const { return m_origin; }
 
@@ -55,14 +55,14 @@ struct ViewQuery
 {
     const Space& space;
     XrViewConfigurationType views;
-    std::uint32_t eye; ///< 0: left, or the only one
+    std::uint32_t eye; ///< 0: the left or the only eye
     XrTime time;
 };
 
-/// In that space.
+/// Returns the location of an eye in the space of the query.
 SpaceLocation locateView(const SimulatedWorld& world, const ViewQuery& query);
 XrFovf fovOf(const Headset& headset, XrViewConfigurationType views, std::uint32_t eye);
 
-/// The pose as far as it is valid; else one that nobody can mistake for one.
+/// Returns the valid parts of the pose. Invalid parts are all 0: a rotation of 0 cannot be mistaken for a rotation.
 XrPosef poseOrNone(const SpaceLocation& located);
 } // namespace simulator

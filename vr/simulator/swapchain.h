@@ -17,15 +17,16 @@ public:
     const TextureForm& form() const { return m_form; }
     const std::vector<unsigned int>& textures() const { return m_textures; }
     unsigned int texture(std::size_t image) const { return m_textures[image]; }
-    /// The image that was released last: what a frame shows.
+    /// Returns the image that was released last, which is what a frame shows.
     const std::optional<std::size_t>& shown() const { return m_shown; }
 
-    /// These fail when they are called out of order.
+    /// Steps of the use of an image. They fail if they are called out of order.
     std::size_t acquire();
     void wait();
     void release();
 
-    /// In the client's context, which is current.
+    /// markDrawing() marks what the client has drawn so far; isDrawn() returns whether that is complete. Precondition:
+    /// the client's context is current.
     void markDrawing();
     bool isDrawn();
 
@@ -36,8 +37,8 @@ private:
     std::vector<unsigned int> m_textures;
     std::size_t m_next = 0;
     std::size_t m_acquiredEver = 0;
-    std::deque<std::size_t> m_acquired; ///< and not yet released, the oldest first
-    bool m_isWaited = false;            ///< the oldest
+    std::deque<std::size_t> m_acquired; ///< images acquired and not yet released, the oldest first
+    bool m_isWaited = false;            ///< the oldest acquired image was waited for
     std::optional<std::size_t> m_shown;
     __GLsync* m_drawing = nullptr;
 };

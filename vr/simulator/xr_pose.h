@@ -19,7 +19,8 @@ inline XrPosef toXr(const vr::Pose& pose)
     return {{q.x(), q.y(), q.z(), q.w()}, toXr(pose.position)};
 }
 
-/// Fails for a rotation that is no unit quaternion within the specification's 1 %.
+/// Converts a pose from OpenXR. Fails if the rotation is no unit quaternion within the specification's 1 %, or if the
+/// position is not finite.
 inline vr::Pose fromXr(const XrPosef& pose)
 {
     const Eigen::Quaterniond rotation(static_cast<double>(pose.orientation.w), static_cast<double>(pose.orientation.x),
