@@ -27,7 +27,8 @@ public:
     void makeCurrent();
     /// Makes the context current and waits until everything drawn with it is complete.
     void finish();
-    /// Destroys the context, which cannot be claimed again. Precondition: called on the thread that claimed it.
+    /// Destroys the context, which cannot be claimed again. Precondition: called on the thread that claimed it, before
+    /// that thread ends.
     void destroy();
 
     /// Returns the Qt context whose OpenGL functions are to be called. Qt considers it current even while the context

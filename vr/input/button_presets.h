@@ -21,7 +21,7 @@ enum class HandRole { Sculpting, Support };
 /// The panel of a hand that is open. The support hand has the tool menu, the sculpting hand the colour panel. With
 /// OneHand the sculpting hand has both panels; if both are open, the mode is ColorPanel.
 enum class HandMode {
-    Any,   ///< in table rows only: the row applies to all modes
+    Any,   ///< table rows with this mode apply to all modes; no hand has it
     Plain, ///< no panel
     ToolMenu,
     ColorPanel
@@ -37,7 +37,7 @@ enum class Gesture {
     PadTop,
     PadBottom,
     Slide,       ///< the thumb moves on the pad without pressing it; right and up increase a value
-    SlideUpDown, ///< as Slide, but movements to the left and right are ignored
+    SlideUpDown, ///< a Slide up or down; movements to the left and right are ignored
     Menu,
     MenuTap,  ///< menu button released before holdSeconds
     MenuHold, ///< menu button held for holdSeconds
@@ -49,9 +49,9 @@ enum class Gesture {
 enum class WandFunction {
     Sculpt,
     Smooth,        ///< while the button is held, strokes of the other hand smooth
-    TurnClockwise, ///< as seen from above
+    TurnClockwise, ///< clockwise as seen from above
     TurnAnticlockwise,
-    MoveModel, ///< with both hands it also turns and scales the model
+    MoveModel, ///< moves the model with a hand; both hands also turn and scale it
     ScaleModel,
     SetRadius,
     Undo,
@@ -61,7 +61,7 @@ enum class WandFunction {
     ToggleTopology,
     ToggleBrushShape,
     ToggleSymmetry,
-    ToggleInverse, ///< for tools that have an inverse, such as Pull and Push
+    ToggleInverse, ///< swaps a tool for its inverse, such as Pull for Push
     ToggleToolMenu,
     PreviousTool,
     NextTool,
@@ -89,7 +89,7 @@ std::span<const PresetRow> presetRows(ButtonPreset preset);
 struct WandControl
 {
     HandRole hand;
-    HandMode mode; ///< never Any
+    HandMode mode; ///< mode of the hand; never Any
     Gesture gesture;
 };
 /// Returns the function of the gesture; none if it has no function.

@@ -50,8 +50,8 @@ private:
     struct Hand
     {
         bool touched = false;
-        double contactFrom = 0; ///< earlier contacts give no pulse, seconds
-        /// Earlier events belong to the last series, which was felt already; times in seconds.
+        double contactFrom = 0; ///< time before which a contact gives no pulse, seconds
+        /// Times before which a fusion or a refusal continues the last series, which was felt already, seconds.
         double fusionFrom = 0, refusalFrom = 0;
         double hold = 0;
         double quietUntil = 0;         ///< the texture gives no pulse until then, seconds
@@ -61,7 +61,7 @@ private:
     struct Event
     {
         Sensation what;
-        double strength; ///< 0 to 1
+        double strength; ///< fraction of the sensation's full strength, 0 to 1
     };
 
     Hand& at(Side side) { return m_hands[static_cast<std::size_t>(side)]; }

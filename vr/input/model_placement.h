@@ -13,7 +13,7 @@ namespace vr
 class ModelPlacement
 {
 public:
-    // Placement by place(), in metres.
+    // Values that place() uses, in metres.
     static constexpr double comfortableSize = 0.5;  ///< longest side of the model as shown
     static constexpr double comfortableReach = 0.6; ///< from the head to the model's middle: an arm bent a little
     /// Distance from the eyes down to the model's middle: users look down at their work.

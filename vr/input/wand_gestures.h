@@ -19,7 +19,7 @@ struct ButtonGestures
 {
     bool isDown = false;
     bool wentDown = false;
-    bool wentUp = false;    ///< also if the wand was lost
+    bool wentUp = false;    ///< the button was released, or the wand was lost
     bool wasTapped = false; ///< released before the hold was complete
     double hold = 0;        ///< progress of a hold, 0 to 1; it stays at 1, and is 0 after the release
     bool holdDone = false;  ///< the hold was completed in this frame; true once for each press
@@ -28,7 +28,7 @@ struct ButtonGestures
 /// Gestures of one wand in one frame.
 struct WandGestures
 {
-    ButtonGestures trigger, menu, side; ///< the hold values of the trigger are not used
+    ButtonGestures trigger, menu, side; ///< the hold members of the trigger are not used
     double pressure = 0;                ///< pressure of the trigger: minPressure to 1 while it is down, else 0
     TrackpadGestures pad;
 };

@@ -57,9 +57,8 @@ void RuntimeThread::post(TaskQueue& tasks, Task task)
     if (!tasks.receiver)
         return;
     tasks.pending.push_back(std::move(task));
-    QMetaObject::invokeMethod(tasks.receiver, "open",
-                              // by name: the task stays in `pending`, which the destructor can clear
-                              Qt::QueuedConnection);
+    // Called by name, so that the task stays in `pending`, where the destructor can clear it.
+    QMetaObject::invokeMethod(tasks.receiver, "open", Qt::QueuedConnection);
 }
 
 /// Runs the oldest task. Every post() queues one call of this function.

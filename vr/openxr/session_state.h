@@ -19,8 +19,8 @@ struct SessionStatus
 
 enum class SessionStep {
     Continue,
-    Begin, ///< xrBeginSession
-    End,   ///< xrEndSession
+    Begin, ///< call xrBeginSession
+    End,   ///< call xrEndSession
     Exit,  ///< destroy the session: it has ended
     Lost   ///< destroy the session: it is lost
 };

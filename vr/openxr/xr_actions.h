@@ -42,8 +42,8 @@ private:
     {
         XrPath path = XR_NULL_PATH;
         SpaceHandle grip, aim;
-        bool isStick = false, isSimple = false; ///< as in WandState
-        bool isSqueezed = false;                ///< whether the side control was squeezed in the last frame
+        bool isStick = false, isSimple = false; ///< see WandState
+        bool isSqueezed = false;                ///< the side control was squeezed in the last frame
     };
 
     static QString nameOf(Control control);

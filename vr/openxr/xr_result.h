@@ -10,8 +10,8 @@
 
 namespace vr
 {
-/// Returns the name of a result, such as "XR_ERROR_INSTANCE_LOST". Returns "XrResult -7" or the like for a result that
-/// the headers do not define. Precondition: none; no instance has to exist.
+/// Returns the name of a result, such as "XR_ERROR_INSTANCE_LOST". A result that the headers do not define gets a name
+/// like "XrResult -7". No instance has to exist.
 QString resultName(XrResult result);
 
 /// An OpenXR call that the runtime refused. It is an exception because every call of a session may fail at any time,

@@ -41,7 +41,9 @@ private:
     std::vector<Swapchain> m_swapchains;
     std::vector<XrView> m_views;
     std::vector<XrCompositionLayerProjectionView> m_pictures;
-    std::vector<Swapchain> m_depths;                          ///< indexed by eye; empty if the runtime wants no depth
-    std::vector<XrCompositionLayerDepthInfoKHR> m_depthInfos; ///< m_pictures points to them
+    /// Indexed by eye; swapchains of depth images, empty if the runtime wants no depth.
+    std::vector<Swapchain> m_depths;
+    /// Depth information of each eye, to which m_pictures points.
+    std::vector<XrCompositionLayerDepthInfoKHR> m_depthInfos;
 };
 } // namespace vr

@@ -14,8 +14,8 @@ constexpr double noticeWidth = 700; ///< largest width of the text, dmm
 constexpr int noticeLines = 6;
 /// Metres from which it is read: before the clay, which must not hide it.
 constexpr double noticeDistance = 0.5;
-constexpr double fadeIn = 0.15, fadeOut = 0.6;       ///< seconds
-constexpr double toBeSeen = 1, minReadingTime = 1.5; ///< seconds: the user needs time to notice it
+constexpr double fadeIn = 0.15, fadeOut = 0.6;       ///< times of fading, seconds
+constexpr double toBeSeen = 1, minReadingTime = 1.5; ///< time to notice the panel, and least time to read it, seconds
 constexpr double perLetter = 0.06,
                  perHanLetter = 0.2; ///< seconds that a slow reader needs; a Han letter is a word or half of one
 

@@ -20,7 +20,7 @@ enum class SettingsPage { General, Haptics };
 enum class PanelCommand {
     Undo,
     Redo,
-    RestoreModel, ///< as it was when it was opened
+    RestoreModel, ///< restores the model as it was when it was opened
     InvertMask,
     ClearMask,
     SaveModel, ///< saves under a new number
@@ -123,12 +123,12 @@ struct ShowFloor
 };
 
 enum class PanelSlider {
-    Red, ///< this and the next two: whole numbers of 0 to 255, in the order of channels
+    Red, ///< Red, Green and Blue: whole numbers of 0 to 255, in the order of channels
     Green,
     Blue,
     Height,    ///< metres that the model is raised
     TurnSpeed, ///< degrees a second
-    Contact,   ///< this and all following: levels of 0 to 1, in the order of Sensation
+    Contact,   ///< Contact and all following sliders: levels of 0 to 1, in the order of Sensation
     Texture,
     Fusion,
     Refusal,
@@ -139,7 +139,7 @@ enum class PanelSlider {
 struct Slide
 {
     PanelSlider slider = PanelSlider::Red;
-    double value = 0; ///< in the slider's unit and range
+    double value = 0; ///< value in the slider's unit and range
     bool operator==(const Slide&) const = default;
 };
 

@@ -53,7 +53,7 @@ public:
 
     core::Rgb color;
     int channel = 0;           ///< channel that the thumb changes: 0 red, 1 green, 2 blue
-    QList<core::Rgb> swatches; ///< the first maxSwatches are shown
+    QList<core::Rgb> swatches; ///< swatches of the palette, of which the first maxSwatches are shown
 
     bool operator==(const ColorPanel&) const = default;
     PanelLayout layout() const;
@@ -66,7 +66,7 @@ struct FileTile
 {
     QString path;          ///< identifies the tile
     QString name;          ///< name for display
-    QImage picture;        ///< null: not made yet
+    QImage picture;        ///< null: the picture is not made yet
     bool isBroken = false; ///< the file cannot be read
 
     /// Compares pictures by identity, not by their pixels.
@@ -108,8 +108,8 @@ struct SettingsPanel
     Q_DECLARE_TR_FUNCTIONS(vr::SettingsPanel)
 
 public:
-    static constexpr double maxHeightOffset = 0.4;               ///< metres up or down
-    static constexpr double minTurnRate = 15, maxTurnRate = 180; ///< degrees a second
+    static constexpr double maxHeightOffset = 0.4;               ///< largest change of height, metres up or down
+    static constexpr double minTurnRate = 15, maxTurnRate = 180; ///< range of the turning speed, degrees a second
 
     SettingsPage page = SettingsPage::General;
     HeadsetSettings settings;

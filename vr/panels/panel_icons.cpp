@@ -2,7 +2,7 @@
 
 #include <QFile>
 #include <QImageReader>
-#include <QtCore/QBuffer> // Qt3D has a header <QBuffer> too
+#include <QtCore/QBuffer> // the full path, because Qt3D has a header <QBuffer> too
 
 namespace vr
 {

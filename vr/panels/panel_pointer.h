@@ -89,7 +89,7 @@ private:
 
     FrameClock m_clock;
     double m_time = 0;            ///< sum of frame times by m_clock, seconds
-    std::optional<Place> m_place; ///< where the wand points; during a press, on the plane of the pressed panel
+    std::optional<Place> m_place; ///< point of the wand's aim; during a press, on the plane of the pressed panel
     std::optional<Spot> m_spot;
     std::optional<Press> m_press;
     std::optional<PanelKind> m_before; ///< panel that the tip was in front of in the last frame

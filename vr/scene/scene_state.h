@@ -29,7 +29,7 @@ struct ShownWand
     /// The wand's control for the thumb. None: the wand has only a trigger and a menu button.
     enum class Thumb { Pad, Stick, None };
 
-    bool isShown = false; ///< false while it is not tracked
+    bool isShown = false; ///< the wand is tracked
     Thumb thumb = Thumb::Pad;
     Pose grip;
     std::array<bool, wandPartCount> isLit{};         ///< indexed by WandPart: whether the part is pressed
@@ -59,7 +59,7 @@ struct RayBrush
         double radius;            ///< radius of the footprint
     };
     core::Ray ray;
-    std::optional<Hit> hit; ///< where the ray meets the mesh
+    std::optional<Hit> hit; ///< point where the ray meets the mesh
 };
 
 /// A beam from a wand to a panel, in room space.

@@ -14,7 +14,7 @@ namespace
 {
 const Eigen::Vector3f planeColor(0.15F, 0.33F, 0.66F), accentColor(0.22F, 0.56F, 1.0F), paleColor(0.85F, 0.88F, 0.92F);
 const Eigen::Vector3f holdColor(1.0F, 0.48F, 0.10F);
-const Eigen::Vector3f spotlightColor(0.30F, 1.0F, 0.06F); ///< a colour that nothing else has
+const Eigen::Vector3f spotlightColor(0.30F, 1.0F, 0.06F); ///< a colour that no other shape has
 
 constexpr float thin = 0.0011F, thinner = 0.0008F; ///< widths of lines, metres
 constexpr float mirrored = 0.45F;                  ///< strength of a brush's mirror image as a fraction of the brush's

@@ -162,7 +162,7 @@ void WandLabels::write(Hand& hand, HandRole role) const
         }
 }
 
-/// Writes the labels of a hand again if it has another kind of wand.
+/// Writes a hand's labels again if its wand is now of another kind.
 void WandLabels::updateKinds(const InputFrame& frame, const WandMapping& hands)
 {
     for (const Side side : sides) {

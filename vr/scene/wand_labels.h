@@ -89,6 +89,6 @@ private:
     std::optional<WandSettings> m_settings; ///< settings that the lines were written for
     std::array<Hand, sideCount> m_hands;    ///< indexed by Side
     std::uint32_t m_used = 0;               ///< functions used already; bit i: row i of the preset
-    std::optional<Side> m_behind;           ///< wand whose labels have no room
+    std::optional<Side> m_behind;           ///< wand for whose labels there is no room
 };
 } // namespace vr

@@ -15,7 +15,7 @@ namespace
 {
 using std::numbers::pi;
 
-/// Cross-section of the body at a z; metres.
+/// Cross-section of the body at one z; metres.
 struct Section
 {
     double z, halfWidth, top, bottom;
@@ -205,7 +205,8 @@ Eigen::Affine3d stickTurn(const Eigen::Vector2d& push)
 {
     const core::Vec3 foot(0, std::rbegin(stickSections)->height, padMiddleZ);
     const double share = std::min(1.0, push.norm());
-    const core::Vec3 axis = core::Vec3(-push.y(), 0, -push.x()).normalized(); // normalized() leaves zero unchanged
+    // Normalized() leaves a zero vector unchanged.
+    const core::Vec3 axis = core::Vec3(-push.y(), 0, -push.x()).normalized();
     return Eigen::Translation3d(foot) * Eigen::AngleAxisd(stickWay * share, share > 0 ? axis : core::Vec3::UnitX()) *
            Eigen::Translation3d(-foot);
 }

@@ -52,7 +52,7 @@ core::StrokeSettings effective(const BrushState& brush, const BeginStroke& begin
     if (begin.smooths) {
         settings.tool = core::Tool::Smooth;
         settings.strength = brush.smoothStrength;
-        settings.alpha = nullptr; // smooths evenly
+        settings.alpha = nullptr; // smoothing is even over the brush
         settings.anchored = false;
     } else if (isAdding(brush, begin)) {
         return core::addingSolid(settings);

@@ -23,7 +23,7 @@ namespace vr
 struct PointedPlace
 {
     core::Vec3 position = core::Vec3::Zero();
-    core::Vec3 normal = core::Vec3::UnitY(); ///< unit length
+    core::Vec3 normal = core::Vec3::UnitY(); ///< normal of the surface, unit length
 
     bool operator==(const PointedPlace&) const = default;
 };
@@ -43,8 +43,8 @@ struct DocumentUpdate
     core::StrokeSettings brush;
     quint64 brushChange = 0;
     core::AirbrushRates airbrush = core::defaultAirbrushRates();
-    bool smooths = true;        ///< smoothing is offered, even by a trigger while another tool is chosen
-    double smoothStrength = 1;  ///< strength of smoothing by a trigger
+    bool smooths = true;        ///< Smooth is offered: as a tool, and by a trigger while another tool is chosen
+    double smoothStrength = 1;  ///< strength when a trigger makes strokes smooth
     bool reducesMotion = false; ///< reduced motion: no animations
     /// Number of times that a radius was chosen at the window. When it changes, the headset takes brush.radius, mm.
     /// Otherwise the headset keeps its own radius, in metres of the room.
@@ -95,7 +95,7 @@ struct AvatarState
 {
     std::optional<Pose> head;
     std::array<std::optional<Pose>, sideCount> hands;    ///< grips, indexed by Side
-    std::optional<core::Sphere> brush;                   ///< the brush if it is spherical
+    std::optional<core::Sphere> brush;                   ///< the brush, if it is spherical; else none
     double radius = 0;                                   ///< radius of the brush of any shape, metres
     Eigen::Affine3d model = Eigen::Affine3d::Identity(); ///< document space to room space
     std::vector<PanelTarget> panels;

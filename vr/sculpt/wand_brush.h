@@ -19,7 +19,7 @@ public:
     /// shown. Uniform topology is taken from the window; otherwise the headset keeps its own topology, at first that of
     /// its preset.
     void take(const DocumentUpdate& update, const ModelPlacement& placement);
-    /// Changes the brush by a wand or a panel. The window is told if a setting has changed that it shares.
+    /// Changes the brush by a wand or a panel. Tells the window if a setting that both share has changed.
     void change(const BrushState& state);
 
     /// Begins a stroke. Returns false if the stroke is refused. If smoothing is not offered, the brush's own tool is
@@ -56,8 +56,8 @@ private:
 
     DocumentPort* m_port;
     BrushState m_state;
-    quint64 m_seenChange = 0, m_seenRadius = 0; ///< values of the window's last update
-    bool m_smooths = true;                      ///< smoothing is offered
+    quint64 m_seenChange = 0, m_seenRadius = 0; ///< values of brushChange and radiusChange in the last DocumentUpdate
+    bool m_smooths = true;                      ///< smoothing is offered by the window
     bool m_isDrawing = false;
     double m_pressure = 0;
     /// Time of the first point, seconds. It is subtracted from all times, because a runtime's clock may begin anywhere

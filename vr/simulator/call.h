@@ -37,7 +37,7 @@ public:
     const char* const name;
     Runtime& runtime;
     std::unique_lock<std::mutex>& lock;
-    nlohmann::json line = nlohmann::json::object(); ///< what the log says about the call
+    nlohmann::json line = nlohmann::json::object(); ///< fields of the log entry of this call
 
 private:
     std::vector<std::shared_ptr<Object>> m_concerned; ///< objects that the call concerns, kept alive to its end

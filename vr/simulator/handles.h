@@ -22,7 +22,7 @@ public:
     /// Result of all calls, except destroying, that concern the object or its children; none: not lost.
     std::optional<XrResult> lost;
     Object* parent = nullptr;
-    std::uint64_t number = 0; ///< number of its handle
+    std::uint64_t number = 0; ///< number of the object's handle
 };
 
 /// All live handles. Their numbers are never used twice, so that a stale handle is detected.

@@ -8,7 +8,7 @@ enum class Where { Both, Left, Right };
 
 struct Component
 {
-    std::string_view path; ///< path below that of the hand
+    std::string_view path; ///< path relative to the hand's path
     Source::Kind kind;
     Input input = Input::Trigger;
     Where where = Where::Both;

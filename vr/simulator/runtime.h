@@ -66,9 +66,9 @@ public:
     std::shared_ptr<Instance> instance; ///< the only instance; null: none
     std::shared_ptr<Session> session;   ///< the only session; null: none
     std::int64_t sessionsMade = 0;
-    std::int64_t framesEnded = 0;   ///< since the process began
-    std::int64_t framesAllowed = 0; ///< with pace Stepped: frames that the client may still wait for
-    bool isClientWaiting = false;   ///< with pace Stepped: the client waits until a frame is allowed
+    std::int64_t framesEnded = 0;   ///< frames ended since the process began
+    std::int64_t framesAllowed = 0; ///< frames that the client may still wait for, with pace Stepped
+    bool isClientWaiting = false;   ///< the client waits until a frame is allowed, with pace Stepped
     bool isClientFrozen = false;    ///< the client is in a call that does not return
     std::string pictureFolder;      ///< folder for pictures of frames; empty: no pictures are kept
     bool isPictureWanted = false;   ///< the next frame's picture is to be stored in `picture`

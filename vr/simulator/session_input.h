@@ -14,10 +14,10 @@ struct SuggestedBinding;
 struct ActionState
 {
     bool isActive = false;
-    double x = 0, y = 0; ///< value; a boolean is 0 or 1
+    double x = 0, y = 0; ///< value of the action; a boolean is 0 or 1
     bool isChanged = false;
     XrTime changedAt = 0;
-    std::optional<Source> pose; ///< source of a pose
+    std::optional<Source> pose; ///< source of a pose action
 };
 
 /// An action set that xrSyncActions reads, and for which hands.

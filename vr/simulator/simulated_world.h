@@ -10,8 +10,8 @@
 namespace simulator
 {
 enum class Pace {
-    Real,   ///< a frame lasts as long as on a real display
-    Live,   ///< as Real, but the display time is the clock's: a client that is slower misses frames
+    Real,   ///< a frame lasts as long as on a real display; a slow client makes the display time slow
+    Live,   ///< a frame lasts as long as on a real display; a slow client misses frames
     Fast,   ///< xrWaitFrame does not wait
     Stepped ///< xrWaitFrame waits until the control allows a frame
 };
