@@ -11,7 +11,7 @@ namespace
 constexpr double tolerance = 0.3;
 } // namespace
 
-/// Drag tools need none, because they follow the pointer and not a path over the surface.
+/// Drag tools do not use displacements, because they follow the pointer and not a path over the surface.
 bool StrokeDisplacements::areUsedBy(const StrokeSettings& settings)
 {
     const bool isOnSurface = settings.brush == BrushShape::Ray || settings.place != Placement::Point;
