@@ -44,7 +44,7 @@
     </message>
     <message>
         <source>base, mm²</source>
-        <translation>Fuß, mm²</translation>
+        <translation>Standfläche, mm²</translation>
     </message>
     <message>
         <source>fits</source>
@@ -56,11 +56,11 @@
     </message>
     <message>
         <source>%1 of its surface is thinner than %2 mm</source>
-        <translation>%1 seiner Oberfläche sind dünner als %2 mm</translation>
+        <translation>%1 der Oberfläche sind dünner als %2 mm</translation>
     </message>
     <message>
         <source>%1 of its surface overhangs by more than %2 degrees</source>
-        <translation>%1 seiner Oberfläche hängen um mehr als %2 Grad über</translation>
+        <translation>%1 der Oberfläche hängen um mehr als %2 Grad über</translation>
     </message>
     <message>
         <source>it stands on a point or an edge</source>
@@ -76,7 +76,7 @@
     </message>
     <message>
         <source>Says whether models are closed, manifold, oriented, free of self-intersections, and bound a solid. Status 0: all are, whatever --print finds; 1: not all.</source>
-        <translation>Sagt, ob Modelle geschlossen, mannigfaltig, einheitlich orientiert und frei von Selbstdurchdringungen sind und einen Körper umschließen. Status 0: alle, was immer --print findet; 1: nicht alle.</translation>
+        <translation>Prüft, ob Modelle geschlossen, mannigfaltig, einheitlich orientiert und frei von Selbstdurchdringungen sind und einen Körper umschließen. Status 0: alle, unabhängig vom Ergebnis von --print; 1: nicht alle.</translation>
     </message>
     <message>
         <source>Models, or folders of models; or -.</source>
@@ -92,15 +92,15 @@
     </message>
     <message>
         <source>Nozzle width in mm; walls should be two lines thick (default: 0.4).</source>
-        <translation>Düsenbreite in mm; Wände sollen zwei Linien dick sein (Vorgabe: 0.4).</translation>
+        <translation>Düsendurchmesser in mm; Wände sollten zwei Linien dick sein (Vorgabe: 0.4).</translation>
     </message>
     <message>
         <source>Steepest overhang that prints without support, in degrees from the vertical (default: 45).</source>
-        <translation>Stärkster Überhang, der sich ohne Stützen druckt, in Grad aus der Senkrechten (Vorgabe: 45).</translation>
+        <translation>Stärkster Überhang, der sich ohne Stützen drucken lässt, in Grad aus der Senkrechten (Vorgabe: 45).</translation>
     </message>
     <message>
         <source>Width, depth and height of the printer&apos;s build volume, in mm (default: not checked).</source>
-        <translation>Breite, Tiefe und Höhe, die der Drucker fasst, in mm (Vorgabe: wird nicht geprüft).</translation>
+        <translation>Breite, Tiefe und Höhe des Bauraums des Druckers, in mm (Vorgabe: wird nicht geprüft).</translation>
     </message>
     <message>
         <source>vertices</source>
@@ -120,7 +120,7 @@
     </message>
     <message>
         <source>faces turned alike</source>
-        <translation>Flächen gleich gerichtet</translation>
+        <translation>Flächen einheitlich orientiert</translation>
     </message>
     <message>
         <source>bounds a solid</source>
@@ -160,7 +160,7 @@
     </message>
     <message>
         <source>stays sound when opened</source>
-        <translation>bleibt beim Öffnen in Ordnung</translation>
+        <translation>bleibt beim Öffnen fehlerfrei</translation>
     </message>
     <message>
         <source>strokes</source>
@@ -176,11 +176,11 @@
     </message>
     <message>
         <source>thinnest wall by rays, mm</source>
-        <translation>dünnste Wand nach Strahlen, mm</translation>
+        <translation>dünnste Wand (Strahlen), mm</translation>
     </message>
     <message>
         <source>thinnest wall by balls, mm</source>
-        <translation>dünnste Wand nach Kugeln, mm</translation>
+        <translation>dünnste Wand (Kugeln), mm</translation>
     </message>
     <message>
         <source>surface that is too thin</source>
@@ -196,11 +196,11 @@
     </message>
     <message>
         <source>perhaps made in</source>
-        <translation>vielleicht gemacht in</translation>
+        <translation>vermutlich erstellt in</translation>
     </message>
     <message>
         <source>pupil</source>
-        <translation>Name</translation>
+        <translation>Kind</translation>
     </message>
     <message>
         <source>turn begun</source>
@@ -223,11 +223,11 @@
     <name>app::ClassEnd</name>
     <message>
         <source>End the class? The current pupil&apos;s work will be saved.</source>
-        <translation>Die Klasse beenden? Die Arbeit, die gerade offen ist, wird gespeichert.</translation>
+        <translation>Die Klasse beenden? Die gerade offene Arbeit wird gespeichert.</translation>
     </message>
     <message>
         <source>End the class? It is nobody&apos;s turn, and all work is saved.</source>
-        <translation>Die Klasse beenden? Gerade ist niemand an der Reihe, und alle Arbeiten sind gespeichert.</translation>
+        <translation>Die Klasse beenden? Niemand ist an der Reihe, und alle Arbeiten sind gespeichert.</translation>
     </message>
     <message numerus="yes">
         <source>%n models are not yet in the class folder.</source>
@@ -248,11 +248,11 @@
     <name>app::ClassFileController</name>
     <message>
         <source>Saved %1.</source>
-        <translation>%1 wurde geschrieben.</translation>
+        <translation>%1 wurde gespeichert.</translation>
     </message>
     <message>
         <source>A double click on %1 begins it, on every computer that has Fettle.</source>
-        <translation>Ein Doppelklick auf %1 beginnt sie, auf jedem Rechner mit Fettle.</translation>
+        <translation>Ein Doppelklick auf %1 beginnt die Klasse, auf jedem Rechner mit Fettle.</translation>
     </message>
     <message>
         <source>Classroom</source>
@@ -264,7 +264,7 @@
     </message>
     <message>
         <source>This window closes, and only the class is there. Leaving it asks for your PIN.</source>
-        <translation>Dieses Fenster schließt sich, und nur die Klasse ist da. Verlassen wird sie mit Ihrer PIN.</translation>
+        <translation>Dieses Fenster wird geschlossen, und nur die Klasse ist zu sehen. Zum Verlassen brauchen Sie Ihre PIN.</translation>
     </message>
     <message>
         <source>&amp;Begin the Class Now</source>
@@ -272,7 +272,7 @@
     </message>
     <message>
         <source>C&amp;hange…</source>
-        <translation>Ä&amp;ndern…</translation>
+        <translation>Ä&amp;ndern …</translation>
     </message>
     <message>
         <source>&amp;Not Now</source>
@@ -294,7 +294,7 @@
     </message>
     <message>
         <source>They go to the class folder when the class begins and its folder is there.</source>
-        <translation>Sie kommen in den Ordner der Klasse, wenn die Klasse beginnt und er da ist.</translation>
+        <translation>Sie kommen in den Ordner der Klasse, sobald die Klasse beginnt und der Ordner erreichbar ist.</translation>
     </message>
     <message numerus="yes">
         <source>%n models were moved to %1.</source>
@@ -308,26 +308,26 @@
     <name>app::TurnAnswers</name>
     <message>
         <source>%1 is a link to a file that is not there.</source>
-        <translation>%1 ist ein Verweis auf eine Datei, die nicht da ist.</translation>
+        <translation>%1 verweist auf eine Datei, die es nicht gibt.</translation>
     </message>
     <message>
         <source>%1 was made by a newer version of Fettle.</source>
-        <translation>%1 ist von einer neueren Version von Fettle.</translation>
+        <translation>%1 stammt von einer neueren Version von Fettle.</translation>
     </message>
     <message>
         <source>%1 contains no answers that can be read.</source>
-        <translation>%1 enthält keine Antworten, die sich lesen lassen.</translation>
+        <translation>%1 enthält keine lesbaren Antworten.</translation>
     </message>
     <message>
         <source>%1: the answer &quot;%2&quot; is left out, because it is not a whole number from %3 to %4.</source>
-        <translation>%1: Die Antwort „%2“ bleibt weg, weil sie keine ganze Zahl von %3 bis %4 ist.</translation>
+        <translation>%1: Die Antwort „%2“ wird ausgelassen, weil sie keine ganze Zahl von %3 bis %4 ist.</translation>
     </message>
 </context>
 <context>
     <name>app::WorkArchive</name>
     <message>
         <source>%1: there is not enough memory to write this model.</source>
-        <translation>%1: Der Arbeitsspeicher reicht nicht, um dieses Modell zu schreiben.</translation>
+        <translation>%1: Der Speicher reicht nicht, um dieses Modell zu schreiben.</translation>
     </message>
 </context>
 <context>
@@ -342,15 +342,15 @@
     </message>
     <message>
         <source>%1 is not a class file: it is not UTF-8 text, or it is too long.</source>
-        <translation>%1 ist keine Klassendatei: Sie ist kein Text in UTF-8 oder zu lang.</translation>
+        <translation>%1 ist keine Klassendatei: kein UTF-8-Text oder zu lang.</translation>
     </message>
     <message>
         <source>a line says key = value, or begins with #.</source>
-        <translation>Eine Zeile lautet Schlüssel = Wert oder beginnt mit #.</translation>
+        <translation>Eine Zeile enthält Schlüssel = Wert oder beginnt mit #.</translation>
     </message>
     <message>
         <source>%1 appears twice.</source>
-        <translation>%1 steht dort zum zweiten Mal.</translation>
+        <translation>%1 kommt zweimal vor.</translation>
     </message>
     <message>
         <source>%1: %2 is missing.</source>
@@ -358,7 +358,7 @@
     </message>
     <message>
         <source>it is empty.</source>
-        <translation>das ist leer.</translation>
+        <translation>ist leer.</translation>
     </message>
     <message>
         <source>must be a whole number from 0 to %2, not &quot;%1&quot;.</source>
@@ -366,7 +366,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; is none of %2.</source>
-        <translation>„%1“ gehört nicht zu %2.</translation>
+        <translation>„%1“ ist keines von %2.</translation>
     </message>
     <message>
         <source>%1 is not a key of a class file.</source>
@@ -378,27 +378,27 @@
     </message>
     <message>
         <source># A class for Fettle. It begins with: fettle --classroom and the name of this file.</source>
-        <translation># Eine Klasse für Fettle. Sie beginnt mit: fettle --classroom und dem Namen dieser Datei.</translation>
+        <translation># Eine Klasse für Fettle. Start mit: fettle --classroom und dem Namen dieser Datei.</translation>
     </message>
     <message>
         <source>this is not a PIN as Fettle writes it; set one with Edit › Classroom.</source>
-        <translation>Das ist keine PIN, wie Fettle sie schreibt; Bearbeiten › Klassenraum setzt eine.</translation>
+        <translation>Das ist keine von Fettle geschriebene PIN; legen Sie eine unter Bearbeiten › Klassenraum fest.</translation>
     </message>
     <message>
         <source>there are no names to choose from.</source>
-        <translation>es gibt keine Namen zur Auswahl.</translation>
+        <translation>Es gibt keine Namen zur Auswahl.</translation>
     </message>
     <message>
         <source>at most %1 names of at most %2 characters.</source>
-        <translation>höchstens %1 Namen mit höchstens %2 Zeichen.</translation>
+        <translation>höchstens %1 Namen mit je höchstens %2 Zeichen.</translation>
     </message>
     <message>
         <source>%1 is not a lesson: it is neither one of %2 nor a folder or ZIP file.</source>
-        <translation>%1 ist keine Lektion: weder eine von %2 noch ein Ordner oder eine Zip-Datei.</translation>
+        <translation>%1 ist keine Lektion: weder eine von %2 noch ein Ordner oder eine ZIP-Datei.</translation>
     </message>
     <message>
         <source>Step %1 of the lesson needs the tool %2 (%3), which is not among the class&apos;s tools.</source>
-        <translation>Schritt %1 der Lektion braucht das Werkzeug %2 (%3), das nicht unter den Werkzeugen der Klasse ist.</translation>
+        <translation>Schritt %1 der Lektion braucht das Werkzeug %2 (%3), das nicht zu den Werkzeugen der Klasse gehört.</translation>
     </message>
 </context>
 <context>
@@ -412,11 +412,11 @@
     <name>app::ClassWork</name>
     <message>
         <source>%1 Until then they are in %2.</source>
-        <translation>%1 Bis dahin sind sie in %2.</translation>
+        <translation>%1 Bis dahin liegen sie in %2.</translation>
     </message>
     <message>
         <source>The class folder cannot be reached. The work is saved on this computer and will be moved there as soon as possible.</source>
-        <translation>Der Ordner der Klasse ist nicht zu erreichen. Die Arbeit ist auf diesem Rechner aufgehoben und kommt dorthin, sobald das möglich ist.</translation>
+        <translation>Der Ordner der Klasse ist nicht erreichbar. Die Arbeit ist auf diesem Rechner gespeichert und wird so bald wie möglich dorthin verschoben.</translation>
     </message>
 </context>
 <context>
@@ -427,19 +427,19 @@
     </message>
     <message>
         <source>Saving the work of %1</source>
-        <translation>Die Arbeit wird aufgehoben: %1</translation>
+        <translation>Die Arbeit wird gespeichert: %1</translation>
     </message>
     <message>
         <source>Not yet: other work on the model is still running.</source>
-        <translation>Noch nicht: Eine andere Arbeit am Modell ist noch nicht fertig.</translation>
+        <translation>Noch nicht: Am Modell läuft noch ein anderer Vorgang.</translation>
     </message>
     <message>
         <source>%1 The work of %2 stays open; nothing is lost.</source>
-        <translation>%1 Die Arbeit bleibt offen (%2), und nichts davon geht verloren.</translation>
+        <translation>%1 Die Arbeit bleibt offen (%2); es geht nichts verloren.</translation>
     </message>
     <message>
         <source>Time is up. Please finish: it is the next pupil&apos;s turn.</source>
-        <translation>Die Zeit ist um. Mach noch fertig, was du gerade tust; dann kommt das nächste Kind dran.</translation>
+        <translation>Die Zeit ist um. Mach noch fertig, was du gerade tust; dann ist das nächste Kind dran.</translation>
     </message>
     <message numerus="yes">
         <source>%n minutes left. Please finish soon.</source>
@@ -472,11 +472,11 @@
     </message>
     <message>
         <source>--classroom needs the file of a class, which Edit › Classroom writes.</source>
-        <translation>--classroom braucht die Datei einer Klasse, die Bearbeiten › Klassenraum schreibt.</translation>
+        <translation>--classroom braucht eine Klassendatei, wie Bearbeiten › Klassenraum sie schreibt.</translation>
     </message>
     <message>
         <source>%1 cannot be opened in a class, which begins with its own models.</source>
-        <translation>%1 kann in einer Klasse nicht geöffnet werden: Sie beginnt mit ihren eigenen Modellen.</translation>
+        <translation>%1 kann in einer Klasse nicht geöffnet werden: Sie beginnt mit eigenen Modellen.</translation>
     </message>
     <message>
         <source>write a starting shape: a ball, a cube, a vase and others</source>
@@ -484,7 +484,7 @@
     </message>
     <message>
         <source>check whether models are watertight and will print; several files or a folder: a table</source>
-        <translation>sagen, ob Modelle in Ordnung sind und sich drucken lassen; mehrere Dateien oder ein Ordner: eine Tabelle</translation>
+        <translation>prüfen, ob Modelle wasserdicht sind und sich drucken lassen; mehrere Dateien oder ein Ordner: eine Tabelle</translation>
     </message>
     <message>
         <source>write a model in another format or size, repaired, or with fewer triangles</source>
@@ -496,7 +496,7 @@
     </message>
     <message>
         <source>write a class report: picture, size, print-ready or why not, strokes and time of each model</source>
-        <translation>einen Klassenbericht schreiben: von jedem Modell Bild, Größe, druckfertig oder warum nicht, Striche und Zeit</translation>
+        <translation>einen Klassenbericht schreiben: zu jedem Modell Bild, Größe, druckfertig oder warum nicht, Striche und Zeit</translation>
     </message>
     <message>
         <source>draw models or folders of models to scale, a page each</source>
@@ -504,11 +504,11 @@
     </message>
     <message>
         <source>check a lesson by playing it to its end, or a pupil&apos;s model by one of its steps</source>
-        <translation>eine Lektion prüfen, indem sie bis zum Ende gespielt wird, oder das Modell eines Schülers nach einem ihrer Schritte</translation>
+        <translation>eine Lektion prüfen, indem sie bis zum Ende abgespielt wird, oder das Modell eines Kindes anhand eines ihrer Schritte</translation>
     </message>
     <message>
         <source>show what a brush preset contains, or why it is invalid</source>
-        <translation>sagen, was eine Pinselvorlage enthält, oder warum es keine ist</translation>
+        <translation>zeigen, was eine Pinselvorlage enthält oder warum sie ungültig ist</translation>
     </message>
     <message>
         <source>There is no command &quot;%1&quot;: the commands are %2.</source>
@@ -524,15 +524,15 @@
     </message>
     <message>
         <source>%1 See fettle --help.</source>
-        <translation>%1 fettle --help zählt auf, was es gibt.</translation>
+        <translation>%1 Siehe fettle --help.</translation>
     </message>
     <message>
         <source>%1 Did you mean %2? See fettle --help.</source>
-        <translation>%1 Meinten Sie %2? fettle --help zählt auf, was es gibt.</translation>
+        <translation>%1 Meinten Sie %2? Siehe fettle --help.</translation>
     </message>
     <message>
         <source>%1: cannot tell the format: the ending must be one of %2.</source>
-        <translation>%1: Das Format ist nicht zu erkennen: Die Endung muss eine von %2 sein.</translation>
+        <translation>%1: Das Format ist nicht erkennbar: Die Endung muss eine von %2 sein.</translation>
     </message>
     <message>
         <source>Fettle sculpts closed models that stay ready to print.
@@ -587,19 +587,19 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <name>app::ConvertCommand</name>
     <message>
         <source>%1 could be reduced to %2 triangles, not to %3: its holes and parts need at least %4. Nothing was written.</source>
-        <translation>%1 ließ sich auf %2 Dreiecke verringern, nicht auf %3: Löcher und Teile brauchen mindestens %4. Es wurde nichts geschrieben.</translation>
+        <translation>%1 ließ sich auf %2 Dreiecke reduzieren, nicht auf %3: Löcher und Teile brauchen mindestens %4. Es wurde nichts geschrieben.</translation>
     </message>
     <message>
         <source>%1 could be reduced to %2 triangles, not to %3: with fewer, no surface was found that keeps its holes open and does not intersect itself. Nothing was written.</source>
-        <translation>%1 ließ sich auf %2 Dreiecke verringern, nicht auf %3: Mit weniger fand sich keine Fläche, deren Dreiecke einander nicht schneiden und deren Löcher offen bleiben. Es wurde nichts geschrieben.</translation>
+        <translation>%1 ließ sich auf %2 Dreiecke reduzieren, nicht auf %3: Mit weniger fand sich keine Oberfläche, die ihre Löcher offen hält und sich nicht selbst schneidet. Es wurde nichts geschrieben.</translation>
     </message>
     <message>
         <source>--repair may make it watertight.</source>
-        <translation>Vielleicht macht --repair es wasserdicht.</translation>
+        <translation>--repair kann es vielleicht wasserdicht machen.</translation>
     </message>
     <message>
         <source>--wrap may make a new surface.</source>
-        <translation>Vielleicht baut --wrap die Oberfläche neu auf.</translation>
+        <translation>--wrap kann vielleicht eine neue Oberfläche bilden.</translation>
     </message>
     <message>
         <source>Writes a model in another format, unit or size. OUT is in mm.</source>
@@ -611,7 +611,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
     <message>
         <source>The file to write, in the format of its ending; or -.</source>
-        <translation>Die Datei, die geschrieben wird, im Format ihrer Endung; oder -.</translation>
+        <translation>Die zu schreibende Datei, im Format ihrer Endung; oder -.</translation>
     </message>
     <message>
         <source>Length of the longest side in mm (default: as it is).</source>
@@ -623,7 +623,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
     <message>
         <source>Most triangles of OUT, 4 or more (default: as many as it has). They are removed where shape and colours change least.</source>
-        <translation>So viele Dreiecke hat OUT höchstens, 4 oder mehr (Vorgabe: so viele, wie es sind); sie gehen dort, wo Form und Farben am wenigsten verlieren.</translation>
+        <translation>Höchstzahl der Dreiecke von OUT, 4 oder mehr (Vorgabe: so viele wie vorhanden). Sie werden dort entfernt, wo sich Form und Farben am wenigsten ändern.</translation>
     </message>
     <message>
         <source>Repair a model that is not watertight, and say what changed.</source>
@@ -631,15 +631,15 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
     <message>
         <source>With --repair: make a new surface where nothing else keeps the model; detail is lost.</source>
-        <translation>Mit --repair: die ganze Oberfläche neu aufbauen, wo nichts anderes sie erhält; Einzelheiten gehen verloren.</translation>
+        <translation>Mit --repair: eine neue Oberfläche bilden, wo nichts anderes das Modell erhält; Details gehen verloren.</translation>
     </message>
     <message>
         <source>With --repair: what to do with holes longer than a quarter of the model (default: fill).</source>
-        <translation>Mit --repair: was mit Löchern geschieht, die länger als ein Viertel des Modells sind (Vorgabe: fill).</translation>
+        <translation>Mit --repair: Umgang mit Löchern, die länger als ein Viertel des Modells sind (Vorgabe: fill).</translation>
     </message>
     <message>
         <source>With --repair: what to do with parts inside of others that face outwards (default: fill).</source>
-        <translation>Mit --repair: was mit Teilen im Innern anderer geschieht, die nach außen zeigen (Vorgabe: fill).</translation>
+        <translation>Mit --repair: Umgang mit Teilen im Innern anderer, die nach außen zeigen (Vorgabe: fill).</translation>
     </message>
     <message numerus="yes">
         <source>convert: needs two files, IN and OUT; %n were given.</source>
@@ -653,7 +653,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <name>app::Document</name>
     <message>
         <source>The earlier steps can no longer be undone: their file on disk cannot be read. The model itself is intact.</source>
-        <translation>Die früheren Schritte lassen sich nicht mehr rückgängig machen: Ihre Datei auf der Festplatte ist nicht lesbar. Das Modell ist in Ordnung.</translation>
+        <translation>Die früheren Schritte lassen sich nicht mehr rückgängig machen: Ihre Datei auf der Festplatte ist nicht lesbar. Das Modell selbst ist unversehrt.</translation>
     </message>
     <message>
         <source>Sculpting is paused until the model is ready.</source>
@@ -664,14 +664,14 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <name>app::DrawingWorker</name>
     <message>
         <source>Saved %1.</source>
-        <translation>%1 wurde geschrieben.</translation>
+        <translation>%1 wurde gespeichert.</translation>
     </message>
 </context>
 <context>
     <name>app::HandoutSaving</name>
     <message>
         <source>Saved %1.</source>
-        <translation>%1 wurde geschrieben.</translation>
+        <translation>%1 wurde gespeichert.</translation>
     </message>
 </context>
 <context>
@@ -682,67 +682,67 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
     <message>
         <source>Somebody is sculpting in the headset: your turn comes when that stroke has ended.</source>
-        <translation>Jemand formt in der VR-Brille: Sie sind an der Reihe, wenn jener Strich beendet ist.</translation>
+        <translation>Jemand formt in der VR-Brille: Sie sind an der Reihe, sobald dieser Strich beendet ist.</translation>
     </message>
 </context>
 <context>
     <name>app::HeadsetController</name>
     <message>
         <source>%1 You can repair it in the window.</source>
-        <translation>%1 Im Fenster lässt es sich reparieren.</translation>
+        <translation>%1 Sie können es im Fenster reparieren.</translation>
     </message>
 </context>
 <context>
     <name>app::RuntimeProbe</name>
     <message>
         <source>The headset&apos;s program does not answer. If it is not just starting, restart it.</source>
-        <translation>Das Programm der VR-Brille antwortet nicht. Falls es nicht gerade startet, bitte neu starten.</translation>
+        <translation>Das Programm der VR-Brille antwortet nicht. Wenn es nicht gerade startet, starten Sie es neu.</translation>
     </message>
 </context>
 <context>
     <name>app::HeadsetRequests</name>
     <message>
         <source>The model was not restored: other work on it is still running.</source>
-        <translation>Das Modell wurde nicht zurückgesetzt: Andere Arbeit daran ist noch nicht fertig.</translation>
+        <translation>Das Modell wurde nicht zurückgesetzt: Daran läuft noch ein anderer Vorgang.</translation>
     </message>
     <message>
         <source>The model was not saved: other work on it is still running.</source>
-        <translation>Das Modell wurde nicht gespeichert: Andere Arbeit daran ist noch nicht fertig.</translation>
+        <translation>Das Modell wurde nicht gespeichert: Daran läuft noch ein anderer Vorgang.</translation>
     </message>
     <message>
         <source>%1 was not opened: other work on the model is still running.</source>
-        <translation>%1 wurde nicht geöffnet: Andere Arbeit am Modell ist noch nicht fertig.</translation>
+        <translation>%1 wurde nicht geöffnet: Am Modell läuft noch ein anderer Vorgang.</translation>
     </message>
     <message>
         <source>%1 was not opened: the current model has unsaved changes.</source>
-        <translation>%1 wurde nicht geöffnet: Das jetzige Modell hat Änderungen, die keine Datei enthält.</translation>
+        <translation>%1 wurde nicht geöffnet: Das aktuelle Modell hat ungespeicherte Änderungen.</translation>
     </message>
     <message>
         <source>This tool is not available in this class.</source>
-        <translation>Diese Klasse kommt ohne dieses Werkzeug aus.</translation>
+        <translation>Dieses Werkzeug gibt es in dieser Klasse nicht.</translation>
     </message>
     <message>
         <source>In a class, Next Pupil saves the work, in the window.</source>
-        <translation>In einer Klasse wird die Arbeit mit Nächstes Kind aufgehoben, am Fenster.</translation>
+        <translation>In einer Klasse speichert „Nächstes Kind“ am Fenster die Arbeit.</translation>
     </message>
     <message>
         <source>%1 was not opened: a class has its own models to begin with.</source>
-        <translation>%1 wurde nicht geöffnet: Eine Klasse hat ihre eigenen Modelle zum Anfangen.</translation>
+        <translation>%1 wurde nicht geöffnet: Eine Klasse beginnt mit eigenen Modellen.</translation>
     </message>
     <message>
         <source>The mask was not changed: other work on the model is still running.</source>
-        <translation>Die Maske wurde nicht geändert: Andere Arbeit am Modell ist noch nicht fertig.</translation>
+        <translation>Die Maske wurde nicht geändert: Am Modell läuft noch ein anderer Vorgang.</translation>
     </message>
 </context>
 <context>
     <name>app::RecoveryStore</name>
     <message>
         <source>Fettle was ended from outside. The changes to %1 are kept; the next start offers them.</source>
-        <translation>Das Programm wurde von außen beendet; die Änderungen an %1 sind aufbewahrt und werden beim nächsten Start angeboten.</translation>
+        <translation>Fettle wurde von außen beendet. Die Änderungen an %1 sind gesichert; der nächste Start bietet sie an.</translation>
     </message>
     <message>
         <source>Changes are not being recorded, so save often: %1</source>
-        <translation>Änderungen werden nicht aufgezeichnet, speichern Sie also oft: %1</translation>
+        <translation>Änderungen werden nicht aufgezeichnet, speichern Sie daher oft: %1</translation>
     </message>
     <message>
         <source>%1 cannot be recovered: its recording is damaged.</source>
@@ -766,7 +766,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
     <message>
         <source>The disk is slow: a power cut could cost the changes of the last %1 seconds.</source>
-        <translation>Die Festplatte ist langsam: Ein Stromausfall könnte die Änderungen der letzten %1 Sekunden kosten.</translation>
+        <translation>Die Festplatte ist langsam: Bei einem Stromausfall könnten die Änderungen der letzten %1 Sekunden verloren gehen.</translation>
     </message>
     <message>
         <source>Changes are being recorded again.</source>
@@ -777,11 +777,11 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <name>app::LessonCommand</name>
     <message>
         <source>Plays a lesson to its end and says whether each step meets its checkpoint. Status 0: all do; 1: not all. Without a lesson: lists those of the program.</source>
-        <translation>Spielt eine Lektion bis zum Ende und sagt, ob jeder Schritt seinen Prüfpunkt erfüllt. Status 0: alle; 1: nicht alle. Ohne Lektion: zählt die des Programms auf.</translation>
+        <translation>Spielt eine Lektion bis zum Ende ab und prüft, ob jeder Schritt seinen Prüfpunkt erfüllt. Status 0: alle; 1: nicht alle. Ohne Lektion: listet die mitgelieferten auf.</translation>
     </message>
     <message>
         <source>A folder or a zip, or the name of a lesson of the program.</source>
-        <translation>Ein Ordner oder ein Zip, oder der Name einer Lektion des Programms.</translation>
+        <translation>Ein Ordner, eine ZIP-Datei oder der Name einer mitgelieferten Lektion.</translation>
     </message>
     <message>
         <source>lesson: %1 does not end in .zip.</source>
@@ -789,11 +789,11 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
     <message>
         <source>lesson: %1 must be a folder, but ends in .zip.</source>
-        <translation>lesson: %1 soll ein Ordner werden, endet aber auf .zip.</translation>
+        <translation>lesson: %1 muss ein Ordner sein, endet aber auf .zip.</translation>
     </message>
     <message>
         <source>lesson: one lesson at a time can be played, not %1 as well.</source>
-        <translation>lesson: Es kann nur eine Lektion auf einmal abgespielt werden, nicht auch noch %1.</translation>
+        <translation>lesson: Es kann immer nur eine Lektion abgespielt werden, nicht auch noch %1.</translation>
     </message>
     <message>
         <source>lesson: no lesson was given.</source>
@@ -833,35 +833,35 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
     <message>
         <source>Print what pupils read, instead of playing.</source>
-        <translation>Zeigen, was Schüler lesen, statt abzuspielen.</translation>
+        <translation>Ausgeben, was die Kinder lesen, statt abzuspielen.</translation>
     </message>
     <message>
         <source>Judge this model of a pupil instead of playing; or -. A folder, or a class&apos;s work folder: judge each model.</source>
-        <translation>Dieses Modell beurteilen, das eines Schülers, statt abzuspielen; oder -. Bei einem Ordner oder den Arbeiten einer Klasse: jedes.</translation>
+        <translation>Dieses Modell eines Kindes beurteilen, statt abzuspielen; oder -. Bei einem Ordner oder dem Arbeitsordner einer Klasse: jedes Modell.</translation>
     </message>
     <message>
         <source>Step whose checkpoint judges the model, from 1 (default: the last).</source>
-        <translation>Schritt, nach dessen Prüfpunkt das Modell beurteilt wird, von 1 an (Vorgabe: der letzte).</translation>
+        <translation>Schritt, dessen Prüfpunkt das Modell beurteilt, ab 1 (Vorgabe: der letzte).</translation>
     </message>
     <message>
         <source>File for the whole lesson, if all is well.</source>
-        <translation>Datei für die ganze Lektion, wenn alles gut ist.</translation>
+        <translation>Datei für die ganze Lektion, wenn alles stimmt.</translation>
     </message>
     <message>
         <source>Folder for the lesson, where it can be changed.</source>
-        <translation>Ordner für die Lektion, in dem sie sich ändern lässt.</translation>
+        <translation>Ordner für die Lektion, in dem sie geändert werden kann.</translation>
     </message>
     <message>
         <source>Folder for a picture of the result of each step, step-1.png and so on.</source>
-        <translation>Ordner für Bilder von dem, was jeder Schritt hinterlässt, step-1.png und so weiter.</translation>
+        <translation>Ordner für ein Bild vom Ergebnis jedes Schritts, step-1.png und so weiter.</translation>
     </message>
     <message>
         <source>File for the model that the last step leaves.</source>
-        <translation>Datei für das Modell, das der letzte Schritt hinterlässt.</translation>
+        <translation>Datei für das Modell nach dem letzten Schritt.</translation>
     </message>
     <message>
         <source>JSON: one object; of a folder of models, one for each, on a line of its own; without a lesson, the list of the program&apos;s.</source>
-        <translation>JSON: ein Objekt; bei einem Ordner mit Modellen eines für jedes, je in einer Zeile; ohne Lektion die Liste der Lektionen des Programms.</translation>
+        <translation>JSON: ein Objekt; bei einem Ordner mit Modellen eines je Modell, jedes in einer eigenen Zeile; ohne Lektion die Liste der mitgelieferten.</translation>
     </message>
     <message>
         <source>CSV with a header row: a row for each goal; of a folder, for each model.</source>
@@ -873,7 +873,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
     <message>
         <source>lesson: &quot;%1&quot; is not a lesson: it is neither one of %2 nor a folder or ZIP file.</source>
-        <translation>lesson: „%1“ ist keine Lektion: weder eine von %2 noch ein Ordner oder Zip.</translation>
+        <translation>lesson: „%1“ ist keine Lektion: weder eine von %2 noch ein Ordner oder eine ZIP-Datei.</translation>
     </message>
     <message>
         <source>no goal</source>
@@ -896,18 +896,18 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
     <message>
         <source>Step %1 is not done yet. You can go back, or start from the teacher&apos;s model.</source>
-        <translation>Schritt %1 ist noch nicht fertig: zurückgehen, oder mit dem Modell der Lehrkraft anfangen.</translation>
+        <translation>Schritt %1 ist noch nicht fertig. Du kannst zurückgehen oder mit dem Modell der Lehrkraft anfangen.</translation>
     </message>
     <message>
         <source>This is the teacher&apos;s model. Press Try It and make your own.</source>
-        <translation>Das ist das Modell der Lehrkraft. Drücke auf Versuchen und mach dein eigenes.</translation>
+        <translation>Das ist das Modell der Lehrkraft. Drücke „Versuchen“ und mach dein eigenes.</translation>
     </message>
 </context>
 <context>
     <name>app::LessonEditorController</name>
     <message>
         <source>Undone: a lesson cannot contain images or models from other files.</source>
-        <translation>Rückgängig gemacht: Eine Lektion kann keine Bilder und Modelle aus anderen Dateien enthalten.</translation>
+        <translation>Rückgängig gemacht: Eine Lektion kann keine Bilder oder Modelle aus anderen Dateien enthalten.</translation>
     </message>
     <message>
         <source>The model is too large for a lesson.</source>
@@ -919,7 +919,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
     <message>
         <source>Not yet: other work on the model is still running.</source>
-        <translation>Noch nicht: Eine andere Arbeit am Modell ist noch nicht fertig.</translation>
+        <translation>Noch nicht: Am Modell läuft noch ein anderer Vorgang.</translation>
     </message>
     <message>
         <source>Playing the lesson to its end</source>
@@ -927,15 +927,15 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
     <message>
         <source>Unsaved lesson</source>
-        <translation>Nicht gespeicherte Lektion</translation>
+        <translation>Ungespeicherte Lektion</translation>
     </message>
     <message>
         <source>The lesson has unsaved changes.</source>
-        <translation>Die Lektion hat Änderungen, die nicht gespeichert wurden.</translation>
+        <translation>Die Lektion hat ungespeicherte Änderungen.</translation>
     </message>
     <message>
         <source>An unsaved lesson was kept: Sculpt &gt; Record Lesson lists it.</source>
-        <translation>Eine nicht gespeicherte Lektion ist aufgehoben: Formen &gt; Lektion aufzeichnen hat sie unter den Lektionen.</translation>
+        <translation>Eine ungespeicherte Lektion wurde gesichert: Sie finden sie unter Formen &gt; Lektion aufzeichnen.</translation>
     </message>
     <message>
         <source>Not saved: %1</source>
@@ -952,17 +952,17 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>You met %1 of %n goals.</source>
         <extracomment>%1: how many of them</extracomment>
         <translation>
-            <numerusform>%1 von %n Ziel hast du erreicht.</numerusform>
-            <numerusform>%1 von %n Zielen hast du erreicht.</numerusform>
+            <numerusform>Du hast %1 von %n Ziel erreicht.</numerusform>
+            <numerusform>Du hast %1 von %n Zielen erreicht.</numerusform>
         </translation>
     </message>
     <message>
         <source>Keep sculpting, export your model, or save the steps as a handout.</source>
-        <translation>Modelliere weiter, exportiere dein Modell oder speichere die Schritte als Arbeitsblatt.</translation>
+        <translation>Forme weiter, exportiere dein Modell oder speichere die Schritte als Arbeitsblatt.</translation>
     </message>
     <message>
         <source>Keep sculpting, if you like.</source>
-        <translation>Modelliere weiter, wenn du magst.</translation>
+        <translation>Forme weiter, wenn du magst.</translation>
     </message>
     <message>
         <source>Well done!</source>
@@ -1023,11 +1023,11 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
     <message>
         <source>Played again, the lesson does not end with the model in the window.</source>
-        <translation>Noch einmal abgespielt, endet die Lektion nicht mit dem Modell im Fenster.</translation>
+        <translation>Beim erneuten Abspielen endet die Lektion nicht mit dem Modell im Fenster.</translation>
     </message>
     <message>
         <source>%1 already exists. Choose another name for the lesson&apos;s folder.</source>
-        <translation>%1 gibt es schon; der Ordner einer Lektion bekommt einen eigenen Namen.</translation>
+        <translation>%1 gibt es schon. Wählen Sie einen anderen Namen für den Ordner der Lektion.</translation>
     </message>
     <message>
         <source>Step %1 is not met: %2.</source>
@@ -1058,11 +1058,11 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
     <message>
         <source>its lesson.json is not a lesson of Fettle</source>
-        <translation>ihre lesson.json ist keine Lektion dieses Programms</translation>
+        <translation>ihre lesson.json ist keine Lektion von Fettle</translation>
     </message>
     <message>
         <source>this lesson was made for a newer version of the program (format %1; this one reads format 1)</source>
-        <translation>diese Lektion wurde für eine neuere Version des Programms gemacht (Format %1; diese liest Format 1)</translation>
+        <translation>diese Lektion wurde für eine neuere Version des Programms erstellt (Format %1; diese liest Format 1)</translation>
     </message>
     <message>
         <source>its lesson.json is not JSON</source>
@@ -1070,7 +1070,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
     <message>
         <source>its lesson.json nests deeper than a lesson does</source>
-        <translation>ihre lesson.json ist tiefer verschachtelt, als eine Lektion es ist</translation>
+        <translation>ihre lesson.json ist tiefer verschachtelt als eine Lektion</translation>
     </message>
     <message>
         <source>&quot;%1&quot; appears twice</source>
@@ -1102,7 +1102,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
     <message>
         <source>&quot;%1&quot; must be angles, as in {&quot;yaw_deg&quot;: 75, &quot;pitch_deg&quot;: -25}</source>
-        <translation>„%1“ müssen Winkel sein, wie in {&quot;yaw_deg&quot;: 75, &quot;pitch_deg&quot;: -25}</translation>
+        <translation>„%1“ muss aus Winkeln bestehen, wie in {&quot;yaw_deg&quot;: 75, &quot;pitch_deg&quot;: -25}</translation>
     </message>
     <message>
         <source>&quot;%1&quot; must contain a distance, as in {&quot;tolerance_mm&quot;: 2}</source>
@@ -1142,7 +1142,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
     <message>
         <source>&quot;%1&quot; has no text in some language</source>
-        <translation>„%1“ hat in einer Sprache keine Wörter</translation>
+        <translation>„%1“ hat in einer Sprache keinen Text</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is too long: at most %2 of text are read</source>
@@ -1150,7 +1150,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
     <message>
         <source>it contains too many files: at most %1 are allowed</source>
-        <translation>sie enthält zu viele Dateien: Höchstens %1 werden gelesen</translation>
+        <translation>sie enthält zu viele Dateien: Höchstens %1 sind erlaubt</translation>
     </message>
     <message>
         <source>&quot;%1&quot; has too many entries: at most %2 are read</source>
@@ -1158,15 +1158,15 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
     <message>
         <source>it refers to a file that is outside of its folder, or whose name is not allowed: %1</source>
-        <translation>sie nennt eine Datei außerhalb ihres Ordners oder mit keinem einfachen Namen: %1</translation>
+        <translation>sie verweist auf eine Datei, die außerhalb ihres Ordners liegt oder deren Name nicht erlaubt ist: %1</translation>
     </message>
     <message>
         <source>it has no lesson.json: a lesson is a folder or ZIP file that contains one</source>
-        <translation>darin ist keine lesson.json: Eine Lektion ist ein Ordner oder ein Zip mit dieser Datei</translation>
+        <translation>sie enthält keine lesson.json: Eine Lektion ist ein Ordner oder eine ZIP-Datei, die eine enthält</translation>
     </message>
     <message>
         <source>this file is missing</source>
-        <translation>diese Datei wird genannt, ist aber nicht da</translation>
+        <translation>diese Datei fehlt</translation>
     </message>
     <message>
         <source>this is too large for a lesson: at most %1 are read</source>
@@ -1178,11 +1178,11 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
     <message>
         <source>the strokes of a lesson cannot need other images or models</source>
-        <translation>die Striche einer Lektion dürfen keine anderen Bilder oder Modelle brauchen</translation>
+        <translation>die Striche einer Lektion dürfen keine anderen Bilder oder Modelle verwenden</translation>
     </message>
     <message>
         <source>this command would break the model that it is applied to</source>
-        <translation>dieser Befehl lässt sich an dem Modell, auf das er trifft, nicht einwandfrei ausführen</translation>
+        <translation>dieser Befehl würde das Modell beschädigen, auf das er angewendet wird</translation>
     </message>
     <message>
         <source>ready to print</source>
@@ -1268,7 +1268,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
     <message>
         <source>%1 (cannot be said of this model)</source>
-        <translation>%1 (lässt sich von diesem Modell nicht sagen)</translation>
+        <translation>%1 (bei diesem Modell nicht messbar)</translation>
     </message>
     <message>
         <source>%1 (not yet)</source>
@@ -1293,7 +1293,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
     <message>
         <source>Sculpt something in this step</source>
-        <translation>in diesem Schritt modelliert</translation>
+        <translation>in diesem Schritt etwas formen</translation>
     </message>
     <message>
         <source>like the teacher&apos;s to %1 mm (now up to %2)</source>
@@ -1319,7 +1319,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
     <message>
         <source>Not all goals of the lesson are met.</source>
-        <translation>Nicht alles ist so, wie die Lektion es verlangt.</translation>
+        <translation>Nicht alle Ziele der Lektion sind erreicht.</translation>
     </message>
     <message>
         <source>Save All the Same</source>
@@ -1331,11 +1331,11 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
     <message>
         <source>Saved %1.</source>
-        <translation>%1 wurde geschrieben.</translation>
+        <translation>%1 wurde gespeichert.</translation>
     </message>
     <message>
         <source>Not yet: other work on the model is still running.</source>
-        <translation>Noch nicht: Eine andere Arbeit am Modell ist noch nicht fertig.</translation>
+        <translation>Noch nicht: Am Modell läuft noch ein anderer Vorgang.</translation>
     </message>
     <message>
         <source>Playing the lesson to its end</source>
@@ -1346,11 +1346,11 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <name>app::ModelExport</name>
     <message>
         <source>Reducing the triangles</source>
-        <translation>Dreiecke werden weniger</translation>
+        <translation>Dreiecke werden reduziert</translation>
     </message>
     <message>
         <source>Saved %1. It was not verified.</source>
-        <translation>%1 wurde geschrieben, aber nicht wieder gelesen.</translation>
+        <translation>%1 wurde gespeichert, aber nicht geprüft.</translation>
     </message>
     <message>
         <source>%1: there is not enough memory to write this model.</source>
@@ -1362,11 +1362,11 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
     <message>
         <source>Reading %1 back</source>
-        <translation>%1 wird wieder gelesen</translation>
+        <translation>%1 wird zur Prüfung gelesen</translation>
     </message>
     <message>
         <source>Saved %1, but reading it back gave something else. The disk may be failing, or another program may be changing the file.</source>
-        <translation>%1 wurde geschrieben, enthält aber nicht, was geschrieben wurde. Vielleicht ist der Datenträger schadhaft, oder ein anderes Programm ändert die Datei.</translation>
+        <translation>%1 wurde gespeichert, ergab beim Lesen aber etwas anderes. Vielleicht ist der Datenträger defekt, oder ein anderes Programm ändert die Datei.</translation>
     </message>
     <message>
         <source>%1: %2 × %3 × %4 mm, %5 triangles; verified, watertight.</source>
@@ -1374,15 +1374,15 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
     <message>
         <source>Its format has no colours; GLB and 3MF keep them.</source>
-        <translation>Sein Format behält die Farben nicht; GLB und 3MF behalten sie.</translation>
+        <translation>Sein Format kennt keine Farben; GLB und 3MF behalten sie.</translation>
     </message>
     <message>
         <source>%1 triangles were asked for; this could not be reached without losing handles or parts, or flipping faces.</source>
-        <translation>%1 Dreiecke waren verlangt; so wenige waren nicht zu erreichen, ohne Henkel oder Teile zu verlieren oder Flächen umzuwenden.</translation>
+        <translation>Verlangt waren %1 Dreiecke; das war nicht möglich, ohne Henkel oder Teile zu verlieren oder Flächen umzudrehen.</translation>
     </message>
     <message>
         <source>Slicing %1</source>
-        <translation>%1 wird geschnitten</translation>
+        <translation>%1 wird gesliced</translation>
     </message>
 </context>
 <context>
@@ -1393,7 +1393,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
     <message>
         <source>%1 cannot be sculpted where it is: so far from the origin its coordinates are too coarse for its detail.</source>
-        <translation>%1 kann nicht bearbeitet werden, wo es liegt: So weit vom Ursprung sind seine Koordinaten zu grob für seine Einzelheiten.</translation>
+        <translation>%1 lässt sich an seinem Ort nicht formen: So weit vom Ursprung entfernt sind seine Koordinaten zu grob für seine Details.</translation>
     </message>
     <message>
         <source>%1: there is not enough memory for this model.</source>
@@ -1405,7 +1405,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
     <message>
         <source>%1: there is not enough memory to write this model.</source>
-        <translation>%1: Zum Schreiben dieses Modells reicht der Speicher nicht.</translation>
+        <translation>%1: Der Speicher reicht nicht, um dieses Modell zu schreiben.</translation>
     </message>
     <message>
         <source>Cube</source>
@@ -1437,7 +1437,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
     <message>
         <source>%1 is very small in millimetres (%2). If it was made in another unit, undo, and say which when you insert it again.</source>
-        <translation>%1 ist in Millimetern sehr klein (%2). Wenn es in einer anderen Einheit entstand, machen Sie das Einfügen rückgängig und nennen Sie beim nächsten Mal die Einheit.</translation>
+        <translation>%1 ist in Millimetern sehr klein (%2). Falls es in einer anderen Einheit erstellt wurde, machen Sie das Einfügen rückgängig und geben Sie beim nächsten Mal die Einheit an.</translation>
     </message>
 </context>
 <context>
@@ -1452,7 +1452,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
     <message>
         <source>The model that you chose will open as soon as this is done.</source>
-        <translation>Das gewählte Modell wird geöffnet, sobald dies fertig ist.</translation>
+        <translation>Das gewählte Modell wird geöffnet, sobald dieser Vorgang fertig ist.</translation>
     </message>
     <message>
         <source>Recovering %1</source>
@@ -1482,15 +1482,15 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <name>app::ModelSaving</name>
     <message>
         <source>Saved %1 without colours: its format has none. GLB keeps them.</source>
-        <translation>%1 wurde ohne die Farben geschrieben, die sein Format nicht behält; GLB behält sie.</translation>
+        <translation>%1 wurde ohne Farben gespeichert: Sein Format kennt keine. GLB behält sie.</translation>
     </message>
     <message>
         <source>%1 and %2 were written.</source>
-        <translation>%1 und %2 wurden geschrieben.</translation>
+        <translation>%1 und %2 wurden gespeichert.</translation>
     </message>
     <message>
         <source>Only %1 was written. %2</source>
-        <translation>Nur %1 wurde geschrieben. %2</translation>
+        <translation>Nur %1 wurde gespeichert. %2</translation>
     </message>
 </context>
 <context>
@@ -1563,7 +1563,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
     <message>
         <source>Colouring the model</source>
-        <translation>Das Modell wird gefärbt</translation>
+        <translation>Das Modell wird eingefärbt</translation>
     </message>
     <message>
         <source>Remesh</source>
@@ -1577,23 +1577,23 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>Symmetrize</source>
         <comment>undo step</comment>
-        <translation>Symmetrisch machen</translation>
+        <translation>Symmetrisieren</translation>
     </message>
     <message>
         <source>Making the model symmetric</source>
-        <translation>Das Modell wird symmetrisch gemacht</translation>
+        <translation>Das Modell wird symmetrisiert</translation>
     </message>
     <message>
         <source>The mesh is as uniform as that already.</source>
-        <translation>Das Netz ist schon so gleichmäßig.</translation>
+        <translation>Das Netz ist bereits so gleichmäßig.</translation>
     </message>
     <message>
         <source>The model is like that already.</source>
-        <translation>Das Modell ist schon so.</translation>
+        <translation>Das Modell ist bereits so.</translation>
     </message>
     <message>
         <source>The model stays as it is, because some of its faces would intersect after rounding to the program&apos;s grid (faces: %1).</source>
-        <translation>Das Modell bleibt, wie es ist, weil sich einige seiner Flächen auf dem Arbeitsraster des Programms treffen würden (Flächen: %1).</translation>
+        <translation>Das Modell bleibt, wie es ist, weil sich einige seiner Flächen nach dem Runden auf das Raster des Programms schneiden würden (Flächen: %1).</translation>
     </message>
     <message>
         <source>The model stays as it is: nothing may be farther from the origin than four times its size.</source>
@@ -1601,7 +1601,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
     <message>
         <source>The model stays as it is: its size must be between a millionth of a millimetre and ten kilometres.</source>
-        <translation>Das Modell bleibt, wie es ist: Es kann zwischen einem Millionstel Millimeter und zehn Kilometern groß sein.</translation>
+        <translation>Das Modell bleibt, wie es ist: Seine Größe muss zwischen einem Millionstel Millimeter und zehn Kilometern liegen.</translation>
     </message>
     <message>
         <source>%1 was not inserted, because one model would be inside the other. It must be outside, or in a hollow.</source>
@@ -1613,11 +1613,11 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
     <message>
         <source>The model stays as it is, because no part of it is on the side to keep.</source>
-        <translation>Das Modell bleibt, wie es ist, denn auf der Seite, die bleiben sollte, liegt nichts davon.</translation>
+        <translation>Das Modell bleibt, wie es ist, weil auf der Seite, die bleiben soll, nichts davon liegt.</translation>
     </message>
     <message>
         <source>The model stays as it is, because the half and its mirror image would not make one sound surface.</source>
-        <translation>Das Modell bleibt, wie es ist, denn die Hälfte und ihr Spiegelbild ergäben keine einwandfreie Fläche.</translation>
+        <translation>Das Modell bleibt, wie es ist, weil die Hälfte und ihr Spiegelbild keine fehlerfreie Oberfläche ergäben.</translation>
     </message>
     <message>
         <source>The mesh stays as it is: with edges this short it would need too many triangles (%1).</source>
@@ -1644,15 +1644,15 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>Flatten Base</source>
         <comment>undo step</comment>
-        <translation>Fuß abflachen</translation>
+        <translation>Unterseite ebnen</translation>
     </message>
     <message>
         <source>Flattening the base</source>
-        <translation>Der Fuß wird abgeflacht</translation>
+        <translation>Die Unterseite wird geebnet</translation>
     </message>
     <message>
         <source>The model stays as it is, because a cut at this height would not leave one sound surface; another height may do.</source>
-        <translation>Das Modell bleibt, wie es ist, weil ein Schnitt in dieser Höhe keine einwandfreie Oberfläche ließe; vielleicht geht es in einer anderen.</translation>
+        <translation>Das Modell bleibt, wie es ist, weil ein Schnitt in dieser Höhe keine fehlerfreie Oberfläche ergäbe; vielleicht geht es in einer anderen.</translation>
     </message>
     <message>
         <source>Changing the mask</source>
@@ -1705,7 +1705,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
     <message>
         <source>The mask is like that already.</source>
-        <translation>Die Maske ist schon so.</translation>
+        <translation>Die Maske ist bereits so.</translation>
     </message>
 </context>
 <context>
@@ -1756,7 +1756,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
     <message>
         <source>replay: the mesh is not valid after dab %1.</source>
-        <translation>replay: Das Netz ist in Tupfer %1 nicht in Ordnung.</translation>
+        <translation>replay: Das Netz ist nach Tupfer %1 ungültig.</translation>
     </message>
     <message>
         <source>replay: strokes[%1]: %2</source>
@@ -1792,7 +1792,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
     <message>
         <source>replay: --verify none and --out cannot be used together: what is not verified is not kept.</source>
-        <translation>replay: --verify none und --out lassen sich nicht zusammen verwenden: Was nicht geprüft ist, wird nicht aufbewahrt.</translation>
+        <translation>replay: --verify none und --out lassen sich nicht zusammen verwenden: Was nicht geprüft ist, wird nicht behalten.</translation>
     </message>
     <message>
         <source>%1: %2: %3</source>
@@ -1808,11 +1808,11 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <name>app::ReportCommand</name>
     <message>
         <source>Writes a class report: for each model in a folder its picture, size and volume, whether it is print-ready or why not, and, for GLB files, the number of strokes and the time spent. Pupils&apos; models are listed by pupil, with the time of the turn. Status 1: not all models can be read.</source>
-        <translation>Schreibt einen Klassenbericht: von jedem Modell eines Ordners Bild, Größe und Volumen, ob es druckfertig ist oder warum nicht, und von GLB-Dateien die Striche und die Zeit. Die Arbeiten einer Klasse stehen unter den Namen der Kinder, mit der Zeit, die jedes hatte. Status 1: nicht alle Modelle sind lesbar.</translation>
+        <translation>Schreibt einen Klassenbericht: zu jedem Modell eines Ordners Bild, Größe und Volumen, ob es druckfertig ist oder warum nicht, und bei GLB-Dateien die Zahl der Striche und die Arbeitszeit. Modelle von Kindern stehen unter deren Namen, mit der Dauer des Durchgangs. Status 1: nicht alle Modelle sind lesbar.</translation>
     </message>
     <message>
         <source>The models. Subfolders are skipped, except the pupils&apos; models of a class.</source>
-        <translation>Die Modelle; von Unterordnern werden nur die Arbeiten einer Klasse beachtet, in der eins nach dem anderen drankommt.</translation>
+        <translation>Die Modelle. Unterordner werden übergangen, außer denen mit den Modellen der Kinder einer Klasse.</translation>
     </message>
     <message numerus="yes">
         <source>report: needs one folder; %n were given.</source>
@@ -1826,15 +1826,15 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <name>app::ReportController</name>
     <message>
         <source>The class report has to wait until this is done; try again then.</source>
-        <translation>Der Klassenbericht muss warten, bis dies fertig ist; fordern Sie ihn dann noch einmal an.</translation>
+        <translation>Der Klassenbericht muss warten, bis dies fertig ist; versuchen Sie es dann noch einmal.</translation>
     </message>
     <message>
         <source>Looking at the models in %1</source>
-        <translation>Die Modelle in %1 werden angesehen</translation>
+        <translation>Die Modelle in %1 werden untersucht</translation>
     </message>
     <message>
         <source>Saved %1.</source>
-        <translation>%1 wurde geschrieben.</translation>
+        <translation>%1 wurde gespeichert.</translation>
     </message>
     <message>
         <source>%1 was not written.</source>
@@ -1852,15 +1852,15 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <name>app::SheetCommand</name>
     <message>
         <source>Writes scale drawings of models, one A4 page each, in the order of their names. Pupils&apos; models are named by pupil. Status 1: not all models can be drawn.</source>
-        <translation>Schreibt maßstäbliche Zeichnungen von Modellen, je eine Seite A4, nach Namen geordnet. Die Arbeiten einer Klasse heißen nach den Kindern. Status 1: nicht alle haben eine.</translation>
+        <translation>Schreibt maßstäbliche Zeichnungen von Modellen, je eine Seite A4, nach Namen geordnet. Modelle von Kindern tragen deren Namen. Status 1: nicht alle Modelle lassen sich zeichnen.</translation>
     </message>
     <message>
         <source>%1 has no sheet, because its surface does not enclose anything (%2).</source>
-        <translation>%1 bekommt kein Blatt, weil seine Fläche nichts umschließt (%2).</translation>
+        <translation>%1 bekommt kein Blatt, weil seine Oberfläche nichts umschließt (%2).</translation>
     </message>
     <message>
         <source>%1 was not written: none of the models can be drawn.</source>
-        <translation>%1 wurde nicht geschrieben: Kein Modell bekommt ein Blatt.</translation>
+        <translation>%1 wurde nicht geschrieben: Keines der Modelle lässt sich zeichnen.</translation>
     </message>
     <message>
         <source>Models, or folders of models; or -.</source>
@@ -1879,26 +1879,26 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
     <message>
         <source>The VR simulator is not installed with this program: there is no folder %1 beside it with fettle_simulator.json.</source>
-        <translation>Der VR-Simulator ist nicht mit diesem Programm installiert: daneben gibt es keinen Ordner %1 mit fettle_simulator.json.</translation>
+        <translation>Der VR-Simulator ist nicht mit diesem Programm installiert: Daneben fehlt der Ordner %1 mit fettle_simulator.json.</translation>
     </message>
 </context>
 <context>
     <name>app::SlicerCheck</name>
     <message>
         <source>PrusaSlicer was stopped.</source>
-        <translation>PrusaSlicer wurde angehalten.</translation>
+        <translation>PrusaSlicer wurde abgebrochen.</translation>
     </message>
     <message>
         <source>PrusaSlicer took longer than three minutes and was stopped.</source>
-        <translation>PrusaSlicer brauchte länger als drei Minuten und wurde angehalten.</translation>
+        <translation>PrusaSlicer brauchte länger als drei Minuten und wurde abgebrochen.</translation>
     </message>
     <message>
         <source>PrusaSlicer does not slice it: %1</source>
-        <translation>PrusaSlicer schneidet es nicht: %1</translation>
+        <translation>PrusaSlicer kann es nicht slicen: %1</translation>
     </message>
     <message>
         <source>PrusaSlicer slices it: layers %1, time %2.</source>
-        <translation>PrusaSlicer schneidet es: Schichten %1, Zeit %2.</translation>
+        <translation>PrusaSlicer hat es gesliced: Schichten %1, Zeit %2.</translation>
     </message>
 </context>
 <context>
@@ -1998,7 +1998,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <name>app::StrokeEdit</name>
     <message>
         <source>With this brush it does nothing.</source>
-        <translation>Mit diesem Pinsel bewirkt er nichts.</translation>
+        <translation>Mit diesem Pinsel bewirkt der Strich nichts.</translation>
     </message>
 </context>
 <context>
@@ -2010,7 +2010,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
     <message>
         <source>%1 has changed since this stroke was recorded.</source>
-        <translation>%1 ist nicht mehr, was es war, als dieser Strich aufgezeichnet wurde.</translation>
+        <translation>%1 hat sich geändert, seit dieser Strich aufgezeichnet wurde.</translation>
     </message>
     <message>
         <source>alpha: &quot;%1&quot; is none of %2, and no file</source>
@@ -2021,7 +2021,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <name>app::TimeLapse</name>
     <message>
         <source>%1 already contains %2, and nothing was overwritten: choose an empty folder.</source>
-        <translation>In %1 gibt es schon %2, und nichts wurde überschrieben: Wählen Sie einen leeren Ordner.</translation>
+        <translation>In %1 gibt es schon %2; nichts wurde überschrieben. Wählen Sie einen leeren Ordner.</translation>
     </message>
     <message>
         <source>There is not enough memory for a time-lapse of this model.</source>
@@ -2029,7 +2029,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
     <message>
         <source>The earlier steps of the model can no longer be read, so they are not in the time-lapse.</source>
-        <translation>Die früheren Schritte des Modells können nicht mehr gelesen werden, also gibt es keinen Zeitraffer davon.</translation>
+        <translation>Die früheren Schritte des Modells sind nicht mehr lesbar und fehlen daher im Zeitraffer.</translation>
     </message>
     <message>
         <source>%1 is not a folder.</source>
@@ -2044,17 +2044,17 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
     <message>
         <source>The time-lapse has to wait until this is done; try again then.</source>
-        <translation>Der Zeitraffer muss warten, bis dies fertig ist; wählen Sie ihn dann noch einmal.</translation>
+        <translation>Der Zeitraffer muss warten, bis dies fertig ist; versuchen Sie es dann noch einmal.</translation>
     </message>
     <message>
         <source>The time-lapse was stopped; no picture of it is in %1.</source>
-        <translation>Der Zeitraffer wurde angehalten; kein Bild davon ist in %1.</translation>
+        <translation>Der Zeitraffer wurde abgebrochen; in %1 liegt kein Bild davon.</translation>
     </message>
     <message numerus="yes">
         <source>%1: %Ln pictures were written.</source>
         <translation>
-            <numerusform>%1: %Ln Bild wurde geschrieben.</numerusform>
-            <numerusform>%1: %Ln Bilder wurden geschrieben.</numerusform>
+            <numerusform>%1: %Ln Bild wurde gespeichert.</numerusform>
+            <numerusform>%1: %Ln Bilder wurden gespeichert.</numerusform>
         </translation>
     </message>
 </context>
@@ -2217,7 +2217,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Shows what this program is, and its version.</source>
-        <translation>Sagt, was dieses Programm ist und in welcher Version.</translation>
+        <translation>Zeigt, was dieses Programm ist, und seine Version.</translation>
     </message>
     <message>
         <source>&amp;File</source>
@@ -2245,11 +2245,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>&amp;Stop</source>
-        <translation>&amp;Anhalten</translation>
+        <translation>&amp;Abbrechen</translation>
     </message>
     <message>
         <source>Stops what is running. The model stays as it is.</source>
-        <translation>Hält an, was gerade läuft. Das Modell bleibt, wie es ist.</translation>
+        <translation>Bricht ab, was gerade läuft. Das Modell bleibt, wie es ist.</translation>
     </message>
     <message>
         <source>&amp;Move…</source>
@@ -2257,7 +2257,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Moves the whole model by a distance in millimetres.</source>
-        <translation>Verschiebt das ganze Modell um so viele Millimeter.</translation>
+        <translation>Verschiebt das ganze Modell um eine Strecke in Millimetern.</translation>
     </message>
     <message>
         <source>&amp;Rotate…</source>
@@ -2281,15 +2281,15 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Turns the whole model into its mirror image.</source>
-        <translation>Macht das ganze Modell zu seinem Spiegelbild.</translation>
+        <translation>Ersetzt das ganze Modell durch sein Spiegelbild.</translation>
     </message>
     <message>
         <source>S&amp;ymmetrize…</source>
-        <translation>S&amp;ymmetrisch machen …</translation>
+        <translation>S&amp;ymmetrisieren …</translation>
     </message>
     <message>
         <source>Replaces one half of the model by the mirror image of the other.</source>
-        <translation>Setzt an die Stelle einer Hälfte des Modells das Spiegelbild der anderen.</translation>
+        <translation>Ersetzt eine Hälfte des Modells durch das Spiegelbild der anderen.</translation>
     </message>
     <message>
         <source>Re&amp;centre</source>
@@ -2297,7 +2297,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Moves the middle of the model to the origin.</source>
-        <translation>Setzt die Mitte des Modells in den Ursprung.</translation>
+        <translation>Verschiebt die Mitte des Modells in den Ursprung.</translation>
     </message>
     <message>
         <source>I&amp;nsert…</source>
@@ -2321,7 +2321,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Levels the surface. Shift smooths.</source>
-        <translation>Ebnet die Oberfläche ein. Mit Umschalt wird geglättet.</translation>
+        <translation>Ebnet die Oberfläche ein. Umschalt glättet.</translation>
     </message>
     <message>
         <source>P&amp;aint</source>
@@ -2329,7 +2329,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Colours the surface without changing its shape. Shift smooths.</source>
-        <translation>Färbt die Oberfläche und lässt ihre Form. Mit Umschalt wird geglättet.</translation>
+        <translation>Färbt die Oberfläche, ohne ihre Form zu ändern. Umschalt glättet.</translation>
     </message>
     <message>
         <source>&amp;Ray Brush</source>
@@ -2337,7 +2337,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Affects only points connected along the surface, not the far side of a fold.</source>
-        <translation>Wirkt nur auf Punkte, die entlang der Oberfläche nahe sind, nicht auf die andere Seite einer Falte.</translation>
+        <translation>Wirkt nur auf Punkte, die entlang der Oberfläche verbunden sind, nicht auf die andere Seite einer Falte.</translation>
     </message>
     <message>
         <source>Un&amp;iform Topology</source>
@@ -2345,7 +2345,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Keeps one edge length for the whole model instead of one that follows the brush.</source>
-        <translation>Hält eine Kantenlänge für das ganze Modell statt einer, die dem Pinsel folgt.</translation>
+        <translation>Verwendet eine Kantenlänge für das ganze Modell statt einer, die dem Pinsel folgt.</translation>
     </message>
     <message>
         <source>&amp;Fusion</source>
@@ -2353,7 +2353,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Joins surfaces that touch and parts thin necks. When off, surfaces stop where they touch.</source>
-        <translation>Verbindet Flächen, die sich berühren, und trennt dünne Hälse. Ausgeschaltet halten Flächen an, wo sie sich berühren.</translation>
+        <translation>Verbindet Flächen, die sich berühren, und trennt dünne Stege. Ist es aus, halten Flächen an, wo sie sich berühren.</translation>
     </message>
     <message>
         <source>S&amp;ymmetry</source>
@@ -2369,7 +2369,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Shows every command with its key, and searches them.</source>
-        <translation>Zeigt jeden Befehl mit seiner Taste und findet einen nach seinen Wörtern.</translation>
+        <translation>Listet alle Befehle mit ihren Tasten auf und durchsucht sie.</translation>
     </message>
     <message>
         <source>&amp;Wireframe</source>
@@ -2385,7 +2385,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Shows each triangle in one shade instead of a smooth surface.</source>
-        <translation>Zeigt jedes Dreieck in einem Ton statt einer glatten Oberfläche.</translation>
+        <translation>Schattiert jedes Dreieck einzeln statt als glatte Oberfläche.</translation>
     </message>
     <message>
         <source>Cavit&amp;y Shade</source>
@@ -2401,7 +2401,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Tints the area that the brush would affect.</source>
-        <translation>Färbt schwach ein, was der Pinsel als Nächstes bewegen würde.</translation>
+        <translation>Tönt den Bereich, auf den der Pinsel wirken würde.</translation>
     </message>
     <message>
         <source>Symmetry &amp;Plane</source>
@@ -2433,7 +2433,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Shows a cube in the corner of the view: click a face to look from there.</source>
-        <translation>Zeigt in der Ecke der Ansicht einen Würfel: Ein Klick auf eine Seite blickt von dort.</translation>
+        <translation>Zeigt in der Ecke der Ansicht einen Würfel: Ein Klick auf eine Seite zeigt das Modell von dort.</translation>
     </message>
     <message>
         <source>Tool &amp;Names</source>
@@ -2449,7 +2449,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Moves the panels to the left of the view, for left-handed use.</source>
-        <translation>Stellt die Bedienfelder links neben die Ansicht, für Linkshänder.</translation>
+        <translation>Setzt die Bedienfelder links neben die Ansicht, für Linkshänder.</translation>
     </message>
     <message>
         <source>Brus&amp;h Palette</source>
@@ -2457,7 +2457,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Opens tools, radius and strength at the pointer, as a right click does.</source>
-        <translation>Öffnet Werkzeuge, Radius und Stärke am Mauszeiger, wie ein Klick mit der rechten Taste.</translation>
+        <translation>Öffnet Werkzeuge, Radius und Stärke am Zeiger, wie ein Rechtsklick.</translation>
     </message>
     <message>
         <source>Brus&amp;h Presets</source>
@@ -2481,7 +2481,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Shows the model as cool grey clay, which hides no bump.</source>
-        <translation>Zeigt das Modell als kühlen grauen Ton, der keine Unebenheit verbirgt.</translation>
+        <translation>Zeigt das Modell als kühlen grauen Ton, auf dem jede Unebenheit zu sehen ist.</translation>
     </message>
     <message>
         <source>Red &amp;Wax</source>
@@ -2505,7 +2505,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Shows the model as pearl, which shimmers where it turns away.</source>
-        <translation>Zeigt das Modell als Perle, die schimmert, wo sie sich abwendet.</translation>
+        <translation>Zeigt das Modell als Perle, die zum Rand hin schimmert.</translation>
     </message>
     <message>
         <source>&amp;Skin</source>
@@ -2521,7 +2521,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Shows the colours that were painted as they are, shaded.</source>
-        <translation>Zeigt die gemalten Farben, wie sie sind, schattiert.</translation>
+        <translation>Zeigt die gemalten Farben unverändert, schattiert.</translation>
     </message>
     <message>
         <source>As the &amp;Window</source>
@@ -2529,7 +2529,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Uses a background that matches the window, light or dark.</source>
-        <translation>Stellt hinter das Modell, was zum Fenster passt, hell oder dunkel.</translation>
+        <translation>Hintergrund passend zum Fenster, hell oder dunkel.</translation>
     </message>
     <message>
         <source>&amp;Light</source>
@@ -2537,7 +2537,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Uses a light grey background.</source>
-        <translation>Stellt ein helles Grau hinter das Modell.</translation>
+        <translation>Hellgrauer Hintergrund.</translation>
     </message>
     <message>
         <source>&amp;Dark</source>
@@ -2545,7 +2545,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Uses a dark grey background.</source>
-        <translation>Stellt ein dunkles Grau hinter das Modell.</translation>
+        <translation>Dunkelgrauer Hintergrund.</translation>
     </message>
     <message>
         <source>&amp;Sky</source>
@@ -2553,7 +2553,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Uses a pale blue sky as background.</source>
-        <translation>Stellt einen blassblauen Himmel hinter das Modell.</translation>
+        <translation>Blassblauer Himmel als Hintergrund.</translation>
     </message>
     <message>
         <source>W&amp;hite</source>
@@ -2561,7 +2561,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Uses a plain white background.</source>
-        <translation>Stellt reines Weiß hinter das Modell.</translation>
+        <translation>Rein weißer Hintergrund.</translation>
     </message>
     <message>
         <source>&amp;Black</source>
@@ -2569,7 +2569,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Uses a plain black background.</source>
-        <translation>Stellt reines Schwarz hinter das Modell.</translation>
+        <translation>Rein schwarzer Hintergrund.</translation>
     </message>
     <message>
         <source>Mat&amp;erial</source>
@@ -2581,19 +2581,19 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Set Radius by &amp;Dragging</source>
-        <translation>R&amp;adius ziehen</translation>
+        <translation>R&amp;adius durch Ziehen</translation>
     </message>
     <message>
         <source>Changes the radius as the pointer moves. Click or press Return to keep it; Esc or a right click cancels.</source>
-        <translation>Ändert den Radius, wie der Zeiger sich bewegt; Klick oder Eingabe behält ihn, Esc oder rechte Taste geht zurück.</translation>
+        <translation>Ändert den Radius mit der Zeigerbewegung. Klick oder Eingabetaste übernimmt ihn; Esc oder Rechtsklick bricht ab.</translation>
     </message>
     <message>
         <source>Set Strength by Draggin&amp;g</source>
-        <translation>S&amp;tärke ziehen</translation>
+        <translation>S&amp;tärke durch Ziehen</translation>
     </message>
     <message>
         <source>Changes the strength as the pointer moves. Click or press Return to keep it; Esc or a right click cancels.</source>
-        <translation>Ändert die Stärke, wie der Zeiger sich bewegt; Klick oder Eingabe behält sie, Esc oder rechte Taste geht zurück.</translation>
+        <translation>Ändert die Stärke mit der Zeigerbewegung. Klick oder Eingabetaste übernimmt sie; Esc oder Rechtsklick bricht ab.</translation>
     </message>
     <message>
         <source>S&amp;teady Stroke</source>
@@ -2617,7 +2617,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Picks the paint colour from the model with the next click.</source>
-        <translation>Der nächste Klick auf das Modell nimmt dessen Farbe zum Malen.</translation>
+        <translation>Nimmt mit dem nächsten Klick die Malfarbe vom Modell auf.</translation>
     </message>
     <message>
         <source>S&amp;wap Colours</source>
@@ -2625,7 +2625,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Paints with the other colour, and keeps this one for the next swap.</source>
-        <translation>Malt mit der anderen Farbe und hebt diese für den nächsten Tausch auf.</translation>
+        <translation>Malt mit der anderen Farbe und behält diese für den nächsten Tausch.</translation>
     </message>
     <message>
         <source>&amp;Fill with Colour</source>
@@ -2633,7 +2633,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Fills the whole model with the paint colour.</source>
-        <translation>Gibt dem ganzen Modell die Malfarbe.</translation>
+        <translation>Füllt das ganze Modell mit der Malfarbe.</translation>
     </message>
     <message>
         <source>&amp;Preferences…</source>
@@ -2653,7 +2653,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Writes a sheet with front, side and top view to scale: PDF, SVG or PNG.</source>
-        <translation>Schreibt ein Blatt mit Vorder-, Seiten- und Draufsicht im Maßstab: PDF, SVG oder PNG.</translation>
+        <translation>Schreibt ein maßstäbliches Blatt mit Vorder-, Seiten- und Draufsicht: PDF, SVG oder PNG.</translation>
     </message>
     <message>
         <source>Re&amp;vert</source>
@@ -2661,7 +2661,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Opens the model&apos;s file again, as it was last saved.</source>
-        <translation>Öffnet die Datei des Modells wieder, wie sie zuletzt geschrieben wurde.</translation>
+        <translation>Öffnet die Datei des Modells neu, wie sie zuletzt gespeichert wurde.</translation>
     </message>
     <message>
         <source>&amp;Ball</source>
@@ -2753,7 +2753,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Gives the model the shape and the colours that it was opened with. You can undo this.</source>
-        <translation>Gibt dem Modell Form und Farben zurück, mit denen es geöffnet wurde. Das lässt sich rückgängig machen.</translation>
+        <translation>Setzt Form und Farben des Modells auf den Stand beim Öffnen zurück. Das lässt sich rückgängig machen.</translation>
     </message>
     <message>
         <source>Save Nu&amp;mbered Copy</source>
@@ -2761,23 +2761,23 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Writes the model beside its file, with the next free number in the name.</source>
-        <translation>Schreibt das Modell neben seine Datei, mit der nächsten freien Nummer im Namen.</translation>
+        <translation>Speichert das Modell neben seiner Datei, mit der nächsten freien Nummer im Namen.</translation>
     </message>
     <message>
         <source>&amp;Browse Files</source>
-        <translation>Dateien &amp;durchsehen</translation>
+        <translation>Dateien &amp;durchsuchen</translation>
     </message>
     <message>
         <source>Shows the panel with a folder of models as pictures.</source>
-        <translation>Zeigt das Bedienfeld mit einem Ordner voller Modelle als Bilder.</translation>
+        <translation>Zeigt ein Bedienfeld mit den Modellen eines Ordners als Bildern.</translation>
     </message>
     <message>
         <source>Pulls the surface outwards. %1 pushes instead, Shift smooths.</source>
-        <translation>Zieht die Oberfläche nach außen. Mit %1 wird gedrückt, mit Umschalt geglättet.</translation>
+        <translation>Zieht die Oberfläche nach außen. %1 drückt stattdessen, Umschalt glättet.</translation>
     </message>
     <message>
         <source>Pushes the surface inwards. %1 pulls instead, Shift smooths.</source>
-        <translation>Drückt die Oberfläche nach innen. Mit %1 wird gezogen, mit Umschalt geglättet.</translation>
+        <translation>Drückt die Oberfläche nach innen. %1 zieht stattdessen, Umschalt glättet.</translation>
     </message>
     <message>
         <source>The right button turns the view.</source>
@@ -2789,7 +2789,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Opens the guide beside the window: first steps, lessons, and a page for everything.</source>
-        <translation>Öffnet die Anleitung neben dem Fenster: erste Schritte, Lektionen und eine Seite für alles.</translation>
+        <translation>Öffnet die Anleitung neben dem Fenster: erste Schritte, Lektionen und eine Seite zu jedem Thema.</translation>
     </message>
     <message>
         <source>&amp;Start Page</source>
@@ -2797,7 +2797,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Shows what to begin with: starters, recent files, and three short lessons.</source>
-        <translation>Zeigt, womit man beginnen kann: Anfänge, zuletzt geöffnete Dateien und drei kurze Lektionen.</translation>
+        <translation>Zeigt, womit Sie beginnen können: Ausgangsformen, zuletzt geöffnete Dateien und drei kurze Lektionen.</translation>
     </message>
     <message>
         <source>&amp;Choose…</source>
@@ -2805,27 +2805,27 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Adds an image behind the model, on the side that you look from.</source>
-        <translation>Stellt ein Bild hinter das Modell, auf die Seite, von der die Ansicht blickt.</translation>
+        <translation>Stellt ein Bild hinter das Modell, für die Seite, von der Sie schauen.</translation>
     </message>
     <message>
         <source>&amp;Show Reference Images</source>
-        <translation>Vorlagen &amp;zeigen</translation>
+        <translation>Referenzen &amp;zeigen</translation>
     </message>
     <message>
         <source>Shows the image of a side while the view looks from there.</source>
-        <translation>Zeigt das Bild einer Seite, solange die Ansicht von dort blickt.</translation>
+        <translation>Zeigt das Bild einer Seite, solange Sie von dort schauen.</translation>
     </message>
     <message>
         <source>&amp;Remove Reference Image</source>
-        <translation>Vorlage &amp;entfernen</translation>
+        <translation>Referenz &amp;entfernen</translation>
     </message>
     <message>
         <source>Removes the image of the side that you look from.</source>
-        <translation>Entfernt das Bild der Seite, von der die Ansicht blickt.</translation>
+        <translation>Entfernt das Bild der Seite, von der Sie schauen.</translation>
     </message>
     <message>
         <source>Refere&amp;nce Image</source>
-        <translation>Vorlage&amp;nbild</translation>
+        <translation>Refere&amp;nzbild</translation>
     </message>
     <message>
         <source>&amp;Open</source>
@@ -2833,7 +2833,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Opens the selected model of the Files panel, or enters the folder.</source>
-        <translation>Öffnet das im Bedienfeld „Dateien“ markierte Modell oder geht in den Ordner.</translation>
+        <translation>Öffnet das im Bedienfeld „Dateien“ markierte Modell oder wechselt in den Ordner.</translation>
     </message>
     <message>
         <source>&amp;Rename</source>
@@ -2841,15 +2841,15 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Renames the selected file of the Files panel; its ending stays.</source>
-        <translation>Benennt die im Bedienfeld „Dateien“ gewählte Datei um; ihre Endung bleibt.</translation>
+        <translation>Benennt die im Bedienfeld „Dateien“ markierte Datei um; ihre Endung bleibt.</translation>
     </message>
     <message>
         <source>&amp;Duplicate</source>
-        <translation>&amp;Verdoppeln</translation>
+        <translation>&amp;Duplizieren</translation>
     </message>
     <message>
         <source>Makes a copy of the selected file of the Files panel beside it.</source>
-        <translation>Legt neben die im Bedienfeld „Dateien“ markierte Datei eine Kopie.</translation>
+        <translation>Legt neben der im Bedienfeld „Dateien“ markierten Datei eine Kopie an.</translation>
     </message>
     <message>
         <source>Move to &amp;Trash</source>
@@ -2857,7 +2857,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Moves the selected file of the Files panel to the trash.</source>
-        <translation>Legt die im Bedienfeld „Dateien“ gewählte Datei in den Papierkorb.</translation>
+        <translation>Verschiebt die im Bedienfeld „Dateien“ markierte Datei in den Papierkorb.</translation>
     </message>
     <message>
         <source>&amp;Show in Folder</source>
@@ -2869,11 +2869,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>&amp;Up</source>
-        <translation>&amp;Hinauf</translation>
+        <translation>Nach &amp;oben</translation>
     </message>
     <message>
         <source>Goes up one folder in the Files panel.</source>
-        <translation>Geht im Bedienfeld „Dateien“ einen Ordner hinauf.</translation>
+        <translation>Wechselt im Bedienfeld „Dateien“ in den übergeordneten Ordner.</translation>
     </message>
     <message>
         <source>&amp;Choose Folder…</source>
@@ -2881,7 +2881,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Asks for the folder that the Files panel shows.</source>
-        <translation>Fragt nach dem Ordner, den das Bedienfeld „Dateien“ zeigt.</translation>
+        <translation>Wählt den Ordner, den das Bedienfeld „Dateien“ zeigt.</translation>
     </message>
     <message>
         <source>Files &amp;Panel</source>
@@ -2893,7 +2893,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Writes the model to an STL, OBJ, PLY, OFF, GLB or 3MF file. Its own file stays as it is.</source>
-        <translation>Schreibt das Modell als STL, OBJ, PLY, OFF, GLB oder 3MF. Seine eigene Datei bleibt, wie sie ist.</translation>
+        <translation>Schreibt das Modell als STL, OBJ, PLY, OFF, GLB oder 3MF. Seine eigene Datei bleibt unverändert.</translation>
     </message>
     <message>
         <source>Export for &amp;Print or Game…</source>
@@ -2901,7 +2901,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Writes STL, 3MF or GLB with as many triangles as you like, and verifies the file.</source>
-        <translation>Schreibt STL, 3MF oder GLB mit so vielen Dreiecken, wie Sie möchten, und prüft die Datei.</translation>
+        <translation>Schreibt STL, 3MF oder GLB mit beliebig vielen Dreiecken und prüft die Datei.</translation>
     </message>
     <message>
         <source>P&amp;lace on Bed</source>
@@ -2909,15 +2909,15 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Moves the model&apos;s lowest point to height 0, onto the printer&apos;s bed.</source>
-        <translation>Setzt den tiefsten Punkt des Modells auf Höhe 0, wo das Bett eines Druckers liegt.</translation>
+        <translation>Setzt den tiefsten Punkt des Modells auf Höhe 0, auf das Druckbett.</translation>
     </message>
     <message>
         <source>Flatten &amp;Base…</source>
-        <translation>F&amp;uß abflachen …</translation>
+        <translation>&amp;Unterseite ebnen …</translation>
     </message>
     <message>
         <source>Cuts the bottom off level, so that the model stands flat.</source>
-        <translation>Schneidet das untere Ende waagrecht ab, damit das Modell flach steht.</translation>
+        <translation>Schneidet das Modell unten waagrecht ab, damit es eben steht.</translation>
     </message>
     <message>
         <source>&amp;Print Check</source>
@@ -2925,7 +2925,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Shows whether the model prints: walls, overhangs, base, and the printer&apos;s bed.</source>
-        <translation>Zeigt, ob sich das Modell drucken lässt: Wände, Überhänge, Fuß und das Bett des Druckers.</translation>
+        <translation>Zeigt, ob sich das Modell drucken lässt: Wände, Überhänge, Standfläche und Druckbett.</translation>
     </message>
     <message>
         <source>&amp;Enter VR</source>
@@ -2933,7 +2933,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Sculpts in VR with a headset. Choose it again to leave VR.</source>
-        <translation>Formt in VR mit der VR-Brille. Noch einmal gewählt, verlässt es VR.</translation>
+        <translation>Formt in VR mit der VR-Brille. Erneut wählen, um VR zu verlassen.</translation>
     </message>
     <message>
         <source>&amp;Follow the Head</source>
@@ -2941,7 +2941,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Shows in this window what the headset sees, for a class to watch.</source>
-        <translation>Zeigt in diesem Fenster, wohin die Person mit der VR-Brille blickt, damit eine Klasse zusehen kann.</translation>
+        <translation>Zeigt in diesem Fenster, was die VR-Brille sieht, damit eine Klasse zusehen kann.</translation>
     </message>
     <message>
         <source>&amp;Inflate</source>
@@ -2949,15 +2949,15 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Swells the surface in all directions. %1 shrinks it instead, Shift smooths.</source>
-        <translation>Bläht die Oberfläche nach allen Seiten auf. Mit %1 schrumpft sie, mit Umschalt wird geglättet.</translation>
+        <translation>Bläht die Oberfläche nach allen Seiten auf. %1 lässt sie schrumpfen, Umschalt glättet.</translation>
     </message>
     <message>
         <source>Adds a flat layer and fills hollows first. %1 digs instead, Shift smooths.</source>
-        <translation>Trägt eine flache Schicht auf und füllt zuerst Vertiefungen. Mit %1 wird gegraben, mit Umschalt geglättet.</translation>
+        <translation>Trägt eine flache Schicht auf und füllt zuerst Vertiefungen. %1 gräbt stattdessen, Umschalt glättet.</translation>
     </message>
     <message>
         <source>Raises the surface to one height per stroke, however often you go over it. %1 sinks it instead, Shift smooths.</source>
-        <translation>Hebt die Oberfläche in einem Strich auf eine Höhe, so oft Sie auch darübergehen. Mit %1 wird sie gesenkt, mit Umschalt geglättet.</translation>
+        <translation>Hebt die Oberfläche je Strich auf eine Höhe, so oft Sie auch darüberfahren. %1 senkt sie stattdessen, Umschalt glättet.</translation>
     </message>
     <message>
         <source>Sc&amp;rape</source>
@@ -2965,7 +2965,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Removes what is above the average plane. %1 fills what is below instead, Shift smooths.</source>
-        <translation>Trägt ab, was über der mittleren Ebene liegt. Mit %1 wird gefüllt, was darunter liegt, mit Umschalt geglättet.</translation>
+        <translation>Trägt ab, was über der mittleren Ebene liegt. %1 füllt, was darunter liegt, Umschalt glättet.</translation>
     </message>
     <message>
         <source>Pi&amp;nch</source>
@@ -2973,7 +2973,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Pulls the surface together towards the stroke. %1 spreads it instead, Shift smooths.</source>
-        <translation>Zieht die Oberfläche zur Linie des Strichs hin zusammen. Mit %1 wird sie auseinandergezogen, mit Umschalt geglättet.</translation>
+        <translation>Zieht die Oberfläche zum Strich hin zusammen. %1 zieht sie auseinander, Umschalt glättet.</translation>
     </message>
     <message>
         <source>Cr&amp;ease</source>
@@ -2981,7 +2981,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Cuts a sharp groove. %1 raises a sharp ridge instead, Shift smooths.</source>
-        <translation>Schneidet eine scharfe Kerbe. Mit %1 entsteht ein scharfer Grat, mit Umschalt wird geglättet.</translation>
+        <translation>Schneidet eine scharfe Kerbe. %1 hebt stattdessen einen scharfen Grat, Umschalt glättet.</translation>
     </message>
     <message>
         <source>&amp;Grab</source>
@@ -2989,7 +2989,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Moves the surface under the brush along with the pointer. Shift smooths.</source>
-        <translation>Bewegt mit Ihrer Hand, was unter dem Pinsel ist. Mit Umschalt wird geglättet.</translation>
+        <translation>Bewegt die Oberfläche unter dem Pinsel mit dem Zeiger. Umschalt glättet.</translation>
     </message>
     <message>
         <source>Snake &amp;Hook</source>
@@ -2997,7 +2997,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Pulls out a tentacle, and the brush follows its tip. Shift smooths.</source>
-        <translation>Zieht einen Tentakel heraus, und der Pinsel folgt seiner Spitze. Mit Umschalt wird geglättet.</translation>
+        <translation>Zieht einen Tentakel heraus; der Pinsel folgt seiner Spitze. Umschalt glättet.</translation>
     </message>
     <message>
         <source>&amp;Twist</source>
@@ -3005,7 +3005,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Twists the surface under the brush as you drag away from it. %1 twists it the other way, Shift smooths.</source>
-        <translation>Verdreht, was unter dem Pinsel ist, so weit Sie davon wegziehen. Mit %1 andersherum, mit Umschalt wird geglättet.</translation>
+        <translation>Verdreht die Oberfläche unter dem Pinsel, wenn Sie von ihm wegziehen. %1 verdreht andersherum, Umschalt glättet.</translation>
     </message>
     <message>
         <source>Hold %1 on the model to invert the tool, %2 to smooth.</source>
@@ -3025,7 +3025,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Protects the surface from other tools. %1 erases the mask instead, Shift smooths.</source>
-        <translation>Schützt die Oberfläche vor allem, was andere Werkzeuge tun. Mit %1 wird die Maske weggewischt, mit Umschalt wird geglättet.</translation>
+        <translation>Schützt die Oberfläche vor anderen Werkzeugen. %1 wischt die Maske weg, Umschalt glättet.</translation>
     </message>
     <message>
         <source>&amp;Invert Mask</source>
@@ -3033,7 +3033,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Swaps protected and unprotected areas.</source>
-        <translation>Schützt, was frei ist, und gibt frei, was geschützt ist.</translation>
+        <translation>Vertauscht geschützte und ungeschützte Bereiche.</translation>
     </message>
     <message>
         <source>&amp;Clear Mask</source>
@@ -3041,7 +3041,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Removes the mask from the whole model.</source>
-        <translation>Gibt das ganze Modell frei.</translation>
+        <translation>Entfernt die Maske vom ganzen Modell.</translation>
     </message>
     <message>
         <source>&amp;Blur Mask</source>
@@ -3065,7 +3065,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Widens the mask by one triangle.</source>
-        <translation>Macht die Maske um ein Dreieck weiter.</translation>
+        <translation>Erweitert die Maske um ein Dreieck.</translation>
     </message>
     <message>
         <source>S&amp;hrink Mask</source>
@@ -3073,7 +3073,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Narrows the mask by one triangle.</source>
-        <translation>Macht die Maske um ein Dreieck enger.</translation>
+        <translation>Verkleinert die Maske um ein Dreieck.</translation>
     </message>
     <message>
         <source>Mask C&amp;avities</source>
@@ -3081,7 +3081,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Also protects hollows.</source>
-        <translation>Schützt auch, was hohl liegt.</translation>
+        <translation>Schützt auch Vertiefungen.</translation>
     </message>
     <message>
         <source>Mask by Co&amp;lour</source>
@@ -3089,7 +3089,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Also protects areas close to the paint colour.</source>
-        <translation>Schützt auch, was ungefähr die Malfarbe hat.</translation>
+        <translation>Schützt auch Bereiche, die der Malfarbe nahekommen.</translation>
     </message>
     <message>
         <source>Mask Whole &amp;Parts</source>
@@ -3097,7 +3097,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Extends the mask to the whole of each part that it touches.</source>
-        <translation>Schützt jedes einzelne Teil, das die Maske erreicht hat, ganz.</translation>
+        <translation>Dehnt die Maske auf jedes ganze Teil aus, das sie berührt.</translation>
     </message>
     <message>
         <source>M&amp;ask</source>
@@ -3109,11 +3109,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Presses a ball or a model of yours into the surface. %1 raises it instead, Shift smooths.</source>
-        <translation>Drückt eine Kugel oder ein Modell von Ihnen in die Oberfläche. Mit %1 wird gehoben, mit Umschalt geglättet.</translation>
+        <translation>Drückt eine Kugel oder ein eigenes Modell in die Oberfläche. %1 hebt die Form heraus, Umschalt glättet.</translation>
     </message>
     <message>
         <source>Repeats strokes around the vertical axis. Set the count in the Symmetry panel.</source>
-        <translation>Wiederholt Striche rings um die senkrechte Achse. Die Anzahl steht im Bedienfeld Symmetrie.</translation>
+        <translation>Wiederholt Striche rings um die senkrechte Achse. Die Anzahl stellen Sie im Bedienfeld Symmetrie ein.</translation>
     </message>
     <message>
         <source>Mas&amp;k</source>
@@ -3121,7 +3121,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Adds a ball of the brush&apos;s radius, or the stamp&apos;s model, where you click next.</source>
-        <translation>Setzt eine Kugel mit dem Radius des Pinsels oder das Modell des Stempels, wo Sie als Nächstes klicken.</translation>
+        <translation>Setzt mit dem nächsten Klick eine Kugel mit dem Radius des Pinsels oder das Modell des Stempels.</translation>
     </message>
     <message>
         <source>Radial Symm&amp;etry</source>
@@ -3137,7 +3137,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Shows how something is made, stroke by stroke, and lets you try it.</source>
-        <translation>Zeigt Strich für Strich, wie etwas gemacht wird, und lässt Sie es versuchen.</translation>
+        <translation>Zeigt Strich für Strich, wie etwas gemacht wird, und lässt Sie es selbst versuchen.</translation>
     </message>
     <message>
         <source>&amp;Classroom…</source>
@@ -3145,7 +3145,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Makes a class file: what pupils may do, how long their turns are, and the PIN that ends the class.</source>
-        <translation>Schreibt die Datei einer Klasse: was Kinder tun dürfen, wie lange jedes an der Reihe ist und welche PIN sie beendet.</translation>
+        <translation>Erstellt eine Klassendatei: was Kinder tun dürfen, wie lange jedes an der Reihe ist und welche PIN die Klasse beendet.</translation>
     </message>
     <message>
         <source>&amp;Class Report…</source>
@@ -3153,7 +3153,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Writes a report on the models in a folder: picture, size, print-ready or why not, strokes and time. HTML or PDF.</source>
-        <translation>Schreibt eine Seite über alle Modelle eines Ordners: Bild, Größe, druckfertig oder warum nicht, Striche und Zeit. HTML oder PDF.</translation>
+        <translation>Schreibt einen Bericht über die Modelle eines Ordners: Bild, Größe, druckfertig oder warum nicht, Striche und Zeit. HTML oder PDF.</translation>
     </message>
     <message>
         <source>&amp;Use Model as Brush</source>
@@ -3161,7 +3161,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Uses this model, as it is now, as the stamp.</source>
-        <translation>Nimmt dieses Modell, wie es jetzt ist, als Stempel.</translation>
+        <translation>Verwendet dieses Modell, wie es jetzt ist, als Stempel.</translation>
     </message>
     <message>
         <source>Caption in &amp;VR</source>
@@ -3177,7 +3177,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Shows the person in VR a light where the pointer is on the model. Hold the key to point only meanwhile.</source>
-        <translation>Zeigt der Person in VR ein Licht, wo der Zeiger auf dem Modell ist; gehalten zeigt die Taste, bis sie losgelassen wird.</translation>
+        <translation>Zeigt der Person in VR ein Licht, wo der Zeiger auf dem Modell ist. Halten Sie die Taste, um nur solange zu zeigen.</translation>
     </message>
     <message>
         <source>&amp;Take Over</source>
@@ -3185,7 +3185,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Lets only this window sculpt until you give it back; the person in VR watches.</source>
-        <translation>Nur dieses Fenster formt, bis Sie zurückgeben; die Person in VR sieht zu.</translation>
+        <translation>Lässt nur dieses Fenster formen, bis Sie zurückgeben; die Person in VR sieht zu.</translation>
     </message>
     <message>
         <source>Rec&amp;ord Lesson…</source>
@@ -3217,11 +3217,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Inverts the tools without holding %1: Pull pushes, Clay digs.</source>
-        <translation>Kehrt die Werkzeuge um, für eine Hand, die nicht auch noch %1 halten kann: Ziehen drückt, Auftragen gräbt.</translation>
+        <translation>Kehrt die Werkzeuge um, ohne dass Sie %1 halten: Ziehen drückt, Auftragen gräbt.</translation>
     </message>
     <message>
         <source>Shows a cross that the arrow keys move: on the model Space or Return uses the tool, beside it the view turns.</source>
-        <translation>Gibt der Ansicht ein Kreuz, das die Pfeiltasten bewegen: Leertaste oder Eingabe drückt das Werkzeug auf das Modell, daneben dreht sich die Ansicht.</translation>
+        <translation>Zeigt ein Kreuz, das die Pfeiltasten bewegen: Auf dem Modell wendet Leertaste oder Eingabetaste das Werkzeug an, daneben dreht sich die Ansicht.</translation>
     </message>
     <message>
         <source>Turn &amp;Left</source>
@@ -3229,7 +3229,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Turns the model&apos;s near side to the left by 15 degrees.</source>
-        <translation>Dreht nach links, was Ihnen zugewandt ist, um 15 Grad.</translation>
+        <translation>Dreht die Vorderseite des Modells um 15 Grad nach links.</translation>
     </message>
     <message>
         <source>Turn &amp;Right</source>
@@ -3237,7 +3237,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Turns the model&apos;s near side to the right by 15 degrees.</source>
-        <translation>Dreht nach rechts, was Ihnen zugewandt ist, um 15 Grad.</translation>
+        <translation>Dreht die Vorderseite des Modells um 15 Grad nach rechts.</translation>
     </message>
     <message>
         <source>Turn &amp;Up</source>
@@ -3245,7 +3245,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Turns the model&apos;s near side upwards by 15 degrees.</source>
-        <translation>Dreht nach oben, was Ihnen zugewandt ist, um 15 Grad.</translation>
+        <translation>Dreht die Vorderseite des Modells um 15 Grad nach oben.</translation>
     </message>
     <message>
         <source>Turn &amp;Down</source>
@@ -3253,7 +3253,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Turns the model&apos;s near side downwards by 15 degrees.</source>
-        <translation>Dreht nach unten, was Ihnen zugewandt ist, um 15 Grad.</translation>
+        <translation>Dreht die Vorderseite des Modells um 15 Grad nach unten.</translation>
     </message>
     <message>
         <source>&amp;Nearer</source>
@@ -3277,11 +3277,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Uses one controller, with the panels in front of you, from the next time you enter VR.</source>
-        <translation>Ab dem nächsten Betreten von VR genügt ein Controller, und die Tafeln stehen vor Ihnen.</translation>
+        <translation>Verwendet ab dem nächsten Betreten von VR nur einen Controller; die Tafeln stehen vor Ihnen.</translation>
     </message>
     <message>
         <source>Sculpts with the left hand, from the next time you enter VR.</source>
-        <translation>Ab dem nächsten Besuch in VR formt die linke Hand.</translation>
+        <translation>Formt ab dem nächsten Betreten von VR mit der linken Hand.</translation>
     </message>
     <message>
         <source>T&amp;urn and Zoom</source>
@@ -3326,7 +3326,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>%1 has too many triangles for a brush&apos;s shape: at most %2 are allowed. Export it with fewer triangles first.</source>
-        <translation>%1 hat zu viele Dreiecke für eine Pinselform: höchstens %2 sind möglich. Exportieren Sie es zuerst mit weniger Dreiecken.</translation>
+        <translation>%1 hat zu viele Dreiecke für eine Pinselform: Höchstens %2 sind erlaubt. Exportieren Sie es zuerst mit weniger Dreiecken.</translation>
     </message>
     <message>
         <source>%1: there is no such file.</source>
@@ -3334,11 +3334,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>%1 is not an image that can be read.</source>
-        <translation>%1 ist kein Bild, das gelesen werden kann.</translation>
+        <translation>%1 ist kein lesbares Bild.</translation>
     </message>
     <message>
         <source>%1 has %2 × %3 pixels: an alpha may have %4 on a side at most.</source>
-        <translation>%1 hat %2 × %3 Pixel: ein Alpha darf höchstens %4 je Seite haben.</translation>
+        <translation>%1 hat %2 × %3 Pixel: Ein Alpha darf höchstens %4 je Seite haben.</translation>
     </message>
     <message>
         <source>%1: this image is damaged.</source>
@@ -3346,7 +3346,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>%1 is all black: the brush would do nothing.</source>
-        <translation>%1 ist ganz schwarz: der Pinsel täte nichts.</translation>
+        <translation>%1 ist ganz schwarz: Der Pinsel würde nichts bewirken.</translation>
     </message>
     <message>
         <source>%1: there is not enough memory for this model.</source>
@@ -3396,7 +3396,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Adaptive</source>
-        <translation>Anpassen</translation>
+        <translation>Adaptiv</translation>
     </message>
     <message>
         <source>Keep</source>
@@ -3408,7 +3408,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Fuse touching surfaces</source>
-        <translation>Flächen verschmelzen bei Berührung</translation>
+        <translation>Flächen bei Berührung verschmelzen</translation>
     </message>
     <message>
         <source>Symmetry</source>
@@ -3436,7 +3436,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Length of the string between pointer and brush. A longer one makes smoother lines.</source>
-        <translation>Länge der Schnur zwischen Zeiger und Pinsel. Eine längere macht glattere Linien.</translation>
+        <translation>Länge der Schnur zwischen Zeiger und Pinsel. Eine längere macht Linien glatter.</translation>
     </message>
     <message>
         <source>Airbrush</source>
@@ -3444,7 +3444,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>The tool continues for as long as you hold it in one place.</source>
-        <translation>Das Werkzeug arbeitet weiter, solange Sie es an einer Stelle halten.</translation>
+        <translation>Das Werkzeug wirkt weiter, solange Sie es an einer Stelle halten.</translation>
     </message>
     <message>
         <source>Drag out size and direction</source>
@@ -3452,7 +3452,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Press where the alpha or the stamp should go, and drag: the distance sets its radius, and it points up where you drag. A click makes it as large as the brush.</source>
-        <translation>Drücken Sie, wo das Alpha oder der Stempel hin soll, und ziehen Sie: Der Weg ist sein Radius, und oben ist, wohin Sie ziehen. Ein Klick lässt ihn so groß wie den Pinsel.</translation>
+        <translation>Drücken Sie dort, wo Alpha oder Stempel hinsoll, und ziehen Sie: Die Entfernung bestimmt den Radius, die Richtung, wo oben ist. Ein Klick nimmt die Größe des Pinsels.</translation>
     </message>
     <message>
         <source>Steady stroke</source>
@@ -3472,7 +3472,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Repeats your strokes in this number of sectors around the vertical axis (y), mirrored in each if Mirror is on.</source>
-        <translation>Wiederholt Ihre Striche in so vielen Sektoren rings um die senkrechte Achse (y), in jedem gespiegelt, wenn eine Spiegelung an ist.</translation>
+        <translation>Wiederholt Ihre Striche in so vielen Sektoren um die senkrechte Achse (y), in jedem gespiegelt, wenn eine Spiegelung an ist.</translation>
     </message>
     <message>
         <source>Off</source>
@@ -3480,7 +3480,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>With this count the sectors look alike; with 2 and 4 they are exactly alike.</source>
-        <translation>Mit dieser Anzahl für das Auge gleich, mit 2 und 4 genau gleich.</translation>
+        <translation>Bei dieser Anzahl sehen die Sektoren gleich aus; bei 2 und 4 sind sie genau gleich.</translation>
     </message>
     <message>
         <source>Radial</source>
@@ -3504,7 +3504,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Keeps the radius when you change the tool. When off, each tool has its own radius, as it has its own strength.</source>
-        <translation>Ein anderes Werkzeug lässt den Radius, wie er ist. Sonst hat jedes Werkzeug seinen eigenen Radius, so wie es seine eigene Stärke hat.</translation>
+        <translation>Behält den Radius, wenn Sie das Werkzeug wechseln. Sonst hat jedes Werkzeug seinen eigenen Radius, so wie seine eigene Stärke.</translation>
     </message>
 </context>
 <context>
@@ -3512,12 +3512,12 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>The brush is without its alpha: %1</source>
         <comment>a sentence that says why</comment>
-        <translation>Der Pinsel hat sein Alpha nicht mehr: %1</translation>
+        <translation>Der Pinsel hat kein Alpha mehr: %1</translation>
     </message>
     <message>
         <source>Stamp has a ball again: %1</source>
         <comment>a sentence that says why</comment>
-        <translation>Der Stempel hat wieder eine Kugel: %1</translation>
+        <translation>Der Stempel ist wieder eine Kugel: %1</translation>
     </message>
 </context>
 <context>
@@ -3528,7 +3528,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Undoes Next Pupil: reopens the pupil&apos;s work and continues the turn. Possible until somebody sculpts.</source>
-        <translation>Macht Nächstes Kind rückgängig: öffnet die Arbeit wieder, und es geht damit weiter. Möglich, bis jemand formt.</translation>
+        <translation>Macht „Nächstes Kind“ rückgängig: öffnet die Arbeit wieder und setzt den Durchgang fort. Möglich, bis jemand formt.</translation>
     </message>
     <message>
         <source>&amp;Next Pupil</source>
@@ -3536,7 +3536,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Saves the work in the class folder, and begins the next turn with fresh clay.</source>
-        <translation>Hebt die Arbeit im Ordner der Klasse auf, und das nächste Kind beginnt mit frischem Ton.</translation>
+        <translation>Speichert die Arbeit im Ordner der Klasse; das nächste Kind beginnt mit frischem Ton.</translation>
     </message>
     <message>
         <source>&amp;Leave…</source>
@@ -3544,7 +3544,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Asks for the teacher&apos;s PIN, saves the work, and ends the class.</source>
-        <translation>Fragt nach der PIN der Lehrkraft, hebt die Arbeit auf und beendet die Klasse.</translation>
+        <translation>Fragt nach der PIN der Lehrkraft, speichert die Arbeit und beendet die Klasse.</translation>
     </message>
     <message>
         <source>Time is up</source>
@@ -3662,7 +3662,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Pupils take turns: each begins with fresh clay, and Next Pupil saves the work in the class folder. Pupils cannot reach other files; leaving asks for your PIN.</source>
-        <translation>Jedes Kind beginnt mit frischem Ton, und Nächstes Kind speichert die Arbeit im Ordner der Klasse. Niemand kommt an andere Dateien; das Verlassen braucht Ihre PIN.</translation>
+        <translation>Jedes Kind beginnt mit frischem Ton, und „Nächstes Kind“ speichert die Arbeit im Ordner der Klasse. Andere Dateien sind nicht erreichbar; das Verlassen braucht Ihre PIN.</translation>
     </message>
     <message>
         <source>Starting shapes</source>
@@ -3686,11 +3686,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Saves the class to another file.</source>
-        <translation>Hebt die Klasse in einer anderen Datei auf.</translation>
+        <translation>Speichert die Klasse in einer anderen Datei.</translation>
     </message>
     <message>
         <source>Shown in the top bar, such as the name of the class.</source>
-        <translation>Wird in der obersten Leiste gezeigt, etwa der Name der Klasse.</translation>
+        <translation>Steht in der obersten Leiste, etwa der Name der Klasse.</translation>
     </message>
     <message>
         <source>&amp;Title:</source>
@@ -3718,7 +3718,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>The length of a turn. Nothing is lost when it is over.</source>
-        <translation>Die Zeit je Kind. Ist sie um, geht nichts verloren.</translation>
+        <translation>Dauer je Kind. Ist die Zeit um, geht nichts verloren.</translation>
     </message>
     <message>
         <source>none</source>
@@ -3730,7 +3730,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Full &amp;screen</source>
-        <translation>&amp;Ganzer Bildschirm</translation>
+        <translation>&amp;Vollbild</translation>
     </message>
     <message>
         <source>Hides everything else on the screen.</source>
@@ -3754,7 +3754,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Needed to leave the class. Stored as a hash, not as you type it.</source>
-        <translation>Wird gebraucht, um die Klasse zu verlassen. Gespeichert wird nur ein Prüfwert, nicht die PIN.</translation>
+        <translation>Zum Verlassen der Klasse nötig. Gespeichert wird nur ein Hash, nicht die PIN selbst.</translation>
     </message>
     <message>
         <source>P&amp;IN:</source>
@@ -3762,7 +3762,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>&amp;Repeat PIN:</source>
-        <translation>PIN &amp;noch einmal:</translation>
+        <translation>PIN w&amp;iederholen:</translation>
     </message>
     <message>
         <source>The class has no title yet.</source>
@@ -3789,23 +3789,23 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>The two PINs are not the same.</source>
-        <translation>Die beiden PINs sind nicht gleich.</translation>
+        <translation>Die beiden PINs stimmen nicht überein.</translation>
     </message>
     <message>
         <source>Six &amp;questions after each turn</source>
-        <translation>Sechs &amp;Fragen, wenn ein Kind fertig ist</translation>
+        <translation>Sechs &amp;Fragen nach jedem Kind</translation>
     </message>
     <message>
         <source>Next Pupil shows a form about the program first. Its answers are saved with the work and summed up in the class report; each may be left out.</source>
-        <translation>Nächstes Kind zeigt zuerst einen Fragebogen über das Programm. Die Antworten werden mit der Arbeit aufgehoben und im Klassenbericht zusammengezählt; jede darf ausbleiben.</translation>
+        <translation>„Nächstes Kind“ zeigt zuerst einen Fragebogen über das Programm. Die Antworten werden mit der Arbeit gespeichert und im Klassenbericht zusammengefasst; jede ist freiwillig.</translation>
     </message>
     <message>
         <source>&amp;Open a Class…</source>
-        <translation>Klasse &amp;öffnen…</translation>
+        <translation>Klasse &amp;öffnen …</translation>
     </message>
     <message>
         <source>Opens a class file to change it.</source>
-        <translation>Zeigt hier eine Klasse, um sie zu ändern.</translation>
+        <translation>Öffnet eine Klassendatei, um sie zu ändern.</translation>
     </message>
     <message>
         <source>unchanged</source>
@@ -3813,15 +3813,15 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>&amp;Make This Folder</source>
-        <translation>Diesen &amp;Ordner anlegen</translation>
+        <translation>Diesen Ordner an&amp;legen</translation>
     </message>
     <message>
         <source>This folder cannot be created.</source>
-        <translation>Dieser Ordner lässt sich nicht anlegen.</translation>
+        <translation>Dieser Ordner kann nicht angelegt werden.</translation>
     </message>
     <message>
         <source>Allow other &amp;names</source>
-        <translation>Andere &amp;Namen dürfen getippt werden</translation>
+        <translation>Andere &amp;Namen erlauben</translation>
     </message>
     <message>
         <source>For guests, and for names that are not in the list.</source>
@@ -3864,7 +3864,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>%1 is not a colour: write # and six digits from 0 to f.</source>
-        <translation>%1 ist keine Farbe: # und sechs Ziffern, 0 bis f, sind eine.</translation>
+        <translation>%1 ist keine Farbe: Schreiben Sie # und sechs Ziffern von 0 bis f.</translation>
     </message>
     <message>
         <source>Paint colour %1, the other %2</source>
@@ -3876,7 +3876,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>No colour was picked: you did not click on the model.</source>
-        <translation>Keine Farbe wurde aufgenommen: Der Klick traf das Modell nicht.</translation>
+        <translation>Keine Farbe aufgenommen: Sie haben nicht auf das Modell geklickt.</translation>
     </message>
 </context>
 <context>
@@ -3887,11 +3887,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Keeps the paint colour among the swatches.</source>
-        <translation>Behält die Malfarbe bei den Farbfeldern.</translation>
+        <translation>Nimmt die Malfarbe in die Farbfelder auf.</translation>
     </message>
     <message>
         <source>%1: click to use it, press Delete to remove it.</source>
-        <translation>%1: Ein Klick nimmt sie, Entf entfernt sie.</translation>
+        <translation>%1: klicken zum Verwenden, Entf zum Entfernen.</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -3906,7 +3906,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>The ring is the hue, the square its saturation and value. Drag, or use the arrow keys and Page Up and Down.</source>
-        <translation>Der Ring ist der Farbton, das Quadrat seine Sättigung und Helligkeit. Ziehen, oder die Pfeiltasten und Bild auf und ab.</translation>
+        <translation>Der Ring ist der Farbton, das Quadrat seine Sättigung und Helligkeit. Ziehen Sie, oder drücken Sie die Pfeiltasten, Bild auf und Bild ab.</translation>
     </message>
 </context>
 <context>
@@ -3990,7 +3990,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>True to scale when printed at 100 % on A4</source>
-        <translation>Maßstäblich, wenn mit 100 % auf A4 gedruckt</translation>
+        <translation>Maßstäblich bei Druck mit 100 % auf A4</translation>
     </message>
 </context>
 <context>
@@ -4057,7 +4057,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Slices the file with PrusaSlicer&apos;s own settings and reports layers and time, or its error. Esc stops it.</source>
-        <translation>Schneidet die Datei mit PrusaSlicers eigenen Einstellungen und nennt Schichten und Zeit oder seine Beschwerde; Esc hält es an.</translation>
+        <translation>Lässt PrusaSlicer die Datei mit seinen eigenen Einstellungen slicen und meldet Schichten und Zeit oder den Fehler. Esc bricht ab.</translation>
     </message>
 </context>
 <context>
@@ -4117,7 +4117,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Choose a Reference Image</source>
-        <translation>Ein Vorlagenbild wählen</translation>
+        <translation>Referenzbild wählen</translation>
     </message>
     <message>
         <source>Images (%1)</source>
@@ -4141,11 +4141,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Choose a Folder</source>
-        <translation>Einen Ordner wählen</translation>
+        <translation>Ordner wählen</translation>
     </message>
     <message>
         <source>Save the Class</source>
-        <translation>Die Klasse speichern</translation>
+        <translation>Klasse speichern</translation>
     </message>
     <message>
         <source>Open a Class</source>
@@ -4207,7 +4207,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>%1 cannot be opened: permission denied.</source>
-        <translation>%1 kann nicht eingesehen werden: Es ist nicht erlaubt.</translation>
+        <translation>%1 lässt sich nicht öffnen: keine Berechtigung.</translation>
     </message>
     <message>
         <source>There is a file named %1 already; %2 keeps its name.</source>
@@ -4223,11 +4223,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>A file name may not contain %1.</source>
-        <translation>Der Name einer Datei darf das Zeichen %1 nicht enthalten.</translation>
+        <translation>Ein Dateiname darf %1 nicht enthalten.</translation>
     </message>
     <message>
         <source>A file name may not contain control characters.</source>
-        <translation>Der Name einer Datei darf keine Steuerzeichen enthalten.</translation>
+        <translation>Ein Dateiname darf keine Steuerzeichen enthalten.</translation>
     </message>
     <message>
         <source>%1 cannot be a file&apos;s name.</source>
@@ -4235,7 +4235,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>%1 could not be duplicated (%2).</source>
-        <translation>%1 konnte nicht verdoppelt werden (%2).</translation>
+        <translation>%1 konnte nicht dupliziert werden (%2).</translation>
     </message>
     <message>
         <source> copy</source>
@@ -4244,7 +4244,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>%1 was not deleted: it could not be moved to the trash, and Fettle deletes nothing permanently.</source>
-        <translation>%1 wurde nicht gelöscht: Die Datei ließ sich in keinen Papierkorb legen, und endgültig wird hier nichts gelöscht.</translation>
+        <translation>%1 wurde nicht gelöscht: Die Datei ließ sich nicht in den Papierkorb verschieben, und Fettle löscht nichts endgültig.</translation>
     </message>
     <message>
         <source>%1 is in the trash.</source>
@@ -4259,7 +4259,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Nothing in %1 can be changed: permission denied.</source>
-        <translation>In %1 lässt sich nichts ändern: Es ist nicht erlaubt.</translation>
+        <translation>In %1 lässt sich nichts ändern: keine Berechtigung.</translation>
     </message>
 </context>
 <context>
@@ -4301,7 +4301,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>The folder that is shown; type another and press Return.</source>
-        <translation>Der gezeigte Ordner; einen anderen eintippen und Eingabe drücken.</translation>
+        <translation>Der gezeigte Ordner; geben Sie einen anderen ein und drücken Sie die Eingabetaste.</translation>
     </message>
     <message>
         <source>Filter</source>
@@ -4309,7 +4309,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Shows only files whose names contain these letters.</source>
-        <translation>Zeigt nur, was diese Buchstaben im Namen hat.</translation>
+        <translation>Zeigt nur Dateien, deren Name diese Buchstaben enthält.</translation>
     </message>
     <message>
         <source>Sorted by</source>
@@ -4317,7 +4317,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>How the files are sorted; folders come first.</source>
-        <translation>Wonach die Dateien sortiert sind; Ordner kommen zuerst.</translation>
+        <translation>Sortierung der Dateien; Ordner kommen zuerst.</translation>
     </message>
     <message>
         <source>Name</source>
@@ -4345,11 +4345,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Stop</source>
-        <translation>Anhalten</translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Stops making pictures of this folder.</source>
-        <translation>Macht in diesem Ordner keine weiteren Bilder.</translation>
+        <translation>Erstellt für diesen Ordner keine weiteren Bilder.</translation>
     </message>
     <message>
         <source>Size of the pictures</source>
@@ -4357,7 +4357,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Size of the pictures.</source>
-        <translation>Wie groß die Bilder sind.</translation>
+        <translation>Größe der Bilder.</translation>
     </message>
     <message>
         <source>%L1 of %L2 read</source>
@@ -4372,7 +4372,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>No file name contains %1.</source>
-        <translation>Kein Name hier enthält %1.</translation>
+        <translation>Kein Dateiname enthält %1.</translation>
     </message>
     <message>
         <source>Files</source>
@@ -4399,7 +4399,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Shows only pages with these words. Return finds the next place.</source>
-        <translation>Lässt nur die Seiten mit diesen Wörtern; die Eingabetaste geht zur nächsten Stelle.</translation>
+        <translation>Zeigt nur Seiten mit diesen Wörtern. Die Eingabetaste geht zur nächsten Stelle.</translation>
     </message>
     <message>
         <source>Contents</source>
@@ -4407,7 +4407,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>No page has all of these words.</source>
-        <translation>Keine Seite hat alle diese Wörter.</translation>
+        <translation>Keine Seite enthält alle diese Wörter.</translation>
     </message>
     <message>
         <source>Page of the guide</source>
@@ -4430,7 +4430,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Arrow keys move the cross. Space presses while it is held, Return until the next Return.</source>
-        <translation>Die Pfeiltasten bewegen das Kreuz. Die Leertaste drückt, solange sie gehalten wird, die Eingabetaste bis zur nächsten Eingabe.</translation>
+        <translation>Die Pfeiltasten bewegen das Kreuz. Die Leertaste drückt, solange Sie sie halten, die Eingabetaste bis zum nächsten Mal.</translation>
     </message>
 </context>
 <context>
@@ -4500,7 +4500,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Every step since the model was opened. Click one, or press Return, to go there.</source>
-        <translation>Jeder Schritt, seit das Modell geöffnet wurde. Ein Klick oder die Eingabetaste führt dorthin.</translation>
+        <translation>Jeder Schritt seit dem Öffnen des Modells. Klicken Sie auf einen, oder drücken Sie die Eingabetaste, um dorthin zu gehen.</translation>
     </message>
     <message>
         <source>Memory for the history</source>
@@ -4508,7 +4508,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>The memory that the history may use. Older steps are moved to disk; if the disk is full, they expire.</source>
-        <translation>Der Speicher, den der Verlauf belegen darf. Ältere Schritte kommen auf die Platte; ist sie voll, verfallen sie.</translation>
+        <translation>Der Speicher, den der Verlauf belegen darf. Ältere Schritte werden auf die Festplatte ausgelagert; ist sie voll, verfallen sie.</translation>
     </message>
     <message>
         <source> MB</source>
@@ -4523,15 +4523,15 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <name>ui::NamesField</name>
     <message>
         <source>One name per line; you can paste a list. Pupils choose their name; those who had a turn today are marked.</source>
-        <translation>In jeder Zeile ein Name, auch von anderswo eingefügt. Die Kinder wählen ihren; wer heute schon dran war, ist gekennzeichnet.</translation>
+        <translation>Ein Name je Zeile; Sie können eine Liste einfügen. Die Kinder wählen ihren Namen; wer heute schon dran war, ist markiert.</translation>
     </message>
     <message>
         <source>One name per line. Without names, pupils type theirs.</source>
-        <translation>Ein Name je Zeile; keiner: Die Kinder tippen ihren.</translation>
+        <translation>Ein Name je Zeile. Ohne Namen tippen Kinder ihren.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is longer than %2 characters.</source>
-        <translation>„%1“ hat mehr als %2 Zeichen.</translation>
+        <translation>„%1“ ist länger als %2 Zeichen.</translation>
     </message>
     <message>
         <source>A class has at most %1 names; these are %2.</source>
@@ -4539,7 +4539,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>In the list more than once, and counted once: %1.</source>
-        <translation>Mehrmals in der Liste und einmal gezählt: %1.</translation>
+        <translation>Mehrmals in der Liste, aber nur einmal gezählt: %1.</translation>
     </message>
 </context>
 <context>
@@ -4574,7 +4574,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Click a face to look from there. Drag to turn the view.</source>
-        <translation>Ein Klick auf eine Seite blickt von dort. Ziehen dreht die Ansicht.</translation>
+        <translation>Ein Klick auf eine Seite zeigt das Modell von dort. Ziehen dreht die Ansicht.</translation>
     </message>
 </context>
 <context>
@@ -4599,15 +4599,15 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Blender</source>
-        <translation>Wie in Blender</translation>
+        <translation>Blender</translation>
     </message>
     <message>
         <source>As in ZBrush</source>
-        <translation>Wie in ZBrush</translation>
+        <translation>ZBrush</translation>
     </message>
     <message>
         <source>Search for a command or a key</source>
-        <translation>Nach Befehl oder Taste suchen</translation>
+        <translation>Befehl oder Taste suchen</translation>
     </message>
     <message>
         <source>Words of a command</source>
@@ -4615,7 +4615,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Shows only commands with these words or this key.</source>
-        <translation>Zeigt nur die Befehle mit diesen Wörtern oder dieser Taste.</translation>
+        <translation>Zeigt nur Befehle mit diesen Wörtern oder dieser Taste.</translation>
     </message>
     <message>
         <source>Commands and Keys</source>
@@ -4623,27 +4623,27 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Every command with its keys. Change the keys of the selected one below.</source>
-        <translation>Jeder Befehl mit seinen Tasten; die des markierten werden unten geändert.</translation>
+        <translation>Alle Befehle mit ihren Tasten. Die des markierten ändern Sie unten.</translation>
     </message>
     <message>
         <source>Preset</source>
-        <translation>Vorgabe</translation>
+        <translation>Belegung</translation>
     </message>
     <message>
         <source>Chooses a set of keys. Keys that you changed yourself stay.</source>
-        <translation>Wählt, mit welchen Tasten begonnen wird; was Sie selbst geändert haben, bleibt.</translation>
+        <translation>Wählt eine Tastenbelegung. Tasten, die Sie selbst geändert haben, bleiben.</translation>
     </message>
     <message>
         <source>Reset A&amp;ll Keys</source>
-        <translation>&amp;Alle Tasten zurücksetzen</translation>
+        <translation>A&amp;lle Tasten zurücksetzen</translation>
     </message>
     <message>
         <source>Resets all commands to the keys of the preset.</source>
-        <translation>Gibt jedem Befehl die Tasten der Vorgabe.</translation>
+        <translation>Setzt alle Befehle auf die Tasten der Belegung zurück.</translation>
     </message>
     <message>
         <source>&amp;Preset</source>
-        <translation>&amp;Vorgabe</translation>
+        <translation>&amp;Belegung</translation>
     </message>
     <message>
         <source>First key</source>
@@ -4655,7 +4655,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Press the new key for the command, or Backspace to remove it.</source>
-        <translation>Drücken Sie die Taste, die der Befehl haben soll; die Rücktaste nimmt sie weg.</translation>
+        <translation>Drücken Sie die neue Taste für den Befehl, oder die Rücktaste, um sie zu entfernen.</translation>
     </message>
     <message>
         <source>R&amp;eset</source>
@@ -4663,23 +4663,23 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Resets the command to the keys of the preset.</source>
-        <translation>Gibt dem Befehl die Tasten der Vorgabe.</translation>
+        <translation>Setzt den Befehl auf die Tasten der Belegung zurück.</translation>
     </message>
     <message>
         <source>&amp;Go There</source>
-        <translation>&amp;Dorthin</translation>
+        <translation>Dort&amp;hin</translation>
     </message>
     <message>
         <source>Selects the command that uses the key.</source>
-        <translation>Markiert den Befehl, der die Taste hat.</translation>
+        <translation>Markiert den Befehl, der diese Taste verwendet.</translation>
     </message>
     <message>
         <source>This key cannot be changed.</source>
-        <translation>Diese Taste kann keine andere sein.</translation>
+        <translation>Diese Taste lässt sich nicht ändern.</translation>
     </message>
     <message>
         <source>%1 is already used by %2.</source>
-        <translation>%1 ist vergeben: an „%2“.</translation>
+        <translation>%1 wird schon von „%2“ verwendet.</translation>
     </message>
     <message>
         <source>%1 stays with %2.</source>
@@ -4687,22 +4687,22 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>A modifier key cannot be a shortcut on its own.</source>
-        <translation>Eine Taste, die mit anderen zusammen gehalten wird, kann allein kein Befehl sein.</translation>
+        <translation>Eine Zusatztaste allein kann kein Tastenkürzel sein.</translation>
     </message>
     <message>
         <source>%1 is needed to move and type in panels and dialogs.</source>
-        <translation>%1 wird gebraucht für Bewegen und Schreiben in Feldern und Dialogen.</translation>
+        <translation>%1 wird zum Bewegen und Tippen in Bedienfeldern und Dialogen gebraucht.</translation>
     </message>
     <message>
         <source>Alt with a letter opens menus and reaches controls.</source>
-        <translation>Alt mit einem Buchstaben öffnet Menüs und erreicht Bedienelemente.</translation>
+        <translation>Alt mit einem Buchstaben öffnet Menüs und wählt Bedienelemente.</translation>
     </message>
 </context>
 <context>
     <name>ui::LessonChoice</name>
     <message>
         <source>Pupils can begin with it: it is shown stroke by stroke, and the report says how far they got.</source>
-        <translation>Die Kinder können damit anfangen: Sie wird Strich für Strich gezeigt, und der Bericht sagt, wie weit sie gekommen sind.</translation>
+        <translation>Die Kinder können damit beginnen: Die Lektion wird Strich für Strich gezeigt, und der Bericht sagt, wie weit sie gekommen sind.</translation>
     </message>
     <message>
         <source>none</source>
@@ -4733,7 +4733,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Begins a lesson of one step. Earlier strokes can no longer be undone.</source>
-        <translation>Beginnt eine Lektion mit einem Schritt. Die Striche davor lassen sich nicht mehr rückgängig machen.</translation>
+        <translation>Beginnt eine Lektion mit einem Schritt. Frühere Striche lassen sich dann nicht mehr rückgängig machen.</translation>
     </message>
     <message>
         <source>Or change an existing lesson:</source>
@@ -4741,7 +4741,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Lessons of the program</source>
-        <translation>Lektionen des Programms</translation>
+        <translation>Mitgelieferte Lektionen</translation>
     </message>
     <message>
         <source>Edit</source>
@@ -4749,7 +4749,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Opens it here; you save it under a name of your own.</source>
-        <translation>Öffnet sie hier; gespeichert wird sie unter einem eigenen Namen.</translation>
+        <translation>Öffnet sie hier; Sie speichern sie unter einem eigenen Namen.</translation>
     </message>
     <message>
         <source>Open a Lesson…</source>
@@ -4757,7 +4757,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Opens a lesson from a zip or a folder, to change it.</source>
-        <translation>Öffnet eine Lektion aus einem Zip oder einem Ordner, um sie zu ändern.</translation>
+        <translation>Öffnet eine Lektion aus einer ZIP-Datei oder einem Ordner, um sie zu ändern.</translation>
     </message>
     <message>
         <source>Language of the texts</source>
@@ -4765,7 +4765,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>The language that you write in. Where a text is missing, pupils read it in another language.</source>
-        <translation>In dieser Sprache werden die Texte geschrieben. Wo einer fehlt, lesen Kinder ihn in einer anderen.</translation>
+        <translation>Die Sprache, in der Sie schreiben. Wo ein Text fehlt, lesen Kinder ihn in einer anderen.</translation>
     </message>
     <message>
         <source>Title of the lesson</source>
@@ -4773,7 +4773,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Title of the lesson.</source>
-        <translation>Wie die Lektion heißt.</translation>
+        <translation>Titel der Lektion.</translation>
     </message>
     <message>
         <source>In one sentence</source>
@@ -4781,7 +4781,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Subject of the lesson, in one sentence.</source>
-        <translation>Worum es in der Lektion geht, in einem Satz.</translation>
+        <translation>Thema der Lektion, in einem Satz.</translation>
     </message>
     <message>
         <source>Steps</source>
@@ -4793,7 +4793,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Starts a new step at the end; strokes belong to it from here on.</source>
-        <translation>Von hier an gehören Striche zu einem neuen Schritt, dem letzten.</translation>
+        <translation>Beginnt am Ende einen neuen Schritt; von hier an gehören Striche dazu.</translation>
     </message>
     <message>
         <source>Moves the step up</source>
@@ -4809,7 +4809,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Plays the lesson to its end and records from there. Press again to stop.</source>
-        <translation>Spielt die Lektion bis zum Ende ab und zeichnet von da an auf, oder hört damit auf.</translation>
+        <translation>Spielt die Lektion bis zum Ende ab und zeichnet von dort an auf. Erneut drücken, um aufzuhören.</translation>
     </message>
     <message>
         <source>Save…</source>
@@ -4825,7 +4825,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Closes this lesson. The model stays as it is.</source>
-        <translation>Beendet die Arbeit an dieser Lektion. Das Modell bleibt, wie es ist.</translation>
+        <translation>Schließt diese Lektion. Das Modell bleibt, wie es ist.</translation>
     </message>
     <message>
         <source>%1. %2 (%3)</source>
@@ -4869,7 +4869,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Opens a lesson from a zip or a folder.</source>
-        <translation>Öffnet eine Lektion aus einem Zip oder Ordner.</translation>
+        <translation>Öffnet eine Lektion aus einer ZIP-Datei oder einem Ordner.</translation>
     </message>
     <message>
         <source>How far the teacher is</source>
@@ -4893,7 +4893,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Speed of the demonstration.</source>
-        <translation>Wie schnell die Lehrkraft arbeitet.</translation>
+        <translation>Tempo der Vorführung.</translation>
     </message>
     <message>
         <source>%1 ×</source>
@@ -4914,7 +4914,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Colours the model by how far it is from the teacher&apos;s.</source>
-        <translation>Färbt das Modell danach, wie weit es von dem der Lehrkraft entfernt ist.</translation>
+        <translation>Färbt das Modell nach seinem Abstand von dem der Lehrkraft.</translation>
     </message>
     <message>
         <source>Back</source>
@@ -4954,7 +4954,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Begins this step with the teacher&apos;s model. Undo brings yours back.</source>
-        <translation>Beginnt diesen Schritt mit dem Modell der Lehrkraft. Rückgängig bringt das eigene zurück.</translation>
+        <translation>Beginnt diesen Schritt mit dem Modell der Lehrkraft. Rückgängig bringt deines zurück.</translation>
     </message>
     <message>
         <source>Handout as PDF…</source>
@@ -4962,7 +4962,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Writes the texts and pictures of all steps to a PDF for pupils.</source>
-        <translation>Schreibt die Texte und Bilder aller Schritte in ein PDF für die Kinder.</translation>
+        <translation>Schreibt die Texte und Bilder aller Schritte als PDF für die Kinder.</translation>
     </message>
     <message>
         <source>Brush: %1</source>
@@ -4971,7 +4971,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>This turn has no lesson.</source>
-        <translation>Jetzt gehört keine Lektion dazu.</translation>
+        <translation>Dieser Durchgang hat keine Lektion.</translation>
     </message>
 </context>
 <context>
@@ -4990,7 +4990,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Text that the pupil reads beside the model.</source>
-        <translation>Was das Kind neben dem Modell liest.</translation>
+        <translation>Der Text, den das Kind neben dem Modell liest.</translation>
     </message>
     <message>
         <source>Text</source>
@@ -5006,7 +5006,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Removes this stroke from the lesson. Later ones are played without it when the lesson is saved.</source>
-        <translation>Nimmt diesen Strich aus der Lektion. Die danach werden beim Speichern ohne ihn abgespielt.</translation>
+        <translation>Nimmt diesen Strich aus der Lektion. Spätere werden beim Speichern ohne ihn abgespielt.</translation>
     </message>
     <message>
         <source>Strokes</source>
@@ -5014,7 +5014,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Tools that the pupil has; if none is chosen, all of them.</source>
-        <translation>Das Kind hat diese Werkzeuge; alle, wenn keines gewählt ist.</translation>
+        <translation>Werkzeuge, die das Kind hat; alle, wenn keines gewählt ist.</translation>
     </message>
     <message>
         <source>Tools</source>
@@ -5070,7 +5070,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>How close the pupil&apos;s shape must be to the teacher&apos;s.</source>
-        <translation>Wie nahe die Form des Kindes der kommen muss, die die Striche der Lehrkraft ergeben.</translation>
+        <translation>Wie nahe die Form des Kindes der Form der Lehrkraft kommen muss.</translation>
     </message>
     <message>
         <source>Near the teacher&apos;s, mm</source>
@@ -5086,7 +5086,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Asks for the holes and parts that the model in the window has, for its height at least, and that it can be printed.</source>
-        <translation>Verlangt die Löcher und Teile, die das Modell im Fenster hat, mindestens seine Höhe und dass es druckfertig ist.</translation>
+        <translation>Verlangt so viele Löcher und Teile, wie das Modell im Fenster hat, mindestens seine Höhe und dass es druckfertig ist.</translation>
     </message>
     <message>
         <source>Goal</source>
@@ -5126,7 +5126,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>&amp;Choose Another Place…</source>
-        <translation>Anderen &amp;Ort wählen…</translation>
+        <translation>Anderen &amp;Ort wählen …</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
@@ -5150,7 +5150,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Saved %1.</source>
-        <translation>%1 wurde geschrieben.</translation>
+        <translation>%1 wurde gespeichert.</translation>
     </message>
     <message>
         <source>&amp;Panels</source>
@@ -5166,7 +5166,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Stamp has %1 as it is now.</source>
-        <translation>Der Stempel hat jetzt „%1“, wie es gerade ist.</translation>
+        <translation>Der Stempel verwendet jetzt %1, wie es gerade ist.</translation>
     </message>
 </context>
 <context>
@@ -5220,7 +5220,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Fettle can repair it: it fills holes, turns faces outwards and joins parts that intersect. You will see what changed. The file stays as it is.</source>
-        <translation>Fettle kann es reparieren: Es füllt Löcher, wendet Flächen nach außen und verbindet Teile, die sich schneiden. Sie sehen, was sich geändert hat. Die Datei bleibt, wie sie ist.</translation>
+        <translation>Fettle kann es reparieren: Es füllt Löcher, dreht Flächen nach außen und verbindet Teile, die sich schneiden. Sie sehen, was sich geändert hat. Die Datei bleibt, wie sie ist.</translation>
     </message>
     <message>
         <source>Fettle</source>
@@ -5267,7 +5267,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Faces without area removed: %1</source>
-        <translation>Entfernte Flächen ohne Inhalt: %1</translation>
+        <translation>Entfernte Flächen ohne Flächeninhalt: %1</translation>
     </message>
     <message>
         <source>Duplicate faces removed: %1</source>
@@ -5275,11 +5275,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Faces or parts turned outwards: %1</source>
-        <translation>Nach außen gewendete Flächen oder Teile: %1</translation>
+        <translation>Nach außen gedrehte Flächen oder Teile: %1</translation>
     </message>
     <message>
         <source>Faces of inner sheets removed: %1</source>
-        <translation>Entfernte Flächen innerer Häute: %1</translation>
+        <translation>Entfernte Flächen innerer Schichten: %1</translation>
     </message>
     <message>
         <source>Holes filled: %1</source>
@@ -5303,11 +5303,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Tangles that could not be resolved, covered by small solids: %1, the widest %2 mm</source>
-        <translation>Knäuel, die sich nicht auftrennen ließen, von kleinen Körpern bedeckt: %1, der breiteste %2 mm</translation>
+        <translation>Knäuel, die sich nicht auflösen ließen, von kleinen Körpern bedeckt: %1, das breiteste %2 mm</translation>
     </message>
     <message>
         <source>Tiny thin parts left out: %1</source>
-        <translation>Winzige dünne Teile weggelassen: %1</translation>
+        <translation>Weggelassene winzige dünne Teile: %1</translation>
     </message>
     <message>
         <source>The surface was rebuilt, with edges of about %1 mm.</source>
@@ -5327,7 +5327,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Open points joined at cracks: %1, within %2 mm</source>
-        <translation>Offene Punkte an Rissen verbunden: %1, innerhalb von %2 mm</translation>
+        <translation>An Rissen verbundene offene Punkte: %1, höchstens %2 mm auseinander</translation>
     </message>
     <message>
         <source>Repairing %1: points and faces</source>
@@ -5359,11 +5359,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Repairing %1: measuring the changes</source>
-        <translation>%1 wird repariert: Abweichung messen</translation>
+        <translation>%1 wird repariert: Änderungen messen</translation>
     </message>
     <message>
         <source>Masked points removed, with their mask: %1</source>
-        <translation>Maskierte Punkte, die wegfielen, und mit ihnen ihre Maske: %1</translation>
+        <translation>Entfernte maskierte Punkte, samt ihrer Maske: %1</translation>
     </message>
     <message>
         <source>Volume: %1, before %2</source>
@@ -5379,7 +5379,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>%1 could only be rebuilt, with edges of about %2 mm: its shape is close to the old one, but detail is lost.</source>
-        <translation>%1 ließ sich nur neu aufbauen, mit Kanten von etwa %2 mm: Die Form ist nahe an der alten, Einzelheiten sind verloren.</translation>
+        <translation>%1 ließ sich nur neu aufbauen, mit Kanten von etwa %2 mm: Die Form ist nahe an der alten, aber Details sind verloren.</translation>
     </message>
     <message>
         <source>%1 was repaired, but now has %2 % of its volume.</source>
@@ -5387,7 +5387,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>%1 was repaired, but parts that could be holes were treated as parts that face the wrong way: %2 % of the space.</source>
-        <translation>%1 wurde repariert, aber Teile, die Löcher sein könnten, wurden für falsch herum stehende Teile gehalten: %2 % des Raums.</translation>
+        <translation>%1 wurde repariert, aber Teile, die Löcher sein könnten, wurden als falsch herum gedrehte Teile behandelt: %2 % des Raums.</translation>
     </message>
     <message>
         <source>%1 was repaired, but the space that it encloses differs by %2 % from what its faces enclosed before.</source>
@@ -5395,32 +5395,32 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>%1 was repaired, but part of its surface was lost: it is %2 mm from the new one on average, %3 % of the size.</source>
-        <translation>%1 wurde repariert, aber ein Teil der Oberfläche ist weg: Sie liegt im Mittel %2 mm von der neuen entfernt, %3 % der Größe.</translation>
+        <translation>%1 wurde repariert, aber ein Teil der Oberfläche ging verloren: Sie liegt im Mittel %2 mm von der neuen entfernt, %3 % der Größe.</translation>
     </message>
     <message>
         <source>%1 cannot be repaired as it is: its faces could not be separated near %2, %3, %4.</source>
-        <translation>%1 lässt sich so nicht reparieren: Bei %2, %3, %4 ließen sich die Flächen nicht zerschneiden.</translation>
+        <translation>%1 lässt sich so nicht reparieren: Bei %2, %3, %4 ließen sich die Flächen nicht trennen.</translation>
     </message>
     <message>
         <source>%1 cannot be repaired as it is: its faces could not be separated.</source>
-        <translation>%1 lässt sich so nicht reparieren: Die Flächen ließen sich nicht zerschneiden.</translation>
+        <translation>%1 lässt sich so nicht reparieren: Die Flächen ließen sich nicht trennen.</translation>
     </message>
     <message>
         <source>%1 cannot be repaired as it is: its faces are too badly connected, and most of it would be lost.</source>
-        <translation>%1 lässt sich so nicht reparieren: Die Flächen hängen zu schlecht zusammen, das meiste ginge verloren.</translation>
+        <translation>%1 lässt sich so nicht reparieren: Die Flächen sind zu schlecht verbunden, das meiste ginge verloren.</translation>
     </message>
     <message numerus="yes">
         <source>%n open sheets left out, which enclose no space; the largest is %1 x %2 mm</source>
         <translation>
-            <numerusform>%n offene Haut, die keinen Raum umschließt, weggelassen; sie ist %1 x %2 mm groß</numerusform>
-            <numerusform>%n offene Häute, die keinen Raum umschließen, weggelassen; die größte ist %1 x %2 mm groß</numerusform>
+            <numerusform>%n offene Fläche, die keinen Raum umschließt, weggelassen; sie ist %1 x %2 mm groß</numerusform>
+            <numerusform>%n offene Flächen, die keinen Raum umschließen, weggelassen; die größte ist %1 x %2 mm groß</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%1 cannot be repaired: it has %n open sheets that enclose no space, the largest %2 x %3 mm.</source>
         <translation>
-            <numerusform>%1 lässt sich nicht reparieren: Es hat nur %n offene Haut, die keinen Raum umschließt, %2 x %3 mm groß.</numerusform>
-            <numerusform>%1 lässt sich nicht reparieren: Es hat %n offene Häute, die keinen Raum umschließen, die größte %2 x %3 mm groß.</numerusform>
+            <numerusform>%1 lässt sich nicht reparieren: Es hat nur %n offene Fläche, die keinen Raum umschließt, %2 x %3 mm groß.</numerusform>
+            <numerusform>%1 lässt sich nicht reparieren: Es hat %n offene Flächen, die keinen Raum umschließen, die größte %2 x %3 mm groß.</numerusform>
         </translation>
     </message>
 </context>
@@ -5428,7 +5428,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <name>ui::ErrorMessages</name>
     <message>
         <source>%1 cannot be used.</source>
-        <translation>%1 ist nicht verwendbar.</translation>
+        <translation>%1 kann nicht verwendet werden.</translation>
     </message>
     <message>
         <source>open edges: %1</source>
@@ -5444,7 +5444,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>edges between faces that face different ways: %1</source>
-        <translation>Kanten zwischen Flächen, die zu verschiedenen Seiten zeigen: %1</translation>
+        <translation>Kanten zwischen verschieden ausgerichteten Flächen: %1</translation>
     </message>
     <message>
         <source>faces without area: %1</source>
@@ -5460,7 +5460,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>%1 cannot be sculpted yet, because its surface does not bound a solid (%2).</source>
-        <translation>%1 lässt sich noch nicht formen, weil die Oberfläche keinen Körper umschließt (%2).</translation>
+        <translation>%1 lässt sich noch nicht formen, weil seine Oberfläche keinen Körper umschließt (%2).</translation>
     </message>
     <message>
         <source>, </source>
@@ -5469,7 +5469,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>%1 cannot be sculpted yet, because some of its faces would intersect after rounding to the program&apos;s grid (faces: %2).</source>
-        <translation>%1 lässt sich noch nicht formen, weil sich auf dem Arbeitsraster des Programms einige Flächen treffen würden (Flächen: %2).</translation>
+        <translation>%1 lässt sich noch nicht formen, weil sich einige Flächen nach dem Runden auf das Raster des Programms schneiden würden (Flächen: %2).</translation>
     </message>
     <message>
         <source>%1: there is no such file or folder.</source>
@@ -5477,7 +5477,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>%1 cannot be read%2.</source>
-        <translation>%1 ist nicht lesbar%2.</translation>
+        <translation>%1 kann nicht gelesen werden%2.</translation>
     </message>
     <message>
         <source>%1 is not a file but a folder or a device.</source>
@@ -5493,11 +5493,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>%1 is not a valid %2 file.</source>
-        <translation>%1 ist keine %2-Datei.</translation>
+        <translation>%1 ist keine gültige %2-Datei.</translation>
     </message>
     <message>
         <source>%1 is not a valid %2 file; it looks like %3.</source>
-        <translation>%1 ist keine %2-Datei; es sieht nach %3 aus.</translation>
+        <translation>%1 ist keine gültige %2-Datei; es sieht nach %3 aus.</translation>
     </message>
     <message>
         <source>plain text</source>
@@ -5505,11 +5505,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>%1: the file is incomplete; it ends here.</source>
-        <translation>%1: Die Datei bricht hier ab.</translation>
+        <translation>%1: Die Datei ist unvollständig; sie endet hier.</translation>
     </message>
     <message>
         <source>%1: the file is incomplete; %2 are expected, but it has %3.</source>
-        <translation>%1: Die Datei ist abgeschnitten; erwartet werden %2, vorhanden sind %3.</translation>
+        <translation>%1: Die Datei ist unvollständig; erwartet werden %2, vorhanden sind %3.</translation>
     </message>
     <message>
         <source>%1: %2 elements are announced, but the file has room for %3.</source>
@@ -5525,7 +5525,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>%1: &quot;%2&quot; is not a whole number that is valid here.</source>
-        <translation>%1: „%2“ ist keine ganze Zahl, die hier stehen kann.</translation>
+        <translation>%1: „%2“ ist keine hier gültige ganze Zahl.</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; is not a finite number.</source>
@@ -5533,11 +5533,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>%1: a face refers to vertex %2, but there are only %3 vertices.</source>
-        <translation>%1: Eine Fläche nennt Eckpunkt %2, es gibt aber %3 Eckpunkte.</translation>
+        <translation>%1: Eine Fläche verweist auf Eckpunkt %2, es gibt aber nur %3 Eckpunkte.</translation>
     </message>
     <message>
         <source>%1: too many %2; at most %3 are allowed.</source>
-        <translation>%1: zu viele Elemente (%2); höchstens %3 sind möglich.</translation>
+        <translation>%1: zu viele Elemente (%2); höchstens %3 sind erlaubt.</translation>
     </message>
     <message>
         <source>%1 contains no faces.</source>
@@ -5545,7 +5545,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>%1 contains no faces, except those of slicer parts that are not printed (%2): negative volumes, modifiers and supports, which are left out.</source>
-        <translation>%1 enthält keine Flächen außer denen von Teilen eines Slicers, die kein Material sind (%2): negative Teile, Modifikatoren und Stützen, die ausgelassen werden.</translation>
+        <translation>%1 enthält keine Flächen außer denen von Slicer-Teilen, die nicht gedruckt werden (%2): negative Volumen, Modifizierer und Stützen; diese werden weggelassen.</translation>
     </message>
     <message>
         <source>%1 cannot be written: it is not allowed%2.</source>
@@ -5569,15 +5569,15 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>%1 was not written: so far from the origin its coordinates are too coarse for the model&apos;s detail. Recentre the model.</source>
-        <translation>%1 wurde nicht geschrieben: So weit vom Ursprung entfernt sind die Koordinaten zu grob für die Einzelheiten des Modells. Das Modell zuerst zentrieren.</translation>
+        <translation>%1 wurde nicht geschrieben: So weit vom Ursprung entfernt sind die Koordinaten zu grob für die Details des Modells. Zentrieren Sie das Modell.</translation>
     </message>
     <message>
         <source>%1 cannot be written: the folder %2 does not exist.</source>
-        <translation>%1 kann nicht geschrieben werden: Es gibt keinen Ordner %2.</translation>
+        <translation>%1 lässt sich nicht schreiben: Den Ordner %2 gibt es nicht.</translation>
     </message>
     <message>
         <source>Nothing happened here: the surface would have intersected itself.</source>
-        <translation>Hier ist nichts geschehen: Die Oberfläche hätte sich selbst berührt.</translation>
+        <translation>Hier ist nichts geschehen: Die Oberfläche hätte sich selbst geschnitten.</translation>
     </message>
     <message>
         <source>The brush stopped: surfaces touch, and they may not join here.</source>
@@ -5589,7 +5589,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>The brush is too large for this much detail. Continue with another stroke.</source>
-        <translation>Der Pinsel ist zu groß für so viele Einzelheiten. Machen Sie mit einem weiteren Strich weiter.</translation>
+        <translation>Der Pinsel ist zu groß für so viele Details. Machen Sie mit einem weiteren Strich weiter.</translation>
     </message>
     <message>
         <source>Radius</source>
@@ -5621,23 +5621,23 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>The model is not symmetric here: both sides were changed, but they are not exact mirror images.</source>
-        <translation>Das Modell ist hier nicht symmetrisch: beide Seiten wurden bearbeitet, sind aber keine genauen Spiegelbilder.</translation>
+        <translation>Das Modell ist hier nicht symmetrisch: Beide Seiten wurden geändert, sind aber keine genauen Spiegelbilder.</translation>
     </message>
     <message>
         <source>%1: drawings are written as PDF, SVG or PNG; the ending says which.</source>
-        <translation>%1: Zeichnungen werden als PDF, SVG oder PNG geschrieben; die Endung sagt, als was.</translation>
+        <translation>%1: Zeichnungen werden als PDF, SVG oder PNG geschrieben; die Endung bestimmt das Format.</translation>
     </message>
     <message>
         <source>%1 contains no image that can be read.</source>
-        <translation>%1 enthält kein Bild, das gelesen werden kann.</translation>
+        <translation>%1 enthält kein lesbares Bild.</translation>
     </message>
     <message>
         <source>The reference image %1 no longer exists.</source>
-        <translation>Das Vorlagenbild %1 ist nicht mehr da.</translation>
+        <translation>Das Referenzbild %1 gibt es nicht mehr.</translation>
     </message>
     <message>
         <source>%1 has no known file extension: use one of %2.</source>
-        <translation>%1 hat keine Endung, die das Format nennt: Verwendbar sind %2.</translation>
+        <translation>%1 hat keine bekannte Dateiendung: Verwendbar sind %2.</translation>
     </message>
     <message>
         <source>%1: the format &quot;%2&quot; is not known; %3 can be used.</source>
@@ -5645,7 +5645,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>%1 is Blender&apos;s own file, which only Blender reads as it is: save it as GLB there.</source>
-        <translation>%1 ist eine Datei von Blender, die nur Blender richtig liest: dort als GLB speichern.</translation>
+        <translation>%1 ist eine Blender-Datei, die nur Blender richtig liest: Speichern Sie sie dort als GLB.</translation>
     </message>
     <message>
         <source>%1 is X3D in its binary, packed or VRML encoding, which is not read: save it as XML (.x3d) or GLB.</source>
@@ -5653,15 +5653,15 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>%1 was not read: unpacked it is larger than %2, which is too much for a file of its size.</source>
-        <translation>%1 wird nicht gelesen: Was darin gepackt ist, braucht mehr als %2, und das ist zu viel für eine Datei ihrer Größe.</translation>
+        <translation>%1 wurde nicht gelesen: Entpackt ist die Datei größer als %2, zu viel für eine Datei ihrer Größe.</translation>
     </message>
     <message>
         <source>The model has only %1 mm³: slicers may read it as inches.</source>
-        <translation>Das Modell hat nur %1 mm³: Druckprogramme könnten es für eines in Zoll halten.</translation>
+        <translation>Das Modell hat nur %1 mm³: Slicer könnten seine Maße als Zoll lesen.</translation>
     </message>
     <message>
         <source>The model has only %1 mm³: slicers may read it as metres.</source>
-        <translation>Das Modell hat nur %1 mm³: Druckprogramme könnten es für eines in Metern halten.</translation>
+        <translation>Das Modell hat nur %1 mm³: Slicer könnten seine Maße als Meter lesen.</translation>
     </message>
     <message>
         <source>materials</source>
@@ -5694,7 +5694,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>%1 refers to &quot;%2&quot;, which is not in its folder; files elsewhere are not read.</source>
-        <translation>%1 nennt „%2“, was nicht in seinem Ordner liegt; von anderswo wird nichts gelesen.</translation>
+        <translation>%1 verweist auf „%2“, was nicht in seinem Ordner liegt; Dateien von anderswo werden nicht gelesen.</translation>
     </message>
     <message>
         <source>%1 was not written: %2 is only read; %3 can be written.</source>
@@ -5702,59 +5702,59 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>%1 cannot be read: the importer does not understand it.</source>
-        <translation>%1: Der Leser kann damit nichts anfangen.</translation>
+        <translation>%1 kann nicht gelesen werden: Der Importer versteht die Datei nicht.</translation>
     </message>
     <message>
         <source>%1 cannot be read: the importer does not understand it (%2).</source>
-        <translation>%1: Der Leser kann damit nichts anfangen (%2).</translation>
+        <translation>%1 kann nicht gelesen werden: Der Importer versteht die Datei nicht (%2).</translation>
     </message>
     <message>
         <source>%1 was not read: the process that reads it ended unexpectedly.</source>
-        <translation>%1 wurde nicht gelesen: Der Leser, ein eigener Prozess, ist darüber abgebrochen.</translation>
+        <translation>%1 wurde nicht gelesen: Der Prozess, der die Datei liest, ist unerwartet abgebrochen.</translation>
     </message>
     <message>
         <source>%1 was not read: it took longer than the limit of %2 seconds for a file of its size.</source>
-        <translation>%1 wurde nicht gelesen: Der Leser brauchte mehr als die %2 Sekunden, die eine Datei dieser Größe bekommt.</translation>
+        <translation>%1 wurde nicht gelesen: Es dauerte länger als die %2 Sekunden, die für eine Datei dieser Größe erlaubt sind.</translation>
     </message>
     <message>
         <source>%1 was not read: it needs more memory than the limit of %2 for a file of its size.</source>
-        <translation>%1 wurde nicht gelesen: Der Leser verlangte mehr als die %2 Speicher, die eine Datei dieser Größe bekommt.</translation>
+        <translation>%1 wurde nicht gelesen: Die Datei braucht mehr Speicher als die %2, die für eine Datei dieser Größe erlaubt sind.</translation>
     </message>
     <message>
         <source>%1: at that size the coordinates overflow.</source>
-        <translation>%1: Bei dieser Größe sind die Koordinaten keine Zahlen mehr.</translation>
+        <translation>%1: Bei dieser Größe laufen die Koordinaten über.</translation>
     </message>
     <message>
         <source>%1 cannot be a brush&apos;s shape, because its surface does not bound a solid (%2).</source>
-        <translation>%1 kann keine Pinselform sein, weil seine Oberfläche keinen Körper begrenzt (%2).</translation>
+        <translation>%1 kann keine Pinselform sein, weil seine Oberfläche keinen Körper umschließt (%2).</translation>
     </message>
     <message>
         <source>Nothing was added, because it would be inside the model.</source>
-        <translation>Es wurde nichts hinzugefügt, weil es im Inneren des Modells läge.</translation>
+        <translation>Es wurde nichts hinzugefügt, weil es im Modell läge.</translation>
     </message>
     <message>
         <source>Nothing was added, because it would touch the model.</source>
-        <translation>Es wurde nichts hinzugefügt, weil es der Oberfläche zu nahe wäre.</translation>
+        <translation>Es wurde nichts hinzugefügt, weil es das Modell berühren würde.</translation>
     </message>
     <message>
         <source>Nothing was added, because it would reach beyond the workspace.</source>
-        <translation>Es wurde nichts hinzugefügt, weil es über den Arbeitsraum hinausreichte.</translation>
+        <translation>Es wurde nichts hinzugefügt, weil es über den Arbeitsraum hinausreichen würde.</translation>
     </message>
     <message>
         <source>Nothing was added, because the brush&apos;s shape is not watertight at that size.</source>
-        <translation>Es wurde nichts hinzugefügt, weil die Pinselform in dieser Größe auf dem Arbeitsgitter des Programms nicht in Ordnung ist.</translation>
+        <translation>Es wurde nichts hinzugefügt, weil die Pinselform in dieser Größe nicht wasserdicht ist.</translation>
     </message>
     <message>
         <source>Nothing was added, because the mask protects the surface there.</source>
-        <translation>Es wurde nichts hinzugefügt, weil sich maskierte Oberfläche ändern müsste.</translation>
+        <translation>Es wurde nichts hinzugefügt, weil die Maske die Oberfläche dort schützt.</translation>
     </message>
     <message>
         <source>The sectors meet here, or the model differs between them: they were changed one after the other and are not exact copies.</source>
-        <translation>Die Sektoren treffen hier aufeinander, oder das Modell ist nicht in allen gleich: sie wurden nacheinander bearbeitet und sind nicht genau gleich.</translation>
+        <translation>Die Sektoren treffen hier aufeinander, oder das Modell ist nicht in allen gleich: Sie wurden nacheinander geändert und sind keine genauen Kopien.</translation>
     </message>
     <message>
         <source>%1: class reports are written as HTML or PDF; the ending says which.</source>
-        <translation>%1: Klassenberichte werden als HTML oder PDF geschrieben; die Endung sagt, als was.</translation>
+        <translation>%1: Klassenberichte werden als HTML oder PDF geschrieben; die Endung bestimmt das Format.</translation>
     </message>
     <message>
         <source>%1: sheets are written as one PDF; the name has to end in .pdf.</source>
@@ -5766,7 +5766,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>%1: this folder contains no models (%2).</source>
-        <translation>%1: In diesem Ordner liegt kein Modell (%2).</translation>
+        <translation>%1: Dieser Ordner enthält keine Modelle (%2).</translation>
     </message>
     <message>
         <source>%1 is text in UTF-16, which is not read: save it as UTF-8.</source>
@@ -5782,11 +5782,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>values that its header does not announce</source>
-        <translation>Werte, die ihr Kopf nicht ankündigt</translation>
+        <translation>Werte, die der Dateikopf nicht ankündigt</translation>
     </message>
     <message>
         <source>data after the end of the model (%1)</source>
-        <translation>was hinter dem Modell steht (%1)</translation>
+        <translation>Daten nach dem Ende des Modells (%1)</translation>
     </message>
     <message>
         <source>parts that a slicer would cut out of the model (%1)</source>
@@ -5858,11 +5858,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>a vertex of 3 or 4 numbers, with 3 more for a colour or none,</source>
-        <translation>ein Punkt aus 3 oder 4 Zahlen, mit 3 weiteren für eine Farbe oder ohne,</translation>
+        <translation>ein Eckpunkt aus 3 oder 4 Zahlen, mit 3 weiteren für eine Farbe oder ohne,</translation>
     </message>
     <message>
         <source>the number of a vertex</source>
-        <translation>die Nummer eines Punkts</translation>
+        <translation>die Nummer eines Eckpunkts</translation>
     </message>
     <message>
         <source>ascii, binary_little_endian or binary_big_endian</source>
@@ -5898,7 +5898,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>%1: &quot;%2&quot; appears twice.</source>
-        <translation>%1: „%2“ kommt ein zweites Mal vor.</translation>
+        <translation>%1: „%2“ kommt zweimal vor.</translation>
     </message>
     <message>
         <source>%1: the JSON of the file is broken here.</source>
@@ -5926,15 +5926,15 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>%1: &quot;%2&quot; should be a list of as many numbers as the format requires, but is something else.</source>
-        <translation>%1: „%2“ sollte eine Liste von so vielen Zahlen sein, wie das Format sagt, ist aber etwas anderes.</translation>
+        <translation>%1: „%2“ sollte eine Liste von so vielen Zahlen sein, wie das Format verlangt, ist aber etwas anderes.</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; contains less data than should be read from it.</source>
-        <translation>%1: Aus „%2“ soll mehr gelesen werden, als darin ist.</translation>
+        <translation>%1: „%2“ enthält weniger Daten, als daraus gelesen werden sollen.</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; has a type or a count that does not fit its use.</source>
-        <translation>%1: „%2“ hat einen Typ oder eine Anzahl, die nicht zu dem passt, was es nennt.</translation>
+        <translation>%1: „%2“ hat einen Typ oder eine Anzahl, die nicht zu seiner Verwendung passt.</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; contain themselves, or are nested too deeply.</source>
@@ -5942,7 +5942,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>%1 needs the extension %2, which Fettle cannot read: save it without, in the program that made it.</source>
-        <translation>%1 braucht die Erweiterung %2, die nicht gelesen wird: Speichern Sie die Datei ohne sie, in dem Programm, aus dem sie kommt.</translation>
+        <translation>%1 braucht die Erweiterung %2, die Fettle nicht lesen kann: Speichern Sie die Datei ohne sie, in dem Programm, das sie erstellt hat.</translation>
     </message>
     <message>
         <source>%1 is glTF of version %2; version 2 is read: save it as that.</source>
@@ -5970,7 +5970,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>%1: &quot;%2&quot; should say where in the package the model is, but does not.</source>
-        <translation>%1: „%2“, das sagen sollte, wo im Paket das Modell ist, nennt keines.</translation>
+        <translation>%1: „%2“ sollte sagen, wo im Paket das Modell liegt, tut es aber nicht.</translation>
     </message>
     <message>
         <source>%1: the part &quot;%2&quot; is encrypted, or packed in a way that is not read.</source>
@@ -5982,7 +5982,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>%1: a document type is declared here, which models may not have.</source>
-        <translation>%1: Hier wird ein Dokumenttyp erklärt, den Modelle nicht haben dürfen.</translation>
+        <translation>%1: Hier wird ein Dokumenttyp deklariert, den Modelle nicht haben dürfen.</translation>
     </message>
     <message>
         <source>%1: XML elements are nested too deeply here.</source>
@@ -6089,11 +6089,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Symmetrize the Model</source>
-        <translation>Modell symmetrisch machen</translation>
+        <translation>Modell symmetrisieren</translation>
     </message>
     <message>
         <source>Mirror across the origin. Which half is kept?</source>
-        <translation>Der Spiegel geht durch den Ursprung. Welche Hälfte bleibt?</translation>
+        <translation>Am Ursprung spiegeln. Welche Hälfte bleibt?</translation>
     </message>
     <message>
         <source>Right (X above 0)</source>
@@ -6121,7 +6121,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Symmetrize</source>
-        <translation>Symmetrisch machen</translation>
+        <translation>Symmetrisieren</translation>
     </message>
     <message>
         <source>Remesh Uniformly</source>
@@ -6149,7 +6149,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>%1 must not touch the present model. Where does it go?</source>
-        <translation>%1 darf das vorhandene Modell nicht berühren. Wohin kommt es?</translation>
+        <translation>%1 darf das vorhandene Modell nicht berühren. Wo soll es hin?</translation>
     </message>
     <message>
         <source>Beside the present model</source>
@@ -6173,11 +6173,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Flatten the Base</source>
-        <translation>Fuß abflachen</translation>
+        <translation>Unterseite ebnen</translation>
     </message>
     <message>
         <source>Cuts the bottom off level, so that the model stands. Height of the cut above the lowest point:</source>
-        <translation>Schneidet das untere Ende waagrecht ab, sodass das Modell steht. Höhe des Schnitts über dem tiefsten Punkt:</translation>
+        <translation>Schneidet das Modell unten waagrecht ab, sodass es steht. Höhe des Schnitts über dem tiefsten Punkt:</translation>
     </message>
     <message>
         <source>Height</source>
@@ -6185,7 +6185,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Flatten</source>
-        <translation>Abflachen</translation>
+        <translation>Ebnen</translation>
     </message>
     <message>
         <source>Original unit</source>
@@ -6193,11 +6193,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Millimetres</source>
-        <translation>Millimetern</translation>
+        <translation>Millimeter</translation>
     </message>
     <message>
         <source>Centimetres</source>
-        <translation>Zentimetern</translation>
+        <translation>Zentimeter</translation>
     </message>
     <message>
         <source>Inches</source>
@@ -6205,7 +6205,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Metres</source>
-        <translation>Metern</translation>
+        <translation>Meter</translation>
     </message>
     <message>
         <source>Its unit</source>
@@ -6256,7 +6256,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Saved %1. Only GLB files keep view, brush, symmetry and reference images: use Save As.</source>
-        <translation>%1 wurde geschrieben. Ansicht, Pinsel, Symmetrie und Vorlagen behalten nur GLB-Dateien: Speichern unter.</translation>
+        <translation>%1 wurde gespeichert. Nur GLB-Dateien behalten Ansicht, Pinsel, Symmetrie und Referenzbilder: Wählen Sie „Speichern unter“.</translation>
     </message>
     <message>
         <source>Save changes to %1?</source>
@@ -6298,7 +6298,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Genus</source>
-        <translation>Geschlecht</translation>
+        <translation>Genus</translation>
     </message>
     <message>
         <source>Size</source>
@@ -6314,7 +6314,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Volume inside the surface.</source>
-        <translation>Der Masse innerhalb der Oberfläche.</translation>
+        <translation>Volumen innerhalb der Oberfläche.</translation>
     </message>
     <message>
         <source>Area</source>
@@ -6322,7 +6322,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Of the whole surface.</source>
-        <translation>Der ganzen Oberfläche.</translation>
+        <translation>Inhalt der ganzen Oberfläche.</translation>
     </message>
     <message>
         <source>Edges</source>
@@ -6379,7 +6379,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>The number of handles or through holes: 0 for a ball, 1 for a ring or a cup.</source>
-        <translation>Wie viele Henkel es hat, also wie viele Löcher hindurchgehen: 0 bei einer Kugel, 1 bei einem Ring oder einer Tasse.</translation>
+        <translation>Zahl der Henkel oder durchgehenden Löcher: 0 bei einer Kugel, 1 bei einem Ring oder einer Tasse.</translation>
     </message>
 </context>
 <context>
@@ -6406,7 +6406,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Starts the turn. (Return)</source>
-        <translation>Fängt an. (Eingabetaste)</translation>
+        <translation>Beginnt den Durchgang. (Eingabetaste)</translation>
     </message>
     <message>
         <source>Pupils</source>
@@ -6451,7 +6451,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Effect of pen pressure: above the diagonal a light touch does much, below it little. Drag to bend the curve.</source>
-        <translation>Wie der Druck eines Stifts zählt: über der Diagonalen bewirkt eine leichte Berührung viel, darunter wenig. Ziehen biegt sie.</translation>
+        <translation>Wirkung des Stiftdrucks: Über der Diagonalen bewirkt eine leichte Berührung viel, darunter wenig. Ziehen Sie, um die Kurve zu biegen.</translation>
     </message>
 </context>
 <context>
@@ -6462,11 +6462,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Draw here: the line shows the effect of your pen&apos;s pressure.</source>
-        <translation>Hier zeichnen: Die Linie zeigt, was aus dem Druck des Stifts wird.</translation>
+        <translation>Zeichnen Sie hier: Die Linie zeigt, wie der Druck Ihres Stifts wirkt.</translation>
     </message>
     <message>
         <source>Draw here with the pen or the mouse.</source>
-        <translation>Hier mit Stift oder Maus zeichnen.</translation>
+        <translation>Zeichnen Sie hier mit Stift oder Maus.</translation>
     </message>
     <message>
         <source>Mouse: no pressure</source>
@@ -6498,8 +6498,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message numerus="yes">
         <source>Too many wrong PINs. Try again in %n seconds.</source>
         <translation>
-            <numerusform>Zu oft falsch: Der nächste Versuch ist in %n Sekunde möglich.</numerusform>
-            <numerusform>Zu oft falsch: Der nächste Versuch ist in %n Sekunden möglich.</numerusform>
+            <numerusform>Zu viele falsche PINs: Der nächste Versuch ist in %n Sekunde möglich.</numerusform>
+            <numerusform>Zu viele falsche PINs: Der nächste Versuch ist in %n Sekunden möglich.</numerusform>
         </translation>
     </message>
 </context>
@@ -6523,7 +6523,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Chooses a light or a dark window, or follows the desktop.</source>
-        <translation>Wählt ein helles oder dunkles Fenster, oder was der Desktop hat.</translation>
+        <translation>Wählt ein helles oder dunkles Fenster oder folgt dem Desktop.</translation>
     </message>
     <message>
         <source>&amp;Language</source>
@@ -6555,7 +6555,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>A light touch changes little, a firm touch much.</source>
-        <translation>Ein leichter Druck ändert wenig, ein fester viel.</translation>
+        <translation>Eine leichte Berührung ändert wenig, eine feste viel.</translation>
     </message>
     <message>
         <source>Pen pressure controls &amp;radius</source>
@@ -6563,7 +6563,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>A light touch makes a narrow stroke, a firm touch a wide one.</source>
-        <translation>Ein leichter Druck macht einen schmalen Strich, ein fester einen breiten.</translation>
+        <translation>Eine leichte Berührung macht einen schmalen Strich, eine feste einen breiten.</translation>
     </message>
     <message>
         <source>Alt and &amp;mouse navigate</source>
@@ -6575,7 +6575,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Resets all settings of the program to their defaults, after a question.</source>
-        <translation>Setzt nach einer Rückfrage alles im Programm auf den Anfang zurück.</translation>
+        <translation>Setzt nach einer Rückfrage alle Einstellungen des Programms auf ihre Vorgaben zurück.</translation>
     </message>
     <message>
         <source>Reset all settings to defaults?</source>
@@ -6583,7 +6583,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>This resets colours, language, keys, pen and mouse, brush, view and the layout of panels. Models, recent files and swatches stay. The language changes at the next start.</source>
-        <translation>Das betrifft Farben, Sprache, Tasten, Stift und Maus, Pinsel, Ansicht und die Plätze der Bedienfelder. Modelle, zuletzt geöffnete Dateien und Farbfelder bleiben. Die Sprache gilt ab dem nächsten Start.</translation>
+        <translation>Zurückgesetzt werden Farben, Sprache, Tasten, Stift und Maus, Pinsel, Ansicht und die Anordnung der Bedienfelder. Modelle, zuletzt geöffnete Dateien und Farbfelder bleiben. Die Sprache ändert sich beim nächsten Start.</translation>
     </message>
     <message>
         <source>&amp;Reset</source>
@@ -6591,7 +6591,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Hold Alt: left orbits, middle pans and right zooms, on the model too. The keys of ZBrush differ.</source>
-        <translation>Mit gehaltener Alt-Taste dreht links, verschiebt die Mitte und zoomt rechts, auch auf dem Modell; mit den Tasten von ZBrush ist es anders.</translation>
+        <translation>Mit gehaltener Alt-Taste dreht die linke Taste, verschiebt die mittlere und zoomt die rechte, auch auf dem Modell. Bei den Tasten von ZBrush ist es anders.</translation>
     </message>
     <message>
         <source>Pressure &amp;curve</source>
@@ -6607,11 +6607,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Keep the last three &amp;versions of each saved file</source>
-        <translation>Beim Speichern die letzten drei &amp;Fassungen der Datei behalten</translation>
+        <translation>Beim Speichern die letzten drei Ve&amp;rsionen der Datei behalten</translation>
     </message>
     <message>
         <source>Older versions stay beside the file, as vase.glb~1, vase.glb~2 and so on. Open them like any other file.</source>
-        <translation>Ältere Fassungen bleiben neben der Datei, als vase.glb~1, vase.glb~2 und so weiter. Sie lassen sich öffnen wie jede andere Datei.</translation>
+        <translation>Ältere Versionen bleiben neben der Datei, als vase.glb~1, vase.glb~2 und so weiter. Sie lassen sich öffnen wie jede andere Datei.</translation>
     </message>
     <message>
         <source>Unsaved changes are always kept if Fettle ends unexpectedly. The next start offers to recover them.</source>
@@ -6623,7 +6623,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Makes the window&apos;s text larger than the desktop&apos;s.</source>
-        <translation>Macht die Texte des Fensters größer, als der Schreibtisch sie hat.</translation>
+        <translation>Macht den Text im Fenster größer als auf dem Desktop.</translation>
     </message>
     <message>
         <source>Restart Fettle to apply language and text size.</source>
@@ -6639,7 +6639,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>The view jumps to its place instead of flying there, and the light that points in VR does not pulse.</source>
-        <translation>Die Ansicht springt sofort ans Ziel, statt hinzufliegen, und das Licht dessen, der zeigt, steht still.</translation>
+        <translation>Die Ansicht springt ans Ziel, statt hinzufliegen, und das Licht, das in VR zeigt, pulsiert nicht.</translation>
     </message>
 </context>
 <context>
@@ -6706,7 +6706,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Shows the whole drawing; the wheel zooms, a drag moves it.</source>
-        <translation>Zeigt die ganze Zeichnung; das Rad vergrößert, Ziehen verschiebt.</translation>
+        <translation>Zeigt die ganze Zeichnung; das Rad zoomt, Ziehen verschiebt.</translation>
     </message>
     <message>
         <source>Coarser while you sculpt; the fine drawing follows.</source>
@@ -6714,7 +6714,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Creases are left out: the surface has too many.</source>
-        <translation>Kanten sind weggelassen: Die Oberfläche hat zu viele.</translation>
+        <translation>Knickkanten fehlen: Die Oberfläche hat zu viele.</translation>
     </message>
 </context>
 <context>
@@ -6733,7 +6733,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Closed, all faces outwards, no self-intersections. Checked exactly.</source>
-        <translation>Geschlossen, jede Fläche schaut nach außen, nichts berührt sich selbst: exakt geprüft.</translation>
+        <translation>Geschlossen, alle Flächen nach außen gerichtet, keine Selbstdurchdringungen. Exakt geprüft.</translation>
     </message>
     <message>
         <source>The surface needs repair</source>
@@ -6752,7 +6752,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Separate parts of the surface; closed hollows count as parts.</source>
-        <translation>Teile der Oberfläche, die nicht zusammenhängen; Hohlräume zählen mit.</translation>
+        <translation>Getrennte Teile der Oberfläche; geschlossene Hohlräume zählen mit.</translation>
     </message>
     <message>
         <source>%1 × %2 × %3 mm wide, deep and high.</source>
@@ -6772,7 +6772,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Shares are of the surface. The thinnest place: %1 mm by rays, %2 mm by balls that fit inside.</source>
-        <translation>Anteile sind solche der Oberfläche. Die dünnste Stelle: %1 mm nach Strahlen, %2 mm nach Kugeln, die hineinpassen.</translation>
+        <translation>Anteile beziehen sich auf die Oberfläche. Die dünnste Stelle: %1 mm nach Strahlen, %2 mm nach Kugeln, die hineinpassen.</translation>
     </message>
     <message>
         <source>Walls from %1 mm on</source>
@@ -6788,7 +6788,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Only specks thinner than %1 mm</source>
-        <translation>Nur Krümel dünner als %1 mm</translation>
+        <translation>Nur winzige Stellen unter %1 mm</translation>
     </message>
     <message>
         <source>%1 mm²</source>
@@ -6801,7 +6801,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Faces that lean out more than %1 from the vertical print on supports only; those on the bed do not count.</source>
-        <translation>Flächen, die sich mehr als %1 aus der Senkrechten neigen, brauchen Stützen; die auf dem Druckbett zählen nicht.</translation>
+        <translation>Flächen, die sich mehr als %1 aus der Senkrechten neigen, brauchen Stützen; solche auf dem Druckbett zählen nicht.</translation>
     </message>
     <message>
         <source>No overhangs beyond %1</source>
@@ -6817,7 +6817,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Area of the surface that is flat on the bed.</source>
-        <translation>Wie viel der Oberfläche flach auf dem Druckbett liegt.</translation>
+        <translation>Fläche, die flach auf dem Druckbett liegt.</translation>
     </message>
     <message>
         <source>Stands on %1</source>
@@ -6829,7 +6829,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Scale the model, or choose millimetres in the slicer.</source>
-        <translation>Skalieren Sie das Modell, oder wählen Sie im Druckprogramm Millimeter.</translation>
+        <translation>Skalieren Sie das Modell, oder wählen Sie im Slicer Millimeter.</translation>
     </message>
 </context>
 <context>
@@ -6840,7 +6840,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>The meaning of the colours on the model. Hatched places are beyond the limit.</source>
-        <translation>Was die Farben am Modell bedeuten. Schraffiert ist, was die Grenze verletzt.</translation>
+        <translation>Was die Farben am Modell bedeuten. Schraffierte Stellen überschreiten die Grenze.</translation>
     </message>
     <message>
         <source>%1 mm</source>
@@ -6863,7 +6863,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Edits the list of printers.</source>
-        <translation>Ändert die Liste der Drucker.</translation>
+        <translation>Bearbeitet die Liste der Drucker.</translation>
     </message>
     <message>
         <source> mm</source>
@@ -6895,15 +6895,15 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Minimum wall</source>
-        <translation>Wand ab</translation>
+        <translation>Mindestwand</translation>
     </message>
     <message>
         <source>Finds thinner walls. Two lines of the nozzle are usual.</source>
-        <translation>Dünnere Wände werden gefunden: in der Regel zwei Linien der Düse.</translation>
+        <translation>Findet dünnere Wände. Üblich sind zwei Linien der Düse.</translation>
     </message>
     <message>
         <source>Steepest overhang that prints without support, from the vertical.</source>
-        <translation>Wie weit Flächen sich aus der Senkrechten neigen dürfen.</translation>
+        <translation>Stärkster Überhang, der sich ohne Stützen drucken lässt, aus der Senkrechten gemessen.</translation>
     </message>
     <message>
         <source>Colours</source>
@@ -6911,7 +6911,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Colours the model by wall thickness or by overhang.</source>
-        <translation>Zeigt am Modell, wie dick es ist oder wie weit es überhängt.</translation>
+        <translation>Färbt das Modell nach Wandstärke oder Überhang.</translation>
     </message>
     <message>
         <source>Findings</source>
@@ -6919,7 +6919,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>The findings. Click a place, or press Return, to see it on the model.</source>
-        <translation>Was gefunden wurde. Ein Klick oder die Eingabetaste auf einer Stelle zeigt sie am Modell.</translation>
+        <translation>Die Befunde. Klicken Sie auf eine Stelle, oder drücken Sie die Eingabetaste, um sie am Modell zu sehen.</translation>
     </message>
     <message>
         <source>good</source>
@@ -6931,11 +6931,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>to fix</source>
-        <translation>zu ändern</translation>
+        <translation>zu beheben</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation>Anhalten</translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Check Now</source>
@@ -6943,7 +6943,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Ends the check.</source>
-        <translation>Beendet die Prüfung.</translation>
+        <translation>Bricht die Prüfung ab.</translation>
     </message>
     <message>
         <source>Checks the model as it is now.</source>
@@ -6959,7 +6959,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Fix before printing</source>
-        <translation>Vor dem Druck ändern</translation>
+        <translation>Vor dem Druck beheben</translation>
     </message>
     <message>
         <source>Checking…</source>
@@ -7017,7 +7017,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <name>ui::Questionnaire</name>
     <message>
         <source>How easy was it to learn to use the program?</source>
-        <translation>Wie leicht war es, das Programm zu lernen?</translation>
+        <translation>Wie leicht war es, das Programm bedienen zu lernen?</translation>
     </message>
     <message>
         <source>extremely difficult</source>
@@ -7053,7 +7053,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>How convenient was it to make details?</source>
-        <translation>Wie bequem ließen sich Einzelheiten machen?</translation>
+        <translation>Wie bequem ließen sich Details machen?</translation>
     </message>
     <message>
         <source>very inconvenient</source>
@@ -7077,7 +7077,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>How do you find the program as a whole?</source>
-        <translation>Wie findest du das Programm im Ganzen?</translation>
+        <translation>Wie findest du das Programm insgesamt?</translation>
     </message>
     <message>
         <source>poor</source>
@@ -7100,7 +7100,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Six questions about the program. Answer what you like: press a number; press it again to clear it.</source>
-        <translation>Sechs Fragen über das Programm. Antworte, worauf du magst: Drück eine Zahl; noch einmal gedrückt, löscht sie sich.</translation>
+        <translation>Sechs Fragen zum Programm. Beantworte, was du magst: Drücke eine Zahl; drücke sie noch einmal, um sie zu löschen.</translation>
     </message>
     <message>
         <source>S&amp;kip</source>
@@ -7108,11 +7108,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Continues without answers; nothing is saved.</source>
-        <translation>Geht ohne Antworten weiter; nichts davon wird aufgehoben.</translation>
+        <translation>Geht ohne Antworten weiter; es wird nichts gespeichert.</translation>
     </message>
     <message>
         <source>Saves the answers with the work, and continues.</source>
-        <translation>Geht weiter und hebt die Antworten mit der Arbeit auf.</translation>
+        <translation>Speichert die Antworten mit der Arbeit und geht weiter.</translation>
     </message>
     <message>
         <source>How was it, %1?</source>
@@ -7146,7 +7146,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>&amp;Discard…</source>
-        <translation>&amp;Verwerfen…</translation>
+        <translation>&amp;Verwerfen …</translation>
     </message>
     <message>
         <source>Deletes these changes, after a question.</source>
@@ -7177,7 +7177,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <name>ui::ReferencePanel</name>
     <message>
         <source>Image</source>
-        <translation>Vorlage</translation>
+        <translation>Referenz</translation>
     </message>
     <message>
         <source>In front of the model</source>
@@ -7189,7 +7189,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>The side that shows the image. Choosing another side turns the view to it.</source>
-        <translation>Die Seite, an der das Bild hängt; eine andere zu wählen dreht die Ansicht dorthin.</translation>
+        <translation>Die Seite, auf der das Bild erscheint. Eine andere zu wählen dreht die Ansicht dorthin.</translation>
     </message>
     <message>
         <source>Width</source>
@@ -7197,7 +7197,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>How wide the image is, measured beside the model.</source>
-        <translation>Wie breit das Bild ist, am Modell gemessen.</translation>
+        <translation>Breite des Bildes, am Modell gemessen.</translation>
     </message>
     <message>
         <source>To the right</source>
@@ -7217,7 +7217,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Draws the image over the model instead of behind it, so that both can be compared.</source>
-        <translation>Zeichnet das Bild über das Modell statt dahinter, um beide zu vergleichen.</translation>
+        <translation>Zeichnet das Bild vor das Modell statt dahinter, um beide zu vergleichen.</translation>
     </message>
     <message>
         <source>Opacity</source>
@@ -7229,7 +7229,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Opacity of the image.</source>
-        <translation>Wie stark das Bild verdeckt, was hinter ihm liegt.</translation>
+        <translation>Deckkraft des Bildes.</translation>
     </message>
     <message>
         <source> mm</source>
@@ -7269,7 +7269,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Choose an image, or drop its file on the window.</source>
-        <translation>Ein Bild wählen, oder seine Datei auf das Fenster ziehen.</translation>
+        <translation>Wählen Sie ein Bild, oder ziehen Sie seine Datei auf das Fenster.</translation>
     </message>
 </context>
 <context>
@@ -7345,7 +7345,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>An image that weights the brush: white is full strength, black is none. A spacing of 2 places prints side by side.</source>
-        <translation>Ein Bild, das den Pinsel gewichtet: hell ist viel, schwarz nichts. Ein Abstand von 2 setzt Abdrücke nebeneinander.</translation>
+        <translation>Ein Bild, das den Pinsel gewichtet: Weiß ist volle Stärke, Schwarz keine. Ein Abstand von 2 setzt Abdrücke nebeneinander.</translation>
     </message>
     <message>
         <source>None</source>
@@ -7361,7 +7361,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>The model that Stamp presses in or raises, with its top outwards, and that Add Ball adds.</source>
-        <translation>Das Modell, das der Stempel eindrückt oder hebt, mit dem Oberen nach außen, und das Kugel hinzufügen hinzufügt.</translation>
+        <translation>Das Modell, das „Stempel“ eindrückt oder heraushebt, mit der Oberseite nach außen, und das „Kugel hinzufügen“ setzt.</translation>
     </message>
     <message>
         <source>Ball</source>
@@ -7586,11 +7586,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Starts with the ball of clay. (Esc)</source>
-        <translation>Geht zur Kugel aus Ton. (Esc)</translation>
+        <translation>Beginnt mit der Tonkugel. (Esc)</translation>
     </message>
     <message>
         <source>Opens a model that was open before.</source>
-        <translation>Öffnet ein Modell, das schon einmal offen war.</translation>
+        <translation>Öffnet ein früher geöffnetes Modell.</translation>
     </message>
     <message>
         <source>&amp;Show this page at start</source>
@@ -7598,7 +7598,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Otherwise Fettle starts with a ball of clay; Help › Start Page brings this page back.</source>
-        <translation>Sonst beginnt Fettle mit der Kugel aus Ton; Hilfe › Startseite bringt diese Seite zurück.</translation>
+        <translation>Sonst beginnt Fettle mit einer Tonkugel; Hilfe › Startseite bringt diese Seite zurück.</translation>
     </message>
 </context>
 <context>
@@ -7842,7 +7842,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Draws the model after each step, from the current view, as numbered PNG files in a folder that you choose. Sculpting is paused while it runs.</source>
-        <translation>Zeichnet das Modell nach seinen Schritten, aus der jetzigen Ansicht, als nummerierte PNG-Dateien in einen Ordner, den Sie wählen. So lange ist das Formen angehalten.</translation>
+        <translation>Zeichnet das Modell nach jedem Schritt, aus der aktuellen Ansicht, als nummerierte PNG-Dateien in einen Ordner Ihrer Wahl. Solange ist das Formen angehalten.</translation>
     </message>
     <message>
         <source>%1 × %2 pixels</source>
@@ -7876,7 +7876,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Drag to see the model after each step; Left and Right move by one. Sculpting there removes the later steps.</source>
-        <translation>Zum Ziehen: zeigt das Modell, wie es nach jedem Schritt war; Links und Rechts gehen um einen weiter. Wer dort formt, verliert die späteren Schritte.</translation>
+        <translation>Ziehen Sie, um das Modell nach jedem Schritt zu sehen; Links und Rechts gehen um einen weiter. Wer dort formt, entfernt die späteren Schritte.</translation>
     </message>
     <message>
         <source>Play the steps</source>
@@ -7884,7 +7884,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Plays the steps in order, from here or from the first.</source>
-        <translation>Spielt die Schritte nacheinander ab, von hier oder vom ersten an.</translation>
+        <translation>Spielt die Schritte der Reihe nach ab, von hier oder vom ersten an.</translation>
     </message>
     <message>
         <source>%1 of %2: %3</source>
@@ -7922,7 +7922,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Direction of the turn, seen from above.</source>
-        <translation>Wie herum das Modell sich dreht, von oben gesehen.</translation>
+        <translation>Drehrichtung, von oben gesehen.</translation>
     </message>
     <message>
         <source>Anticlockwise</source>
@@ -7938,7 +7938,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Speed in degrees per second; 360 are one turn.</source>
-        <translation>Um wie viele Grad das Modell sich in einer Sekunde dreht; 360 sind eine Umdrehung.</translation>
+        <translation>Tempo in Grad pro Sekunde; 360 sind eine Umdrehung.</translation>
     </message>
     <message>
         <source> °/s</source>
@@ -7961,7 +7961,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Makes the model 1000 times as large, as one step.</source>
-        <translation>Macht das Modell 1000-mal so groß, in einem Schritt.</translation>
+        <translation>Vergrößert das Modell auf das 1000-Fache, in einem Schritt.</translation>
     </message>
     <message>
         <source>%1 is %2 units long. Is it in inches (%3 mm)?</source>
@@ -7973,7 +7973,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Makes the model 25.4 times as large, as one step.</source>
-        <translation>Macht das Modell 25,4-mal so groß, in einem Schritt.</translation>
+        <translation>Vergrößert das Modell auf das 25,4-Fache, in einem Schritt.</translation>
     </message>
     <message>
         <source>As &amp;Centimetres</source>
@@ -7981,7 +7981,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Makes the model 10 times as large, as one step.</source>
-        <translation>Macht das Modell 10-mal so groß, in einem Schritt.</translation>
+        <translation>Vergrößert das Modell auf das 10-Fache, in einem Schritt.</translation>
     </message>
     <message>
         <source>Unit of the Model</source>
@@ -7989,7 +7989,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Le&amp;ave as mm</source>
-        <translation>M&amp;illimeter lassen</translation>
+        <translation>M&amp;illimeter behalten</translation>
     </message>
     <message>
         <source>Leaves the model as it is, and hides this bar.</source>
@@ -8004,7 +8004,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>The model cannot be shown: the graphics driver lacks a feature that it claims to have.</source>
-        <translation>Das Modell lässt sich nicht anzeigen: Der Grafiktreiber leistet nicht, was er anbietet.</translation>
+        <translation>Das Modell lässt sich nicht anzeigen: Dem Grafiktreiber fehlt eine Funktion, die er zu haben angibt.</translation>
     </message>
 </context>
 <context>
@@ -8026,7 +8026,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>&amp;Copy to a Folder…</source>
-        <translation>In einen Ordner &amp;kopieren…</translation>
+        <translation>In einen Ordner &amp;kopieren …</translation>
     </message>
     <message>
         <source>&amp;End Class</source>
@@ -8041,7 +8041,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Moves each waiting model, in its own folder, to the folder that you choose.</source>
-        <translation>Die Arbeiten kommen ganz dorthin, jede in ihrem Ordner, und warten nicht länger.</translation>
+        <translation>Verschiebt jedes wartende Modell, in seinem eigenen Ordner, in den Ordner, den Sie wählen.</translation>
     </message>
 </context>
 <context>
@@ -8114,7 +8114,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>The model has unsaved changes: save it first, or hold to open.</source>
-        <translation>Das Modell ist nicht gespeichert: zuerst speichern oder zum Öffnen halten.</translation>
+        <translation>Das Modell hat ungespeicherte Änderungen: zuerst speichern oder zum Öffnen halten.</translation>
     </message>
     <message>
         <source>Saved: %1</source>
@@ -8123,7 +8123,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>There are no models here yet. Save adds the first one.</source>
-        <translation>Hier liegen noch keine Modelle. Speichern legt das erste hier ab.</translation>
+        <translation>Hier sind noch keine Modelle. Speichern legt das erste an.</translation>
     </message>
     <message>
         <source>%1 / %2</source>
@@ -8167,7 +8167,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>The headset is not worn. Put it on to continue.</source>
-        <translation>Die VR-Brille ist abgesetzt. Zum Weitermachen wieder aufsetzen.</translation>
+        <translation>Die VR-Brille ist abgesetzt. Setzen Sie sie auf, um weiterzumachen.</translation>
     </message>
     <message>
         <source>Left VR.</source>
@@ -8196,11 +8196,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>The headset&apos;s program does not answer. The model is as it was; restart that program, then enter VR again.</source>
-        <translation>Das Programm der VR-Brille antwortet nicht. Das Modell ist, wie es war; bitte jenes Programm neu starten und VR erneut betreten.</translation>
+        <translation>Das Programm der VR-Brille antwortet nicht. Das Modell ist, wie es war; bitte das Programm der VR-Brille neu starten und VR erneut betreten.</translation>
     </message>
     <message>
         <source>The headset&apos;s program still does not answer, and VR cannot be entered. Restart that program; if that does not help, save the model and restart Fettle.</source>
-        <translation>Das Programm der VR-Brille antwortet noch immer nicht, und VR lässt sich nicht betreten. Bitte jenes Programm neu starten; hilft das nicht, das Modell speichern und Fettle neu starten.</translation>
+        <translation>Das Programm der VR-Brille antwortet noch immer nicht, und VR lässt sich nicht betreten. Bitte das Programm der VR-Brille neu starten; hilft das nicht, das Modell speichern und Fettle neu starten.</translation>
     </message>
     <message>
         <source>VR ended: the headset&apos;s program reports a fault (%1). The model is as it was; try to enter VR again.</source>
@@ -8257,7 +8257,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>%1 supports %2, but it does not support OpenGL.</source>
-        <translation>%1 zeigt %2, nimmt aber keine OpenGL-Bilder an.</translation>
+        <translation>%1 unterstützt %2, aber kein OpenGL.</translation>
     </message>
     <message>
         <source>%1 is ready, through %2.</source>
@@ -8265,12 +8265,12 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>The headset is in use here.</source>
-        <translation>Die VR-Brille ist hier schon in Gebrauch.</translation>
+        <translation>Die VR-Brille wird hier bereits verwendet.</translation>
     </message>
     <message>
         <source>%1 asks for OpenGL %2 and refuses OpenGL %3, which Fettle uses. Another OpenXR runtime may accept it.</source>
         <extracomment>%1: the headset&apos;s program; %2, %3: versions, such as 4.5</extracomment>
-        <translation>%1 verlangt OpenGL %2 und lehnt OpenGL %3 ab, das Fettle verwendet. Eine andere OpenXR-Laufzeitumgebung nimmt es vielleicht an.</translation>
+        <translation>%1 verlangt OpenGL %2 und lehnt OpenGL %3 ab, das Fettle verwendet. Eine andere OpenXR-Laufzeitumgebung akzeptiert es vielleicht.</translation>
     </message>
 </context>
 <context>
@@ -8617,7 +8617,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Adaptive</source>
-        <translation>Anpassen</translation>
+        <translation>Adaptiv</translation>
     </message>
     <message>
         <source>Keep</source>
@@ -8712,39 +8712,39 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>%1: this picture cannot be written.</source>
-        <translation>%1: dieses Bild kann nicht geschrieben werden.</translation>
+        <translation>%1: Dieses Bild kann nicht geschrieben werden.</translation>
     </message>
     <message>
         <source>Shows what a brush preset contains, or why it is invalid (status 2). Without a preset: lists the program&apos;s presets.</source>
-        <translation>Sagt, was eine Pinselvorlage enthält, oder warum es keine ist (Status 2). Ohne Vorlage: zählt die des Programms auf.</translation>
+        <translation>Zeigt, was eine Pinselvorlage enthält oder warum sie ungültig ist (Status 2). Ohne Vorlage: listet die mitgelieferten auf.</translation>
     </message>
     <message>
         <source>A preset file, or the name of a preset of the program.</source>
-        <translation>Eine Vorlagendatei oder der Name einer Vorlage des Programms.</translation>
+        <translation>Eine Vorlagendatei oder der Name einer mitgelieferten Vorlage.</translation>
     </message>
     <message>
         <source>File for a picture of one stroke of the brush, PNG.</source>
-        <translation>Wohin ein Bild von einem Strich des Pinsels kommt, PNG.</translation>
+        <translation>Datei für ein Bild von einem Strich des Pinsels, PNG.</translation>
     </message>
     <message>
         <source>brush: one preset at a time can be read, not %1 as well.</source>
-        <translation>brush: nur eine Vorlage kann auf einmal gelesen werden, nicht auch noch %1.</translation>
+        <translation>brush: Es kann immer nur eine Vorlage gelesen werden, nicht auch noch %1.</translation>
     </message>
     <message>
         <source>brush: no preset was given.</source>
-        <translation>brush: es wurde keine Vorlage angegeben.</translation>
+        <translation>brush: Es wurde keine Vorlage angegeben.</translation>
     </message>
 </context>
 <context>
     <name>ui::PresetFiles</name>
     <message>
         <source>%1: there is not enough memory for this preset.</source>
-        <translation>%1: für diese Vorlage reicht der Speicher nicht.</translation>
+        <translation>%1: Für diese Vorlage reicht der Speicher nicht.</translation>
     </message>
     <message>
         <source>%1: the alpha in this preset cannot be used: %2</source>
         <comment>a sentence that says why</comment>
-        <translation>%1: das Alpha in dieser Vorlage ist nicht zu gebrauchen: %2</translation>
+        <translation>%1: Das Alpha in dieser Vorlage ist nicht verwendbar: %2</translation>
     </message>
 </context>
 <context>
@@ -8764,7 +8764,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>%1 was not deleted: it cannot be moved to the trash.</source>
-        <translation>%1 wurde nicht gelöscht: in den Papierkorb kann es nicht gelegt werden.</translation>
+        <translation>%1 wurde nicht gelöscht: Die Datei lässt sich nicht in den Papierkorb verschieben.</translation>
     </message>
 </context>
 <context>
@@ -8779,7 +8779,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Saves the current brush as a preset, and asks for its name.</source>
-        <translation>Behält den Pinsel, wie er gerade ist, als Vorlage und fragt nach ihrem Namen.</translation>
+        <translation>Speichert den aktuellen Pinsel als Vorlage und fragt nach ihrem Namen.</translation>
     </message>
     <message>
         <source>Rename</source>
@@ -8787,7 +8787,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Renames this preset (F2).</source>
-        <translation>Gibt dieser Vorlage einen anderen Namen (F2).</translation>
+        <translation>Benennt diese Vorlage um (F2).</translation>
     </message>
     <message>
         <source>Delete</source>
@@ -8795,7 +8795,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Moves this preset to the trash.</source>
-        <translation>Legt diese Vorlage in den Papierkorb.</translation>
+        <translation>Verschiebt diese Vorlage in den Papierkorb.</translation>
     </message>
     <message>
         <source>Import</source>
@@ -8830,7 +8830,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Adds clay in thick rolls, more where you pause.</source>
-        <translation>Trägt Ton in dicken Wülsten auf, mehr davon, wo Sie verweilen.</translation>
+        <translation>Trägt Ton in dicken Wülsten auf, mehr davon, wo Sie innehalten.</translation>
     </message>
     <message>
         <source>Raked Clay</source>
@@ -8838,7 +8838,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Adds clay in strips, as a rake does.</source>
-        <translation>Trägt Ton in Streifen auf, wie sie ein Kamm lässt.</translation>
+        <translation>Trägt Ton in Streifen auf, wie ein Kamm.</translation>
     </message>
     <message>
         <source>Carve</source>
@@ -8854,7 +8854,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Inflates the surface under it, with a soft edge.</source>
-        <translation>Bläht auf, was darunter liegt, mit weichem Rand.</translation>
+        <translation>Bläht die Oberfläche darunter auf, mit weichem Rand.</translation>
     </message>
     <message>
         <source>Panel</source>
@@ -8862,7 +8862,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Raises a plate of one height, with steep sides.</source>
-        <translation>Hebt eine Platte von einer Höhe mit steilem Rand.</translation>
+        <translation>Hebt eine Platte gleicher Höhe mit steilem Rand.</translation>
     </message>
     <message>
         <source>Fine Line</source>
@@ -8886,7 +8886,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Takes off bumps and keeps hollows.</source>
-        <translation>Nimmt Buckel ab und lässt Mulden.</translation>
+        <translation>Trägt Buckel ab und lässt Mulden stehen.</translation>
     </message>
     <message>
         <source>Plane Off</source>
@@ -8902,7 +8902,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Moves large parts of the model, softly.</source>
-        <translation>Verschiebt große Teile des Modells, sanft.</translation>
+        <translation>Verschiebt sanft große Teile des Modells.</translation>
     </message>
     <message>
         <source>Horn</source>
@@ -8918,7 +8918,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Prints the pores of skin.</source>
-        <translation>Drückt die Poren von Haut ein.</translation>
+        <translation>Prägt die Poren von Haut ein.</translation>
     </message>
     <message>
         <source>Scales</source>
@@ -8926,7 +8926,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Prints scales along the stroke.</source>
-        <translation>Setzt Schuppen entlang des Strichs.</translation>
+        <translation>Prägt Schuppen entlang des Strichs ein.</translation>
     </message>
     <message>
         <source>Cracks</source>
@@ -8934,7 +8934,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Prints the cracks of dry earth.</source>
-        <translation>Drückt die Risse trockener Erde ein.</translation>
+        <translation>Prägt die Risse trockener Erde ein.</translation>
     </message>
     <message>
         <source>Weave</source>
@@ -8942,7 +8942,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Prints woven cloth along the stroke.</source>
-        <translation>Setzt gewebtes Tuch entlang des Strichs.</translation>
+        <translation>Prägt gewebtes Tuch entlang des Strichs ein.</translation>
     </message>
     <message>
         <source>Rough Stone</source>
@@ -8950,7 +8950,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Makes the surface rough, like broken stone.</source>
-        <translation>Raut auf wie gebrochener Stein.</translation>
+        <translation>Macht die Oberfläche rau wie gebrochenen Stein.</translation>
     </message>
 </context>
 <context>
@@ -9020,15 +9020,15 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>&quot;%1&quot; must be three numbers, as in [0, 1, 0]</source>
-        <translation>„%1“ müssen drei Zahlen sein, wie in [0, 1, 0]</translation>
+        <translation>„%1“ muss aus drei Zahlen bestehen, wie in [0, 1, 0]</translation>
     </message>
     <message>
         <source>&quot;%1&quot; must be four numbers, as in [0, 0, 0, 1]</source>
-        <translation>„%1“ müssen vier Zahlen sein, wie in [0, 0, 0, 1]</translation>
+        <translation>„%1“ muss aus vier Zahlen bestehen, wie in [0, 0, 0, 1]</translation>
     </message>
     <message>
         <source>&quot;%1&quot; must be three whole numbers from 0 to 255, as in [200, 120, 80]</source>
-        <translation>„%1“ müssen drei ganze Zahlen von 0 bis 255 sein, wie in [200, 120, 80]</translation>
+        <translation>„%1“ muss aus drei ganzen Zahlen von 0 bis 255 bestehen, wie in [200, 120, 80]</translation>
     </message>
     <message>
         <source>&quot;%1&quot; must be true or false</source>
@@ -9072,7 +9072,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>this file is too large: at most %1 are read</source>
-        <translation>diese Datei ist zu groß: höchstens %1 werden gelesen</translation>
+        <translation>diese Datei ist zu groß: Höchstens %1 werden gelesen</translation>
     </message>
     <message>
         <source>this is not a brush preset of version 1 (%1)</source>
@@ -9128,19 +9128,19 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Overwrite no existing file; end with status 2 instead.</source>
-        <translation>Keine vorhandene Datei überschreiben: stattdessen Status 2.</translation>
+        <translation>Keine vorhandene Datei überschreiben, sondern mit Status 2 enden.</translation>
     </message>
     <message>
         <source>%1: %2 already exists and is not overwritten, because of --no-clobber.</source>
-        <translation>%1: %2 ist schon da und bleibt wegen --no-clobber, wie es ist.</translation>
+        <translation>%1: %2 ist schon da und wird wegen --no-clobber nicht überschrieben.</translation>
     </message>
     <message>
         <source>The file to write, in the format of its ending; or -.</source>
-        <translation>Die Datei, die geschrieben wird, im Format ihrer Endung; oder -.</translation>
+        <translation>Die zu schreibende Datei, im Format ihrer Endung; oder -.</translation>
     </message>
     <message>
         <source>%1: the output file is missing; name it with -o.</source>
-        <translation>%1: Die Datei, die geschrieben werden soll, fehlt; -o nennt sie.</translation>
+        <translation>%1: Die Ausgabedatei fehlt; nennen Sie sie mit -o.</translation>
     </message>
 </context>
 <context>
@@ -9155,7 +9155,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>The file to write, in the format of its ending; or -.</source>
-        <translation>Die Datei, die geschrieben wird, im Format ihrer Endung; oder -.</translation>
+        <translation>Die zu schreibende Datei, im Format ihrer Endung; oder -.</translation>
     </message>
     <message>
         <source>Length of its longest side in mm (default: 100).</source>
@@ -9178,7 +9178,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Format of the standard output, -.</source>
-        <translation>Format dessen, was auf die Standardausgabe, -, geschrieben wird.</translation>
+        <translation>Format der Standardausgabe, -.</translation>
     </message>
     <message>
         <source>%1: --%2 must say the format of -: one of %3.</source>
@@ -9190,7 +9190,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>%1: %2 is binary and is not printed to a terminal: redirect the standard output to a file or a program.</source>
-        <translation>%1: %2 ist kein Text und wird nicht auf einem Terminal gezeigt: Leiten Sie die Standardausgabe in eine Datei oder ein Programm.</translation>
+        <translation>%1: %2 ist binär und wird nicht auf einem Terminal ausgegeben: Leiten Sie die Standardausgabe in eine Datei oder ein Programm um.</translation>
     </message>
     <message>
         <source>The standard output cannot be written (%1).</source>
