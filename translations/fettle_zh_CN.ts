@@ -24,7 +24,7 @@
     </message>
     <message>
         <source>size, mm</source>
-        <translation>尺寸，毫米</translation>
+        <translation>尺寸，mm</translation>
     </message>
     <message>
         <source>print-ready</source>
@@ -36,7 +36,7 @@
     </message>
     <message>
         <source>wall, mm</source>
-        <translation>壁厚 mm</translation>
+        <translation>壁厚，mm</translation>
     </message>
     <message>
         <source>overhang</source>
@@ -44,7 +44,7 @@
     </message>
     <message>
         <source>base, mm²</source>
-        <translation>底面 mm²</translation>
+        <translation>底面，mm²</translation>
     </message>
     <message>
         <source>fits</source>
@@ -56,15 +56,15 @@
     </message>
     <message>
         <source>%1 of its surface is thinner than %2 mm</source>
-        <translation>其表面的 %1 薄于 %2 毫米</translation>
+        <translation>%1 的表面薄于 %2 毫米</translation>
     </message>
     <message>
         <source>%1 of its surface overhangs by more than %2 degrees</source>
-        <translation>其表面的 %1 悬垂超过 %2 度</translation>
+        <translation>%1 的表面悬垂超过 %2 度</translation>
     </message>
     <message>
         <source>it stands on a point or an edge</source>
-        <translation>它立在一个点或一条边上</translation>
+        <translation>它只立在一个点或一条边上</translation>
     </message>
     <message>
         <source>%1 is watertight, but: %2.</source>
@@ -76,7 +76,7 @@
     </message>
     <message>
         <source>Says whether models are closed, manifold, oriented, free of self-intersections, and bound a solid. Status 0: all are, whatever --print finds; 1: not all.</source>
-        <translation>检查模型是否封闭、是流形、朝向一致、无自相交，并围成实体。状态 0：全部符合，无论 --print 发现什么；1：并非全部符合。</translation>
+        <translation>检查模型是否封闭、为流形、朝向一致、无自相交，并围成实体。状态 0：全部符合，不论 --print 的结果；1：并非全部符合。</translation>
     </message>
     <message>
         <source>Models, or folders of models; or -.</source>
@@ -92,15 +92,15 @@
     </message>
     <message>
         <source>Nozzle width in mm; walls should be two lines thick (default: 0.4).</source>
-        <translation>喷嘴宽度（毫米）；壁厚应为两条线宽（默认 0.4）。</translation>
+        <translation>喷嘴直径（毫米）；壁厚应为两条线宽（默认 0.4）。</translation>
     </message>
     <message>
         <source>Steepest overhang that prints without support, in degrees from the vertical (default: 45).</source>
-        <translation>无需支撑即可打印的最大悬垂，以偏离竖直方向的度数表示（默认 45）。</translation>
+        <translation>无需支撑即可打印的最大悬垂角，以偏离竖直方向的度数表示（默认 45）。</translation>
     </message>
     <message>
         <source>Width, depth and height of the printer&apos;s build volume, in mm (default: not checked).</source>
-        <translation>打印机能容纳的宽、深、高，单位毫米（默认不检查）。</translation>
+        <translation>打印机成型空间的宽、深、高，单位毫米（默认不检查）。</translation>
     </message>
     <message>
         <source>vertices</source>
@@ -132,7 +132,7 @@
     </message>
     <message>
         <source>parts</source>
-        <translation>部分</translation>
+        <translation>部件</translation>
     </message>
     <message>
         <source>holes through it</source>
@@ -160,7 +160,7 @@
     </message>
     <message>
         <source>stays sound when opened</source>
-        <translation>打开后仍然正常</translation>
+        <translation>打开后仍然完好</translation>
     </message>
     <message>
         <source>strokes</source>
@@ -196,7 +196,7 @@
     </message>
     <message>
         <source>perhaps made in</source>
-        <translation>单位也许是</translation>
+        <translation>可能的单位</translation>
     </message>
     <message>
         <source>pupil</source>
@@ -204,11 +204,11 @@
     </message>
     <message>
         <source>turn begun</source>
-        <translation>回合开始</translation>
+        <translation>本轮开始</translation>
     </message>
     <message>
         <source>time of the turn, s</source>
-        <translation>回合用时，秒</translation>
+        <translation>本轮用时，秒</translation>
     </message>
     <message>
         <source>yes</source>
@@ -227,7 +227,7 @@
     </message>
     <message>
         <source>End the class? It is nobody&apos;s turn, and all work is saved.</source>
-        <translation>结束课堂？现在没有人在轮次中，所有作品都已保存。</translation>
+        <translation>结束课堂？现在没有轮到任何人，所有作品都已保存。</translation>
     </message>
     <message numerus="yes">
         <source>%n models are not yet in the class folder.</source>
@@ -246,7 +246,7 @@
     <name>app::ClassFileController</name>
     <message>
         <source>Saved %1.</source>
-        <translation>%1 已写出。</translation>
+        <translation>已保存 %1。</translation>
     </message>
     <message>
         <source>A double click on %1 begins it, on every computer that has Fettle.</source>
@@ -262,7 +262,7 @@
     </message>
     <message>
         <source>This window closes, and only the class is there. Leaving it asks for your PIN.</source>
-        <translation>此窗口将关闭，只留下课堂。离开课堂需要您的 PIN。</translation>
+        <translation>此窗口将关闭，只显示课堂。离开课堂需要输入您的 PIN。</translation>
     </message>
     <message>
         <source>&amp;Begin the Class Now</source>
@@ -279,13 +279,13 @@
     <message numerus="yes">
         <source>%n models of a class are still on this computer.</source>
         <translation>
-            <numerusform>有 %n 件课堂作品仍在本机。</numerusform>
+            <numerusform>有 %n 个课堂模型仍在本机。</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n models are still on this computer and not in %1.</source>
         <translation>
-            <numerusform>有 %n 件作品仍在本机，尚未到 %1。</numerusform>
+            <numerusform>有 %n 个模型仍在本机，尚未存入 %1。</numerusform>
         </translation>
     </message>
     <message>
@@ -295,7 +295,7 @@
     <message numerus="yes">
         <source>%n models were moved to %1.</source>
         <translation>
-            <numerusform>已把 %n 件作品移到 %1。</numerusform>
+            <numerusform>已将 %n 个模型移到 %1。</numerusform>
         </translation>
     </message>
 </context>
@@ -303,19 +303,19 @@
     <name>app::TurnAnswers</name>
     <message>
         <source>%1 is a link to a file that is not there.</source>
-        <translation>%1 是一个链接，指向的文件不存在。</translation>
+        <translation>%1 是链接，但它指向的文件不存在。</translation>
     </message>
     <message>
         <source>%1 was made by a newer version of Fettle.</source>
-        <translation>%1 由更新版本的 Fettle 写出。</translation>
+        <translation>%1 由较新版本的 Fettle 创建。</translation>
     </message>
     <message>
         <source>%1 contains no answers that can be read.</source>
-        <translation>%1 中没有可以读取的回答。</translation>
+        <translation>%1 中没有可读取的回答。</translation>
     </message>
     <message>
         <source>%1: the answer &quot;%2&quot; is left out, because it is not a whole number from %3 to %4.</source>
-        <translation>%1：回答“%2”被略去，因为它不是 %3 到 %4 的整数。</translation>
+        <translation>%1：回答“%2”已略过，因为它不是 %3 到 %4 的整数。</translation>
     </message>
 </context>
 <context>
@@ -377,7 +377,7 @@
     </message>
     <message>
         <source>this is not a PIN as Fettle writes it; set one with Edit › Classroom.</source>
-        <translation>这不是 Fettle 写入的 PIN；请用“编辑 › 课堂”设置。</translation>
+        <translation>这不是 Fettle 生成的 PIN；请在“编辑 › 课堂”中设置。</translation>
     </message>
     <message>
         <source>there are no names to choose from.</source>
@@ -389,11 +389,11 @@
     </message>
     <message>
         <source>%1 is not a lesson: it is neither one of %2 nor a folder or ZIP file.</source>
-        <translation>%1 不是课程：既不是 %2 之一，也不是文件夹或 zip。</translation>
+        <translation>%1 不是课程：既不是 %2 之一，也不是文件夹或 ZIP 文件。</translation>
     </message>
     <message>
         <source>Step %1 of the lesson needs the tool %2 (%3), which is not among the class&apos;s tools.</source>
-        <translation>课程的第 %1 步需要工具 %2（%3），而它不在课堂的工具之中。</translation>
+        <translation>课程的第 %1 步需要工具 %2（%3），但课堂的工具中没有它。</translation>
     </message>
 </context>
 <context>
@@ -411,7 +411,7 @@
     </message>
     <message>
         <source>The class folder cannot be reached. The work is saved on this computer and will be moved there as soon as possible.</source>
-        <translation>无法访问课堂文件夹。作品已保存在本机，一旦可行就会移到那里。</translation>
+        <translation>无法访问课堂文件夹。作品已保存在本机，并会尽快移到那里。</translation>
     </message>
 </context>
 <context>
@@ -422,19 +422,19 @@
     </message>
     <message>
         <source>Saving the work of %1</source>
-        <translation>正在保存作品：%1</translation>
+        <translation>正在保存 %1 的作品</translation>
     </message>
     <message>
         <source>Not yet: other work on the model is still running.</source>
-        <translation>请稍候：模型上的其他操作尚未完成。</translation>
+        <translation>请稍候：模型正在进行其他操作。</translation>
     </message>
     <message>
         <source>%1 The work of %2 stays open; nothing is lost.</source>
-        <translation>%1 作品（%2）保持打开，不会丢失。</translation>
+        <translation>%1 %2 的作品保持打开，不会丢失任何内容。</translation>
     </message>
     <message>
         <source>Time is up. Please finish: it is the next pupil&apos;s turn.</source>
-        <translation>时间到了。请完成手头的操作，然后轮到下一位。</translation>
+        <translation>时间到了。请完成手头的操作，接下来轮到下一位同学。</translation>
     </message>
     <message numerus="yes">
         <source>%n minutes left. Please finish soon.</source>
@@ -444,7 +444,7 @@
     </message>
     <message>
         <source>Opening the work of %1</source>
-        <translation>正在打开作品：%1</translation>
+        <translation>正在打开 %1 的作品</translation>
     </message>
 </context>
 <context>
@@ -465,23 +465,23 @@
     </message>
     <message>
         <source>--classroom needs the file of a class, which Edit › Classroom writes.</source>
-        <translation>--classroom 需要一个课堂文件，可用“编辑 › 课堂”写出。</translation>
+        <translation>--classroom 需要课堂文件，可在“编辑 › 课堂”中生成。</translation>
     </message>
     <message>
         <source>%1 cannot be opened in a class, which begins with its own models.</source>
-        <translation>课堂中无法打开 %1：课堂从自己的模型开始。</translation>
+        <translation>课堂中无法打开 %1：课堂使用自己的起始模型。</translation>
     </message>
     <message>
         <source>write a starting shape: a ball, a cube, a vase and others</source>
-        <translation>写出一个起始形状：球、立方体、花瓶等</translation>
+        <translation>生成一个起始形状：球、立方体、花瓶等</translation>
     </message>
     <message>
         <source>check whether models are watertight and will print; several files or a folder: a table</source>
-        <translation>检查模型是否完好、能否打印；多个文件或文件夹则输出表格</translation>
+        <translation>检查模型是否水密、能否打印；多个文件或文件夹则输出表格</translation>
     </message>
     <message>
         <source>write a model in another format or size, repaired, or with fewer triangles</source>
-        <translation>以其他格式或尺寸写出模型，可修复，也可减少三角形</translation>
+        <translation>以其他格式或尺寸输出模型，可修复，也可减少三角形</translation>
     </message>
     <message>
         <source>play recorded strokes on a model</source>
@@ -489,7 +489,7 @@
     </message>
     <message>
         <source>write a class report: picture, size, print-ready or why not, strokes and time of each model</source>
-        <translation>写出班级报告：每个模型的图片、大小、能否打印或为何不能、笔画数和用时</translation>
+        <translation>生成班级报告：每个模型的图片、大小、能否打印或为何不能、笔画数和用时</translation>
     </message>
     <message>
         <source>draw models or folders of models to scale, a page each</source>
@@ -497,11 +497,11 @@
     </message>
     <message>
         <source>check a lesson by playing it to its end, or a pupil&apos;s model by one of its steps</source>
-        <translation>播放课程到底来检查它，或按其中一步评判学生的模型</translation>
+        <translation>把课程播放到底以检查它，或按其中一步评判学生的模型</translation>
     </message>
     <message>
         <source>show what a brush preset contains, or why it is invalid</source>
-        <translation>说明笔刷预设的内容，或为何不是预设</translation>
+        <translation>显示笔刷预设的内容，或说明其为何无效</translation>
     </message>
     <message>
         <source>There is no command &quot;%1&quot;: the commands are %2.</source>
@@ -517,11 +517,11 @@
     </message>
     <message>
         <source>%1 See fettle --help.</source>
-        <translation>%1可用内容见 fettle --help。</translation>
+        <translation>%1请参阅 fettle --help。</translation>
     </message>
     <message>
         <source>%1 Did you mean %2? See fettle --help.</source>
-        <translation>%1您是否想输入 %2？可用内容见 fettle --help。</translation>
+        <translation>%1您是否想输入 %2？请参阅 fettle --help。</translation>
     </message>
     <message>
         <source>%1: cannot tell the format: the ending must be one of %2.</source>
@@ -580,23 +580,23 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <name>app::ConvertCommand</name>
     <message>
         <source>%1 could be reduced to %2 triangles, not to %3: its holes and parts need at least %4. Nothing was written.</source>
-        <translation>%1 可以减少到 %2 个三角形，但不能减少到 %3 个：其孔洞和部件至少需要 %4 个。未写入任何文件。</translation>
+        <translation>%1 可以减少到 %2 个三角形，但不能减少到 %3 个：其孔洞和部件至少需要 %4 个。未写入任何内容。</translation>
     </message>
     <message>
         <source>%1 could be reduced to %2 triangles, not to %3: with fewer, no surface was found that keeps its holes open and does not intersect itself. Nothing was written.</source>
-        <translation>%1 可以减少到 %2 个三角形，但不能减少到 %3 个：更少时，找不到面互不相交且孔洞保持敞开的曲面。未写入任何文件。</translation>
+        <translation>%1 可以减少到 %2 个三角形，但不能减少到 %3 个：再少就找不到既保持孔洞敞开又不自相交的表面。未写入任何内容。</translation>
     </message>
     <message>
         <source>--repair may make it watertight.</source>
-        <translation>用 --repair 或许可以修复。</translation>
+        <translation>用 --repair 或许可以使其水密。</translation>
     </message>
     <message>
         <source>--wrap may make a new surface.</source>
-        <translation>用 --wrap 或许可以重新生成其表面。</translation>
+        <translation>用 --wrap 或许可以重新生成表面。</translation>
     </message>
     <message>
         <source>Writes a model in another format, unit or size. OUT is in mm.</source>
-        <translation>以其他格式、单位或尺寸写出模型。OUT 以毫米为单位。</translation>
+        <translation>以其他格式、单位或尺寸输出模型。OUT 以毫米为单位。</translation>
     </message>
     <message>
         <source>The model to read; or -.</source>
@@ -616,7 +616,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>Most triangles of OUT, 4 or more (default: as many as it has). They are removed where shape and colours change least.</source>
-        <translation>OUT 最多有这么多三角形，至少 4 个（默认不减少）；在形状和颜色损失最小处减少。</translation>
+        <translation>OUT 的三角形上限，不少于 4 个（默认保持原数）。在形状和颜色变化最小处减少。</translation>
     </message>
     <message>
         <source>Repair a model that is not watertight, and say what changed.</source>
@@ -624,15 +624,15 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>With --repair: make a new surface where nothing else keeps the model; detail is lost.</source>
-        <translation>与 --repair 一起使用：别无他法时重新生成整个表面；细节会丢失。</translation>
+        <translation>与 --repair 一起使用：别无他法时重新生成表面；会丢失细节。</translation>
     </message>
     <message>
         <source>With --repair: what to do with holes longer than a quarter of the model (default: fill).</source>
-        <translation>与 --repair 一起使用：如何处理长于模型四分之一的孔（默认 fill）。</translation>
+        <translation>与 --repair 一起使用：如何处理长于模型四分之一的孔洞（默认 fill）。</translation>
     </message>
     <message>
         <source>With --repair: what to do with parts inside of others that face outwards (default: fill).</source>
-        <translation>与 --repair 一起使用：如何处理位于其他部分内部且朝外的部分（默认 fill）。</translation>
+        <translation>与 --repair 一起使用：如何处理位于其他部件内部且朝外的部件（默认 fill）。</translation>
     </message>
     <message numerus="yes">
         <source>convert: needs two files, IN and OUT; %n were given.</source>
@@ -645,7 +645,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <name>app::Document</name>
     <message>
         <source>The earlier steps can no longer be undone: their file on disk cannot be read. The model itself is intact.</source>
-        <translation>无法再撤销更早的步骤：磁盘上的记录文件无法读取。模型完好。</translation>
+        <translation>无法再撤销更早的步骤：磁盘上的步骤文件无法读取。模型本身完好。</translation>
     </message>
     <message>
         <source>Sculpting is paused until the model is ready.</source>
@@ -656,14 +656,14 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <name>app::DrawingWorker</name>
     <message>
         <source>Saved %1.</source>
-        <translation>已写入 %1。</translation>
+        <translation>已保存 %1。</translation>
     </message>
 </context>
 <context>
     <name>app::HandoutSaving</name>
     <message>
         <source>Saved %1.</source>
-        <translation>已写入 %1。</translation>
+        <translation>已保存 %1。</translation>
     </message>
 </context>
 <context>
@@ -674,48 +674,48 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>Somebody is sculpting in the headset: your turn comes when that stroke has ended.</source>
-        <translation>有人正在头显中雕刻：那一笔结束后就轮到您。</translation>
+        <translation>有人正在头显中雕刻：这一笔结束后就轮到您。</translation>
     </message>
 </context>
 <context>
     <name>app::HeadsetController</name>
     <message>
         <source>%1 You can repair it in the window.</source>
-        <translation>%1 可以在窗口中修复。</translation>
+        <translation>%1 您可以在窗口中修复它。</translation>
     </message>
 </context>
 <context>
     <name>app::RuntimeProbe</name>
     <message>
         <source>The headset&apos;s program does not answer. If it is not just starting, restart it.</source>
-        <translation>头显的程序没有响应。如果它不是正在启动，请重新启动它。</translation>
+        <translation>头显程序没有响应。如果它不是正在启动，请重新启动它。</translation>
     </message>
 </context>
 <context>
     <name>app::HeadsetRequests</name>
     <message>
         <source>The model was not restored: other work on it is still running.</source>
-        <translation>模型没有重置：对它的其他处理尚未完成。</translation>
+        <translation>模型未重置：模型正在进行其他操作。</translation>
     </message>
     <message>
         <source>The model was not saved: other work on it is still running.</source>
-        <translation>模型没有保存：对它的其他处理尚未完成。</translation>
+        <translation>模型未保存：模型正在进行其他操作。</translation>
     </message>
     <message>
         <source>%1 was not opened: other work on the model is still running.</source>
-        <translation>没有打开 %1：对模型的其他处理尚未完成。</translation>
+        <translation>未打开 %1：模型正在进行其他操作。</translation>
     </message>
     <message>
         <source>%1 was not opened: the current model has unsaved changes.</source>
-        <translation>没有打开 %1：当前模型有尚未存入任何文件的更改。</translation>
+        <translation>未打开 %1：当前模型有未保存的更改。</translation>
     </message>
     <message>
         <source>This tool is not available in this class.</source>
-        <translation>本课堂不使用该工具。</translation>
+        <translation>本课堂不提供此工具。</translation>
     </message>
     <message>
         <source>In a class, Next Pupil saves the work, in the window.</source>
-        <translation>在课堂中，作品由窗口里的“下一位”保存。</translation>
+        <translation>在课堂中，请在窗口里按“下一位”保存作品。</translation>
     </message>
     <message>
         <source>%1 was not opened: a class has its own models to begin with.</source>
@@ -723,14 +723,14 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>The mask was not changed: other work on the model is still running.</source>
-        <translation>遮罩未更改：模型上的其他操作尚未完成。</translation>
+        <translation>遮罩未更改：模型正在进行其他操作。</translation>
     </message>
 </context>
 <context>
     <name>app::RecoveryStore</name>
     <message>
         <source>Fettle was ended from outside. The changes to %1 are kept; the next start offers them.</source>
-        <translation>程序被外部结束；对 %1 的更改已保留，下次启动时提供。</translation>
+        <translation>Fettle 被外部终止。对 %1 的更改已保留，下次启动时可以恢复。</translation>
     </message>
     <message>
         <source>Changes are not being recorded, so save often: %1</source>
@@ -738,7 +738,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>%1 cannot be recovered: its recording is damaged.</source>
-        <translation>无法恢复 %1：所保留的内容已损坏。</translation>
+        <translation>无法恢复 %1：其记录已损坏。</translation>
     </message>
     <message>
         <source>%1: there is not enough memory for this model.</source>
@@ -746,15 +746,15 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>The recording of an unsaved model is damaged and cannot be opened. It is in %1.</source>
-        <translation>为某个未保存的模型保留的数据已损坏，无法打开，现存放于 %1。</translation>
+        <translation>某个未保存模型的记录已损坏，无法打开。它位于 %1。</translation>
     </message>
     <message>
         <source>The recording of %1 is damaged and cannot be opened. It is in %2.</source>
-        <translation>为 %1 保留的数据已损坏，无法打开，现存放于 %2。</translation>
+        <translation>%1 的记录已损坏，无法打开。它位于 %2。</translation>
     </message>
     <message>
         <source>A part of the recording of %1 is damaged: its last steps may be missing. It is in %2.</source>
-        <translation>为 %1 保留的部分数据已损坏，最后几步可能缺失，现存放于 %2。</translation>
+        <translation>%1 的部分记录已损坏，最后几步可能缺失。它位于 %2。</translation>
     </message>
     <message>
         <source>The disk is slow: a power cut could cost the changes of the last %1 seconds.</source>
@@ -762,18 +762,18 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>Changes are being recorded again.</source>
-        <translation>更改已恢复记录。</translation>
+        <translation>已恢复记录更改。</translation>
     </message>
 </context>
 <context>
     <name>app::LessonCommand</name>
     <message>
         <source>Plays a lesson to its end and says whether each step meets its checkpoint. Status 0: all do; 1: not all. Without a lesson: lists those of the program.</source>
-        <translation>把一堂课播放到底，并说明每一步是否达到检查点。状态 0：全部达到；1：没有全部达到。不给课程时：列出程序自带的课程。</translation>
+        <translation>把课程播放到底，并检查每一步是否达到检查点。状态 0：全部达到；1：未全部达到。不指定课程时：列出自带的课程。</translation>
     </message>
     <message>
         <source>A folder or a zip, or the name of a lesson of the program.</source>
-        <translation>一个文件夹或 zip，或程序自带课程的名称。</translation>
+        <translation>文件夹、ZIP 文件，或自带课程的名称。</translation>
     </message>
     <message>
         <source>lesson: %1 does not end in .zip.</source>
@@ -781,15 +781,15 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>lesson: %1 must be a folder, but ends in .zip.</source>
-        <translation>lesson：%1 应是文件夹，但以 .zip 结尾。</translation>
+        <translation>lesson：%1 必须是文件夹，但以 .zip 结尾。</translation>
     </message>
     <message>
         <source>lesson: one lesson at a time can be played, not %1 as well.</source>
-        <translation>lesson：一次只能播放一堂课，不能再加上 %1。</translation>
+        <translation>lesson：一次只能播放一个课程，不能再加上 %1。</translation>
     </message>
     <message>
         <source>lesson: no lesson was given.</source>
-        <translation>lesson：没有给出课程。</translation>
+        <translation>lesson：未指定课程。</translation>
     </message>
     <message>
         <source>yes</source>
@@ -813,7 +813,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>lesson: there is no step %1: the lesson has %2.</source>
-        <translation>lesson：没有第 %1 步：这堂课有 %2 步。</translation>
+        <translation>lesson：没有第 %1 步：该课程有 %2 步。</translation>
     </message>
     <message>
         <source>lesson: step %1 has no checkpoint.</source>
@@ -825,11 +825,11 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>Print what pupils read, instead of playing.</source>
-        <translation>不播放，而是输出学生读到的文字。</translation>
+        <translation>输出学生看到的文字，而不播放。</translation>
     </message>
     <message>
         <source>Judge this model of a pupil instead of playing; or -. A folder, or a class&apos;s work folder: judge each model.</source>
-        <translation>不播放，而是评判这个（学生的）模型；或 -。若为文件夹或课堂作品：逐个评判。</translation>
+        <translation>评判学生的这个模型，而不播放；或 -。若为文件夹或课堂的作品文件夹：评判每个模型。</translation>
     </message>
     <message>
         <source>Step whose checkpoint judges the model, from 1 (default: the last).</source>
@@ -837,23 +837,23 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>File for the whole lesson, if all is well.</source>
-        <translation>一切正常时，整堂课写入的文件。</translation>
+        <translation>一切正常时，保存整个课程的文件。</translation>
     </message>
     <message>
         <source>Folder for the lesson, where it can be changed.</source>
-        <translation>存放课程的文件夹，可在其中修改。</translation>
+        <translation>保存课程的文件夹，可在其中修改。</translation>
     </message>
     <message>
         <source>Folder for a picture of the result of each step, step-1.png and so on.</source>
-        <translation>存放每一步结果图片的文件夹，名为 step-1.png 等。</translation>
+        <translation>保存每一步结果图片的文件夹，step-1.png 等。</translation>
     </message>
     <message>
         <source>File for the model that the last step leaves.</source>
-        <translation>最后一步留下的模型写入的文件。</translation>
+        <translation>保存最后一步之后的模型的文件。</translation>
     </message>
     <message>
         <source>JSON: one object; of a folder of models, one for each, on a line of its own; without a lesson, the list of the program&apos;s.</source>
-        <translation>JSON：一个对象；给出模型文件夹时，每个模型一个对象、各占一行；不给课程时，列出程序自带的课程。</translation>
+        <translation>JSON：一个对象；若为模型文件夹，则每个模型一个，各占一行；不指定课程时，为自带课程的列表。</translation>
     </message>
     <message>
         <source>CSV with a header row: a row for each goal; of a folder, for each model.</source>
@@ -865,7 +865,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>lesson: &quot;%1&quot; is not a lesson: it is neither one of %2 nor a folder or ZIP file.</source>
-        <translation>lesson：“%1”不是课程：既不是 %2 之一，也不是文件夹或 zip。</translation>
+        <translation>lesson：“%1”不是课程：既不是 %2 之一，也不是文件夹或 ZIP 文件。</translation>
     </message>
     <message>
         <source>no goal</source>
@@ -873,7 +873,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>File for a handout: what pupils read, with the pictures; instead of playing.</source>
-        <translation>讲义文件：学生阅读的文字和图片；不播放。</translation>
+        <translation>保存讲义的文件：学生阅读的文字和图片；不播放。</translation>
     </message>
     <message>
         <source>lesson: %1 does not end in .pdf.</source>
@@ -899,7 +899,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <name>app::LessonEditorController</name>
     <message>
         <source>Undone: a lesson cannot contain images or models from other files.</source>
-        <translation>已撤回：课程不能包含其他文件中的图片和模型。</translation>
+        <translation>已撤销：课程不能包含其他文件中的图片或模型。</translation>
     </message>
     <message>
         <source>The model is too large for a lesson.</source>
@@ -911,7 +911,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>Not yet: other work on the model is still running.</source>
-        <translation>请稍候：模型上的其他操作尚未完成。</translation>
+        <translation>请稍候：模型正在进行其他操作。</translation>
     </message>
     <message>
         <source>Playing the lesson to its end</source>
@@ -927,7 +927,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>An unsaved lesson was kept: Sculpt &gt; Record Lesson lists it.</source>
-        <translation>有一个未保存的课程被保留：可在“雕刻 &gt; 录制课程”的课程列表中找到。</translation>
+        <translation>未保存的课程已保留：可在“雕刻 &gt; 录制课程”中找到。</translation>
     </message>
     <message>
         <source>Not saved: %1</source>
@@ -1005,7 +1005,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>Step %1, stroke %2 (%3) no longer changes anything.</source>
-        <translation>第 %1 步的第 %2 笔（%3）不再改变任何东西。</translation>
+        <translation>第 %1 步的第 %2 笔（%3）不再有任何作用。</translation>
     </message>
     <message>
         <source>%1, %2 mm</source>
@@ -1014,11 +1014,11 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>Played again, the lesson does not end with the model in the window.</source>
-        <translation>再次播放后，课程的结果与窗口中的模型不同。</translation>
+        <translation>重新播放后，课程的结果与窗口中的模型不同。</translation>
     </message>
     <message>
         <source>%1 already exists. Choose another name for the lesson&apos;s folder.</source>
-        <translation>%1 已经存在；课程的文件夹要有自己的名称。</translation>
+        <translation>%1 已存在。请为课程文件夹另选名称。</translation>
     </message>
     <message>
         <source>Step %1 is not met: %2.</source>
@@ -1049,11 +1049,11 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>its lesson.json is not a lesson of Fettle</source>
-        <translation>其中的 lesson.json 不是本程序的课程</translation>
+        <translation>其中的 lesson.json 不是 Fettle 课程</translation>
     </message>
     <message>
         <source>this lesson was made for a newer version of the program (format %1; this one reads format 1)</source>
-        <translation>这堂课是为较新版本的程序制作的（格式 %1；本程序读取格式 1）</translation>
+        <translation>该课程是为较新版本的程序制作的（格式 %1；本程序读取格式 1）</translation>
     </message>
     <message>
         <source>its lesson.json is not JSON</source>
@@ -1133,7 +1133,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>&quot;%1&quot; has no text in some language</source>
-        <translation>“%1”在某种语言里没有文字</translation>
+        <translation>“%1”缺少某种语言的文字</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is too long: at most %2 of text are read</source>
@@ -1141,7 +1141,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>it contains too many files: at most %1 are allowed</source>
-        <translation>其中的文件太多：最多读取 %1 个</translation>
+        <translation>其中的文件太多：最多允许 %1 个</translation>
     </message>
     <message>
         <source>&quot;%1&quot; has too many entries: at most %2 are read</source>
@@ -1149,15 +1149,15 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>it refers to a file that is outside of its folder, or whose name is not allowed: %1</source>
-        <translation>它指名的文件在其文件夹之外，或名称不规范：%1</translation>
+        <translation>它引用的文件在其文件夹之外，或文件名不被允许：%1</translation>
     </message>
     <message>
         <source>it has no lesson.json: a lesson is a folder or ZIP file that contains one</source>
-        <translation>里面没有 lesson.json：课程是含有该文件的文件夹或 zip</translation>
+        <translation>其中没有 lesson.json：课程是包含该文件的文件夹或 ZIP 文件</translation>
     </message>
     <message>
         <source>this file is missing</source>
-        <translation>提到了这个文件，但它不在</translation>
+        <translation>缺少此文件</translation>
     </message>
     <message>
         <source>this is too large for a lesson: at most %1 are read</source>
@@ -1169,11 +1169,11 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>the strokes of a lesson cannot need other images or models</source>
-        <translation>课程的笔画不能需要其他图片或模型</translation>
+        <translation>课程的笔画不能使用其他图片或模型</translation>
     </message>
     <message>
         <source>this command would break the model that it is applied to</source>
-        <translation>在它遇到的模型上，无法完好地执行这个命令</translation>
+        <translation>此命令会损坏它所作用的模型</translation>
     </message>
     <message>
         <source>ready to print</source>
@@ -1202,15 +1202,15 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>no holes</source>
-        <translation>没有孔</translation>
+        <translation>没有孔洞</translation>
     </message>
     <message>
         <source>one hole</source>
-        <translation>一个孔</translation>
+        <translation>一个孔洞</translation>
     </message>
     <message>
         <source>holes: %1</source>
-        <translation>孔：%1</translation>
+        <translation>孔洞：%1</translation>
     </message>
     <message>
         <source>in one piece</source>
@@ -1284,7 +1284,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>Sculpt something in this step</source>
-        <translation>在这一步里雕刻过</translation>
+        <translation>在这一步里做些雕刻</translation>
     </message>
     <message>
         <source>like the teacher&apos;s to %1 mm (now up to %2)</source>
@@ -1309,7 +1309,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>Not all goals of the lesson are met.</source>
-        <translation>并非一切都符合课程的要求。</translation>
+        <translation>课程的目标没有全部达到。</translation>
     </message>
     <message>
         <source>Save All the Same</source>
@@ -1321,11 +1321,11 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>Saved %1.</source>
-        <translation>已写入 %1。</translation>
+        <translation>已保存 %1。</translation>
     </message>
     <message>
         <source>Not yet: other work on the model is still running.</source>
-        <translation>请稍候：模型上的其他操作尚未完成。</translation>
+        <translation>请稍候：模型正在进行其他操作。</translation>
     </message>
     <message>
         <source>Playing the lesson to its end</source>
@@ -1340,11 +1340,11 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>Saved %1. It was not verified.</source>
-        <translation>已写入 %1；未重新读取。</translation>
+        <translation>已保存 %1，但未核对。</translation>
     </message>
     <message>
         <source>%1: there is not enough memory to write this model.</source>
-        <translation>%1：内存不足，无法写出此模型。</translation>
+        <translation>%1：内存不足，无法写入此模型。</translation>
     </message>
     <message>
         <source>Exporting %1</source>
@@ -1356,7 +1356,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>Saved %1, but reading it back gave something else. The disk may be failing, or another program may be changing the file.</source>
-        <translation>已写入 %1，但其内容与写入的不一致。可能是磁盘出现故障，或有其他程序正在修改该文件。</translation>
+        <translation>已保存 %1，但读回的内容不一致。磁盘可能有故障，或有其他程序正在修改该文件。</translation>
     </message>
     <message>
         <source>%1: %2 × %3 × %4 mm, %5 triangles; verified, watertight.</source>
@@ -1364,11 +1364,11 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>Its format has no colours; GLB and 3MF keep them.</source>
-        <translation>该格式不保存颜色；GLB 和 3MF 保存颜色。</translation>
+        <translation>该格式没有颜色；GLB 和 3MF 可保留颜色。</translation>
     </message>
     <message>
         <source>%1 triangles were asked for; this could not be reached without losing handles or parts, or flipping faces.</source>
-        <translation>要求 %1 个三角形；若降到这么少，就会失去环柄或部件，或使面翻转。</translation>
+        <translation>要求减少到 %1 个三角形；减到这么少会丢失把手或部件，或使面翻转。</translation>
     </message>
     <message>
         <source>Slicing %1</source>
@@ -1383,7 +1383,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>%1 cannot be sculpted where it is: so far from the origin its coordinates are too coarse for its detail.</source>
-        <translation>%1 无法在其所在位置雕刻：离原点这么远，其坐标的精度不足以表示它的细节。</translation>
+        <translation>%1 无法在其所在位置雕刻：离原点太远，坐标精度不足以表示其细节。</translation>
     </message>
     <message>
         <source>%1: there is not enough memory for this model.</source>
@@ -1442,7 +1442,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>The model that you chose will open as soon as this is done.</source>
-        <translation>此操作完成后将打开您选择的模型。</translation>
+        <translation>完成后将打开您选择的模型。</translation>
     </message>
     <message>
         <source>Recovering %1</source>
@@ -1472,15 +1472,15 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <name>app::ModelSaving</name>
     <message>
         <source>Saved %1 without colours: its format has none. GLB keeps them.</source>
-        <translation>已写入 %1，但不含颜色：该格式不保存颜色，GLB 则保存。</translation>
+        <translation>已保存 %1，但不含颜色：该格式没有颜色。GLB 可保留颜色。</translation>
     </message>
     <message>
         <source>%1 and %2 were written.</source>
-        <translation>已写入 %1 和 %2。</translation>
+        <translation>已保存 %1 和 %2。</translation>
     </message>
     <message>
         <source>Only %1 was written. %2</source>
-        <translation>只写入了 %1。%2</translation>
+        <translation>只保存了 %1。%2</translation>
     </message>
 </context>
 <context>
@@ -1583,7 +1583,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>The model stays as it is, because some of its faces would intersect after rounding to the program&apos;s grid (faces: %1).</source>
-        <translation>模型保持不变，因为其部分面会在程序的工作网格上相碰（面数：%1）。</translation>
+        <translation>模型保持不变：按程序的坐标格点取整后，部分面会相交（面数：%1）。</translation>
     </message>
     <message>
         <source>The model stays as it is: nothing may be farther from the origin than four times its size.</source>
@@ -1607,7 +1607,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>The model stays as it is, because the half and its mirror image would not make one sound surface.</source>
-        <translation>模型保持不变：这一半与其镜像不能构成完好的曲面。</translation>
+        <translation>模型保持不变：这一半与其镜像不能构成完好的表面。</translation>
     </message>
     <message>
         <source>The mesh stays as it is: with edges this short it would need too many triangles (%1).</source>
@@ -1642,7 +1642,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>The model stays as it is, because a cut at this height would not leave one sound surface; another height may do.</source>
-        <translation>模型保持不变，因为在此高度切开不会得到完好的表面；可换一个高度。</translation>
+        <translation>模型保持不变：在此高度截断不会得到完好的表面；可换一个高度。</translation>
     </message>
     <message>
         <source>Changing the mask</source>
@@ -1702,24 +1702,24 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <name>app::PartnerView</name>
     <message>
         <source>Your partner undid: %1.</source>
-        <translation>窗口旁的搭档撤销了：%1。</translation>
+        <translation>您的搭档撤销了：%1。</translation>
     </message>
     <message>
         <source>Your partner redid: %1.</source>
-        <translation>窗口旁的搭档重做了：%1。</translation>
+        <translation>您的搭档重做了：%1。</translation>
     </message>
     <message>
         <source>Your partner chose %1, %2 mm.</source>
         <extracomment>%1: a tool; %2: a length</extracomment>
-        <translation>窗口旁的搭档选了%1，%2 毫米。</translation>
+        <translation>您的搭档选择了%1，%2 毫米。</translation>
     </message>
     <message>
         <source>Your partner chose a strength of %1 %.</source>
-        <translation>窗口旁的搭档选了强度 %1 %。</translation>
+        <translation>您的搭档选择了强度 %1 %。</translation>
     </message>
     <message>
         <source>Your partner sculpts now.</source>
-        <translation>现在由窗口旁的搭档雕刻。</translation>
+        <translation>现在由您的搭档雕刻。</translation>
     </message>
     <message>
         <source>It is your turn again.</source>
@@ -1746,7 +1746,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>replay: the mesh is not valid after dab %1.</source>
-        <translation>replay：网格在笔点 %1 处出错。</translation>
+        <translation>replay：笔点 %1 之后网格无效。</translation>
     </message>
     <message>
         <source>replay: strokes[%1]: %2</source>
@@ -1762,11 +1762,11 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>File for the sculpted model; or -.</source>
-        <translation>雕刻后模型写入的文件；或 -。</translation>
+        <translation>保存雕刻后模型的文件；或 -。</translation>
     </message>
     <message>
         <source>File for cost and outcome of each dab, JSON; or -.</source>
-        <translation>每个笔点的开销和结果写入的文件，JSON 格式；或 -。</translation>
+        <translation>保存每个笔点的开销和结果的文件，JSON 格式；或 -。</translation>
     </message>
     <message>
         <source>Folder for pictures of the model, PNG, at the start and after each stroke.</source>
@@ -1798,11 +1798,11 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <name>app::ReportCommand</name>
     <message>
         <source>Writes a class report: for each model in a folder its picture, size and volume, whether it is print-ready or why not, and, for GLB files, the number of strokes and the time spent. Pupils&apos; models are listed by pupil, with the time of the turn. Status 1: not all models can be read.</source>
-        <translation>写出班级报告：文件夹中每个模型的图片、大小和体积，能否打印或为何不能；GLB 文件还有笔画数和用时。课堂的作品列在学生姓名下，并附该轮的用时。状态 1：有模型无法读取。</translation>
+        <translation>生成班级报告：文件夹中每个模型的图片、大小和体积，能否打印或为何不能；GLB 文件还有笔画数和用时。学生的模型按学生列出，并附该轮的用时。状态 1：并非所有模型都能读取。</translation>
     </message>
     <message>
         <source>The models. Subfolders are skipped, except the pupils&apos; models of a class.</source>
-        <translation>存放模型的文件夹；下级文件夹中只查看轮流上课的作品。</translation>
+        <translation>模型。跳过子文件夹，但课堂的学生模型除外。</translation>
     </message>
     <message numerus="yes">
         <source>report: needs one folder; %n were given.</source>
@@ -1815,7 +1815,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <name>app::ReportController</name>
     <message>
         <source>The class report has to wait until this is done; try again then.</source>
-        <translation>班级报告要等当前工作完成；请届时再次选择。</translation>
+        <translation>班级报告要等当前操作完成；请届时再试。</translation>
     </message>
     <message>
         <source>Looking at the models in %1</source>
@@ -1823,7 +1823,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>Saved %1.</source>
-        <translation>已写入 %1。</translation>
+        <translation>已保存 %1。</translation>
     </message>
     <message>
         <source>%1 was not written.</source>
@@ -1841,7 +1841,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <name>app::SheetCommand</name>
     <message>
         <source>Writes scale drawings of models, one A4 page each, in the order of their names. Pupils&apos; models are named by pupil. Status 1: not all models can be drawn.</source>
-        <translation>按比例写出模型的图纸，每个模型一页 A4，按名称排序。课堂的作品以学生姓名为名。状态 1：并非每个模型都有图纸。</translation>
+        <translation>按比例绘制模型的图纸，每个模型一页 A4，按名称排序。学生的模型以学生命名。状态 1：并非所有模型都能绘制。</translation>
     </message>
     <message>
         <source>%1 has no sheet, because its surface does not enclose anything (%2).</source>
@@ -1849,7 +1849,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>%1 was not written: none of the models can be drawn.</source>
-        <translation>%1 未写入：没有可出图纸的模型。</translation>
+        <translation>未写入 %1：没有任何模型可以绘制。</translation>
     </message>
     <message>
         <source>Models, or folders of models; or -.</source>
@@ -1857,7 +1857,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>Colours under the lines.</source>
-        <translation>在线条下着色。</translation>
+        <translation>在线条下显示颜色。</translation>
     </message>
 </context>
 <context>
@@ -1868,7 +1868,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>The VR simulator is not installed with this program: there is no folder %1 beside it with fettle_simulator.json.</source>
-        <translation>此程序没有安装 VR 模拟器：它旁边没有包含 fettle_simulator.json 的文件夹 %1。</translation>
+        <translation>此程序未安装 VR 模拟器：程序旁边没有包含 fettle_simulator.json 的文件夹 %1。</translation>
     </message>
 </context>
 <context>
@@ -1987,7 +1987,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <name>app::StrokeEdit</name>
     <message>
         <source>With this brush it does nothing.</source>
-        <translation>用这个笔刷没有任何效果。</translation>
+        <translation>用这个笔刷，这一笔没有任何效果。</translation>
     </message>
 </context>
 <context>
@@ -1999,7 +1999,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>%1 has changed since this stroke was recorded.</source>
-        <translation>%1 与录制这一笔时的内容不同。</translation>
+        <translation>%1 在录制这一笔之后已更改。</translation>
     </message>
     <message>
         <source>alpha: &quot;%1&quot; is none of %2, and no file</source>
@@ -2010,15 +2010,15 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <name>app::TimeLapse</name>
     <message>
         <source>%1 already contains %2, and nothing was overwritten: choose an empty folder.</source>
-        <translation>%1 中已有 %2，没有覆盖任何文件：请选择一个空文件夹。</translation>
+        <translation>%1 中已有 %2，未覆盖任何文件：请选择空文件夹。</translation>
     </message>
     <message>
         <source>There is not enough memory for a time-lapse of this model.</source>
-        <translation>内存不足，无法导出这个模型的延时图片。</translation>
+        <translation>内存不足，无法为这个模型制作延时图片。</translation>
     </message>
     <message>
         <source>The earlier steps of the model can no longer be read, so they are not in the time-lapse.</source>
-        <translation>无法再读取模型较早的步骤，因此没有它们的延时图片。</translation>
+        <translation>无法再读取模型较早的步骤，因此延时图片中没有它们。</translation>
     </message>
     <message>
         <source>%1 is not a folder.</source>
@@ -2029,20 +2029,20 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <name>app::TimeLapseController</name>
     <message>
         <source>Drawing the time-lapse</source>
-        <translation>正在画延时图片</translation>
+        <translation>正在绘制延时图片</translation>
     </message>
     <message>
         <source>The time-lapse has to wait until this is done; try again then.</source>
-        <translation>延时图片要等这项工作完成；请到时再导出。</translation>
+        <translation>延时图片要等当前操作完成；请届时再试。</translation>
     </message>
     <message>
         <source>The time-lapse was stopped; no picture of it is in %1.</source>
-        <translation>延时图片已停止；%1 中没有它的图片。</translation>
+        <translation>延时图片已停止；%1 中没有留下图片。</translation>
     </message>
     <message numerus="yes">
         <source>%1: %Ln pictures were written.</source>
         <translation>
-            <numerusform>%1：写入了 %Ln 张图片。</numerusform>
+            <numerusform>%1：已写入 %Ln 张图片。</numerusform>
         </translation>
     </message>
 </context>
@@ -2197,7 +2197,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Checks whether a VR headset is ready.</source>
-        <translation>查看 VR 头显是否就绪。</translation>
+        <translation>检查 VR 头显是否就绪。</translation>
     </message>
     <message>
         <source>&amp;About Fettle</source>
@@ -2237,7 +2237,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Stops what is running. The model stays as it is.</source>
-        <translation>结束正在进行的操作，模型保持不变。</translation>
+        <translation>停止正在进行的操作。模型保持不变。</translation>
     </message>
     <message>
         <source>&amp;Move…</source>
@@ -2285,7 +2285,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Moves the middle of the model to the origin.</source>
-        <translation>将模型的中心放到原点。</translation>
+        <translation>将模型的中心移到原点。</translation>
     </message>
     <message>
         <source>I&amp;nsert…</source>
@@ -2309,7 +2309,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Levels the surface. Shift smooths.</source>
-        <translation>压平表面。按住 Shift 为平滑。</translation>
+        <translation>压平表面。按住 Shift 平滑。</translation>
     </message>
     <message>
         <source>P&amp;aint</source>
@@ -2317,7 +2317,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Colours the surface without changing its shape. Shift smooths.</source>
-        <translation>给表面上色，不改变形状。按住 Shift 为平滑。</translation>
+        <translation>给表面上色，不改变形状。按住 Shift 平滑。</translation>
     </message>
     <message>
         <source>&amp;Ray Brush</source>
@@ -2325,7 +2325,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Affects only points connected along the surface, not the far side of a fold.</source>
-        <translation>只作用于沿表面距离近的部分，不影响褶皱的另一侧。</translation>
+        <translation>只作用于沿表面相连的点，不影响褶皱的另一侧。</translation>
     </message>
     <message>
         <source>Un&amp;iform Topology</source>
@@ -2357,7 +2357,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Shows every command with its key, and searches them.</source>
-        <translation>列出所有命令及其快捷键，并可按词查找。</translation>
+        <translation>列出所有命令及其快捷键，并可搜索。</translation>
     </message>
     <message>
         <source>&amp;Wireframe</source>
@@ -2373,7 +2373,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Shows each triangle in one shade instead of a smooth surface.</source>
-        <translation>每个三角形显示为一种明暗，而不是光滑的表面。</translation>
+        <translation>以单一明暗显示每个三角形，而不是光滑的表面。</translation>
     </message>
     <message>
         <source>Cavit&amp;y Shade</source>
@@ -2381,7 +2381,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Darkens hollows and lightens ridges, so that fine shapes stand out.</source>
-        <translation>使凹处变暗、凸脊变亮，让细小的形状更清楚。</translation>
+        <translation>使凹处变暗、凸脊变亮，突出细小的形状。</translation>
     </message>
     <message>
         <source>Tint &amp;under the Brush</source>
@@ -2389,7 +2389,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Tints the area that the brush would affect.</source>
-        <translation>用淡色标出笔刷下一笔会移动的部分。</translation>
+        <translation>用淡色标出笔刷将影响的区域。</translation>
     </message>
     <message>
         <source>Symmetry &amp;Plane</source>
@@ -2429,7 +2429,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Writes the name of each tool below its icon.</source>
-        <translation>在每个图标下方写出工具名称。</translation>
+        <translation>在每个图标下方显示工具名称。</translation>
     </message>
     <message>
         <source>Panels on the Left Si&amp;de</source>
@@ -2437,7 +2437,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Moves the panels to the left of the view, for left-handed use.</source>
-        <translation>将面板列移到视图左侧：适合左手执笔的人。</translation>
+        <translation>将面板移到视图左侧，适合左手操作。</translation>
     </message>
     <message>
         <source>Brus&amp;h Palette</source>
@@ -2445,7 +2445,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Opens tools, radius and strength at the pointer, as a right click does.</source>
-        <translation>在指针处打开工具、半径和强度，与右键单击相同。</translation>
+        <translation>在指针处打开工具、半径和强度，与单击右键相同。</translation>
     </message>
     <message>
         <source>Brus&amp;h Presets</source>
@@ -2457,19 +2457,19 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>&amp;Clay</source>
-        <translation>陶土(&amp;C)</translation>
+        <translation>黏土(&amp;C)</translation>
     </message>
     <message>
         <source>Shows the model as warm, dull clay.</source>
-        <translation>将模型显示为温暖的哑光陶土。</translation>
+        <translation>将模型显示为暖色的哑光黏土。</translation>
     </message>
     <message>
         <source>&amp;Grey Clay</source>
-        <translation>灰陶土(&amp;G)</translation>
+        <translation>灰黏土(&amp;G)</translation>
     </message>
     <message>
         <source>Shows the model as cool grey clay, which hides no bump.</source>
-        <translation>将模型显示为冷灰色陶土，任何起伏都清晰可见。</translation>
+        <translation>将模型显示为冷灰色黏土，起伏清晰可见。</translation>
     </message>
     <message>
         <source>Red &amp;Wax</source>
@@ -2517,7 +2517,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Uses a background that matches the window, light or dark.</source>
-        <translation>模型背后随窗口变亮或变暗。</translation>
+        <translation>背景随窗口变亮或变暗。</translation>
     </message>
     <message>
         <source>&amp;Light</source>
@@ -2525,7 +2525,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Uses a light grey background.</source>
-        <translation>模型背后为浅灰色。</translation>
+        <translation>浅灰色背景。</translation>
     </message>
     <message>
         <source>&amp;Dark</source>
@@ -2533,7 +2533,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Uses a dark grey background.</source>
-        <translation>模型背后为深灰色。</translation>
+        <translation>深灰色背景。</translation>
     </message>
     <message>
         <source>&amp;Sky</source>
@@ -2541,7 +2541,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Uses a pale blue sky as background.</source>
-        <translation>模型背后为淡蓝色的天空。</translation>
+        <translation>淡蓝色天空背景。</translation>
     </message>
     <message>
         <source>W&amp;hite</source>
@@ -2549,7 +2549,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Uses a plain white background.</source>
-        <translation>模型背后为纯白色。</translation>
+        <translation>纯白色背景。</translation>
     </message>
     <message>
         <source>&amp;Black</source>
@@ -2557,7 +2557,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Uses a plain black background.</source>
-        <translation>模型背后为纯黑色。</translation>
+        <translation>纯黑色背景。</translation>
     </message>
     <message>
         <source>Mat&amp;erial</source>
@@ -2569,19 +2569,19 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Set Radius by &amp;Dragging</source>
-        <translation>拖动半径(&amp;D)</translation>
+        <translation>拖动调整半径(&amp;D)</translation>
     </message>
     <message>
         <source>Changes the radius as the pointer moves. Click or press Return to keep it; Esc or a right click cancels.</source>
-        <translation>随指针移动改变半径；单击或回车保留，Esc 或右键恢复原值。</translation>
+        <translation>随指针移动改变半径。单击或按回车确定；Esc 或右键取消。</translation>
     </message>
     <message>
         <source>Set Strength by Draggin&amp;g</source>
-        <translation>拖动强度(&amp;G)</translation>
+        <translation>拖动调整强度(&amp;G)</translation>
     </message>
     <message>
         <source>Changes the strength as the pointer moves. Click or press Return to keep it; Esc or a right click cancels.</source>
-        <translation>随指针移动改变强度；单击或回车保留，Esc 或右键恢复原值。</translation>
+        <translation>随指针移动改变强度。单击或按回车确定；Esc 或右键取消。</translation>
     </message>
     <message>
         <source>S&amp;teady Stroke</source>
@@ -2589,15 +2589,15 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Drags the brush on a string behind the pointer, for smooth lines even with a trembling hand.</source>
-        <translation>用一根线把笔刷拖在指针后面，使颤抖的手也能画出平滑的线条。</translation>
+        <translation>用一根线在指针后面拖动笔刷，手抖也能画出平滑的线条。</translation>
     </message>
     <message>
         <source>Paint &amp;Colour</source>
-        <translation>上色颜色(&amp;C)</translation>
+        <translation>笔刷颜色(&amp;C)</translation>
     </message>
     <message>
         <source>Shows the panel with the paint colour.</source>
-        <translation>显示决定上色所用颜色的面板。</translation>
+        <translation>显示笔刷颜色面板。</translation>
     </message>
     <message>
         <source>Pic&amp;k Colour</source>
@@ -2605,7 +2605,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Picks the paint colour from the model with the next click.</source>
-        <translation>下一次点击模型时取其颜色用于上色。</translation>
+        <translation>用下一次单击从模型上取笔刷颜色。</translation>
     </message>
     <message>
         <source>S&amp;wap Colours</source>
@@ -2613,7 +2613,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Paints with the other colour, and keeps this one for the next swap.</source>
-        <translation>改用另一种颜色，并留住这一种供下次交换。</translation>
+        <translation>改用另一种颜色上色，并保留这一种供下次交换。</translation>
     </message>
     <message>
         <source>&amp;Fill with Colour</source>
@@ -2621,7 +2621,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Fills the whole model with the paint colour.</source>
-        <translation>把整个模型涂成上色颜色。</translation>
+        <translation>用笔刷颜色填充整个模型。</translation>
     </message>
     <message>
         <source>&amp;Preferences…</source>
@@ -2629,7 +2629,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Sets colours, language, keys, pen and mouse.</source>
-        <translation>设置颜色、语言、快捷键、笔和鼠标。</translation>
+        <translation>设置颜色、语言、快捷键、手写笔和鼠标。</translation>
     </message>
     <message>
         <source>Add &amp;Ball</source>
@@ -2641,7 +2641,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Writes a sheet with front, side and top view to scale: PDF, SVG or PNG.</source>
-        <translation>按比例写出含正视、侧视和俯视图的图纸：PDF、SVG 或 PNG。</translation>
+        <translation>按比例绘制含正视、侧视和俯视图的图纸：PDF、SVG 或 PNG。</translation>
     </message>
     <message>
         <source>Re&amp;vert</source>
@@ -2649,7 +2649,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Opens the model&apos;s file again, as it was last saved.</source>
-        <translation>重新打开模型文件，恢复到上次写入的内容。</translation>
+        <translation>重新打开模型文件，恢复到上次保存的内容。</translation>
     </message>
     <message>
         <source>&amp;Ball</source>
@@ -2657,7 +2657,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Begins with a ball of clay.</source>
-        <translation>从一个泥球开始。</translation>
+        <translation>从黏土球开始。</translation>
     </message>
     <message>
         <source>&amp;Cube</source>
@@ -2665,7 +2665,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Begins with a cube of clay.</source>
-        <translation>从一个泥立方体开始。</translation>
+        <translation>从黏土立方体开始。</translation>
     </message>
     <message>
         <source>&amp;Torus</source>
@@ -2673,7 +2673,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Begins with a ring of clay.</source>
-        <translation>从一个泥圆环开始。</translation>
+        <translation>从黏土圆环开始。</translation>
     </message>
     <message>
         <source>&amp;Slab</source>
@@ -2681,7 +2681,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Begins with a thick square plate.</source>
-        <translation>从一块厚方板开始。</translation>
+        <translation>从厚方板开始。</translation>
     </message>
     <message>
         <source>&amp;Vase</source>
@@ -2717,7 +2717,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Turns the model under your hand. Hold still to cut a groove all around.</source>
-        <translation>让模型在手下转动：手不动即可刻出环绕的沟槽。</translation>
+        <translation>在您手下转动模型。手不动即可刻出一圈沟槽。</translation>
     </message>
     <message>
         <source>&amp;Save</source>
@@ -2749,7 +2749,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Writes the model beside its file, with the next free number in the name.</source>
-        <translation>将模型写到其文件旁边，文件名带下一个可用编号。</translation>
+        <translation>将模型保存到其文件旁边，文件名带下一个可用编号。</translation>
     </message>
     <message>
         <source>&amp;Browse Files</source>
@@ -2757,7 +2757,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Shows the panel with a folder of models as pictures.</source>
-        <translation>显示面板：以图片形式列出一个文件夹中的模型。</translation>
+        <translation>显示面板，以图片列出文件夹中的模型。</translation>
     </message>
     <message>
         <source>Pulls the surface outwards. %1 pushes instead, Shift smooths.</source>
@@ -2777,7 +2777,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Opens the guide beside the window: first steps, lessons, and a page for everything.</source>
-        <translation>在窗口旁打开指南：入门、课程，以及每个主题的一页。</translation>
+        <translation>在窗口旁打开指南：入门、课程，以及各个主题的页面。</translation>
     </message>
     <message>
         <source>&amp;Start Page</source>
@@ -2785,7 +2785,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Shows what to begin with: starters, recent files, and three short lessons.</source>
-        <translation>显示可以从何开始：基本形体、最近的文件和三节短课。</translation>
+        <translation>显示可以从何开始：起始形状、最近的文件和三节短课。</translation>
     </message>
     <message>
         <source>&amp;Choose…</source>
@@ -2793,7 +2793,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Adds an image behind the model, on the side that you look from.</source>
-        <translation>在当前视图所朝的一侧，把一张图片放到模型后面。</translation>
+        <translation>在模型后面添加图片，用于当前观看的一侧。</translation>
     </message>
     <message>
         <source>&amp;Show Reference Images</source>
@@ -2801,7 +2801,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Shows the image of a side while the view looks from there.</source>
-        <translation>当视图从某一侧观看时，显示该侧的图片。</translation>
+        <translation>从某一侧观看时，显示该侧的图片。</translation>
     </message>
     <message>
         <source>&amp;Remove Reference Image</source>
@@ -2809,7 +2809,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Removes the image of the side that you look from.</source>
-        <translation>移除当前视图所朝一侧的图片。</translation>
+        <translation>移除当前观看一侧的图片。</translation>
     </message>
     <message>
         <source>Refere&amp;nce Image</source>
@@ -2829,7 +2829,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Renames the selected file of the Files panel; its ending stays.</source>
-        <translation>为“文件”面板中选中的文件改名；扩展名不变。</translation>
+        <translation>重命名“文件”面板中选中的文件；扩展名不变。</translation>
     </message>
     <message>
         <source>&amp;Duplicate</source>
@@ -2837,7 +2837,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Makes a copy of the selected file of the Files panel beside it.</source>
-        <translation>在“文件”面板中选中的文件旁边放一份副本。</translation>
+        <translation>为“文件”面板中选中的文件创建副本。</translation>
     </message>
     <message>
         <source>Move to &amp;Trash</source>
@@ -2861,7 +2861,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Goes up one folder in the Files panel.</source>
-        <translation>在“文件”面板中显示上一级文件夹。</translation>
+        <translation>在“文件”面板中进入上一级文件夹。</translation>
     </message>
     <message>
         <source>&amp;Choose Folder…</source>
@@ -2889,7 +2889,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Writes STL, 3MF or GLB with as many triangles as you like, and verifies the file.</source>
-        <translation>写出 STL、3MF 或 GLB，三角形数量由您决定，并检查该文件。</translation>
+        <translation>导出 STL、3MF 或 GLB，三角形数量由您决定，并核对文件。</translation>
     </message>
     <message>
         <source>P&amp;lace on Bed</source>
@@ -2897,7 +2897,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Moves the model&apos;s lowest point to height 0, onto the printer&apos;s bed.</source>
-        <translation>把模型的最低点放到高度 0，即打印床所在处。</translation>
+        <translation>把模型的最低点移到高度 0，即打印床上。</translation>
     </message>
     <message>
         <source>Flatten &amp;Base…</source>
@@ -2913,7 +2913,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Shows whether the model prints: walls, overhangs, base, and the printer&apos;s bed.</source>
-        <translation>显示模型能否打印：壁厚、悬垂、底面和打印机的打印床。</translation>
+        <translation>显示模型能否打印：壁厚、悬垂、底面和打印床。</translation>
     </message>
     <message>
         <source>&amp;Enter VR</source>
@@ -2929,7 +2929,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Shows in this window what the headset sees, for a class to watch.</source>
-        <translation>在此窗口显示戴头显的人所看的内容，供全班观看。</translation>
+        <translation>在此窗口显示头显中的画面，供全班观看。</translation>
     </message>
     <message>
         <source>&amp;Inflate</source>
@@ -2937,11 +2937,11 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Swells the surface in all directions. %1 shrinks it instead, Shift smooths.</source>
-        <translation>让表面沿各点自身的方向膨胀。按住 %1 收缩，按住 Shift 平滑。</translation>
+        <translation>使表面向四面膨胀。按住 %1 收缩，按住 Shift 平滑。</translation>
     </message>
     <message>
         <source>Adds a flat layer and fills hollows first. %1 digs instead, Shift smooths.</source>
-        <translation>铺上一层平整的泥，先填满凹处。按住 %1 挖去，按住 Shift 平滑。</translation>
+        <translation>铺上一层平整的黏土，先填满凹处。按住 %1 挖去，按住 Shift 平滑。</translation>
     </message>
     <message>
         <source>Raises the surface to one height per stroke, however often you go over it. %1 sinks it instead, Shift smooths.</source>
@@ -2961,7 +2961,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Pulls the surface together towards the stroke. %1 spreads it instead, Shift smooths.</source>
-        <translation>把表面向笔画的中线收拢。按住 %1 撑开，按住 Shift 平滑。</translation>
+        <translation>把表面向笔画收拢。按住 %1 撑开，按住 Shift 平滑。</translation>
     </message>
     <message>
         <source>Cr&amp;ease</source>
@@ -2977,7 +2977,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Moves the surface under the brush along with the pointer. Shift smooths.</source>
-        <translation>抓住笔刷下的部分，随手移动。按住 Shift 为平滑。</translation>
+        <translation>使笔刷下的表面随指针移动。按住 Shift 平滑。</translation>
     </message>
     <message>
         <source>Snake &amp;Hook</source>
@@ -2985,7 +2985,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Pulls out a tentacle, and the brush follows its tip. Shift smooths.</source>
-        <translation>拉出一条触手，笔刷跟随它的尖端。按住 Shift 为平滑。</translation>
+        <translation>拉出一条触手，笔刷跟随它的尖端。按住 Shift 平滑。</translation>
     </message>
     <message>
         <source>&amp;Twist</source>
@@ -2993,7 +2993,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Twists the surface under the brush as you drag away from it. %1 twists it the other way, Shift smooths.</source>
-        <translation>把笔刷下的部分绕其中心扭转，拖得越远转得越多。按住 %1 反向扭转，按住 Shift 平滑。</translation>
+        <translation>从笔刷处向外拖动，扭转笔刷下的表面。按住 %1 反向扭转，按住 Shift 平滑。</translation>
     </message>
     <message>
         <source>Hold %1 on the model to invert the tool, %2 to smooth.</source>
@@ -3021,7 +3021,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Swaps protected and unprotected areas.</source>
-        <translation>保护自由的部分，放开受保护的部分。</translation>
+        <translation>交换受保护和未受保护的区域。</translation>
     </message>
     <message>
         <source>&amp;Clear Mask</source>
@@ -3029,7 +3029,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Removes the mask from the whole model.</source>
-        <translation>放开整个模型。</translation>
+        <translation>移除整个模型的遮罩。</translation>
     </message>
     <message>
         <source>&amp;Blur Mask</source>
@@ -3069,7 +3069,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Also protects hollows.</source>
-        <translation>也保护凹陷处。</translation>
+        <translation>同时保护凹陷处。</translation>
     </message>
     <message>
         <source>Mask by Co&amp;lour</source>
@@ -3077,7 +3077,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Also protects areas close to the paint colour.</source>
-        <translation>也保护与画笔颜色相近的部分。</translation>
+        <translation>同时保护与笔刷颜色相近的区域。</translation>
     </message>
     <message>
         <source>Mask Whole &amp;Parts</source>
@@ -3085,7 +3085,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Extends the mask to the whole of each part that it touches.</source>
-        <translation>把遮罩碰到的每个独立部件整个保护起来。</translation>
+        <translation>把遮罩扩展到它碰到的每个部件的整体。</translation>
     </message>
     <message>
         <source>M&amp;ask</source>
@@ -3097,7 +3097,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Presses a ball or a model of yours into the surface. %1 raises it instead, Shift smooths.</source>
-        <translation>把球或您的模型压入表面。按住 %1 则改为隆起，按住 Shift 则平滑。</translation>
+        <translation>把球或您的模型压入表面。按住 %1 隆起，按住 Shift 平滑。</translation>
     </message>
     <message>
         <source>Repeats strokes around the vertical axis. Set the count in the Symmetry panel.</source>
@@ -3109,7 +3109,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Adds a ball of the brush&apos;s radius, or the stamp&apos;s model, where you click next.</source>
-        <translation>在下一次点击处放一个半径与笔刷相同的球，或图章的模型。</translation>
+        <translation>在下一次单击处添加半径与笔刷相同的球，或图章的模型。</translation>
     </message>
     <message>
         <source>Radial Symm&amp;etry</source>
@@ -3125,7 +3125,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Shows how something is made, stroke by stroke, and lets you try it.</source>
-        <translation>一笔一笔地演示怎么做，然后让您自己试。</translation>
+        <translation>一笔一笔地演示怎么做，然后由您来试。</translation>
     </message>
     <message>
         <source>&amp;Classroom…</source>
@@ -3133,7 +3133,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Makes a class file: what pupils may do, how long their turns are, and the PIN that ends the class.</source>
-        <translation>写出课堂文件：学生可以做什么、每轮多长时间，以及结束课堂的 PIN。</translation>
+        <translation>创建课堂文件：学生可以做什么、每轮多长时间，以及结束课堂的 PIN。</translation>
     </message>
     <message>
         <source>&amp;Class Report…</source>
@@ -3141,7 +3141,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Writes a report on the models in a folder: picture, size, print-ready or why not, strokes and time. HTML or PDF.</source>
-        <translation>为一个文件夹中的所有模型写出报告：图片、大小、能否打印或为何不能、笔画数和用时。HTML 或 PDF。</translation>
+        <translation>为文件夹中的模型生成报告：图片、大小、能否打印或为何不能、笔画数和用时。HTML 或 PDF。</translation>
     </message>
     <message>
         <source>&amp;Use Model as Brush</source>
@@ -3149,7 +3149,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Uses this model, as it is now, as the stamp.</source>
-        <translation>把现在的模型作为图章的模型。</translation>
+        <translation>把现在的模型用作图章。</translation>
     </message>
     <message>
         <source>Caption in &amp;VR</source>
@@ -3165,7 +3165,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Shows the person in VR a light where the pointer is on the model. Hold the key to point only meanwhile.</source>
-        <translation>在模型上指针所在处给 VR 中的人显示一个光点；按住该键则指到松开为止。</translation>
+        <translation>在模型上指针所在处给 VR 中的人显示一个光点。按住该键则只在按住时指点。</translation>
     </message>
     <message>
         <source>&amp;Take Over</source>
@@ -3173,7 +3173,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Lets only this window sculpt until you give it back; the person in VR watches.</source>
-        <translation>交还之前只有此窗口可以雕刻；VR 中的人只能观看。</translation>
+        <translation>只允许此窗口雕刻，直到您交还；VR 中的人观看。</translation>
     </message>
     <message>
         <source>Rec&amp;ord Lesson…</source>
@@ -3197,7 +3197,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Draws the model after each of its steps, as numbered PNG pictures for a film.</source>
-        <translation>画出模型每一步之后的样子，成为带编号的 PNG 图片，可用于制作影片。</translation>
+        <translation>画出模型每一步之后的样子，存为带编号的 PNG 图片，可用于制作影片。</translation>
     </message>
     <message>
         <source>In&amp;vert</source>
@@ -3205,11 +3205,11 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Inverts the tools without holding %1: Pull pushes, Clay digs.</source>
-        <translation>反转各工具，供无法同时按住 %1 的手使用：拉起变为按下，黏土变为挖去。</translation>
+        <translation>无需按住 %1 即可反转工具：拉出变为推入，铺泥变为挖去。</translation>
     </message>
     <message>
         <source>Shows a cross that the arrow keys move: on the model Space or Return uses the tool, beside it the view turns.</source>
-        <translation>在视图中显示一个由方向键移动的十字：空格或回车把工具按在模型上，在模型之外则转动视图。</translation>
+        <translation>显示一个用方向键移动的十字：在模型上按空格或回车使用工具，在模型之外转动视图。</translation>
     </message>
     <message>
         <source>Turn &amp;Left</source>
@@ -3217,7 +3217,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Turns the model&apos;s near side to the left by 15 degrees.</source>
-        <translation>把面向您的一侧向左转 15 度。</translation>
+        <translation>把模型朝向您的一侧向左转 15 度。</translation>
     </message>
     <message>
         <source>Turn &amp;Right</source>
@@ -3225,7 +3225,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Turns the model&apos;s near side to the right by 15 degrees.</source>
-        <translation>把面向您的一侧向右转 15 度。</translation>
+        <translation>把模型朝向您的一侧向右转 15 度。</translation>
     </message>
     <message>
         <source>Turn &amp;Up</source>
@@ -3233,7 +3233,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Turns the model&apos;s near side upwards by 15 degrees.</source>
-        <translation>把面向您的一侧向上转 15 度。</translation>
+        <translation>把模型朝向您的一侧向上转 15 度。</translation>
     </message>
     <message>
         <source>Turn &amp;Down</source>
@@ -3241,7 +3241,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Turns the model&apos;s near side downwards by 15 degrees.</source>
-        <translation>把面向您的一侧向下转 15 度。</translation>
+        <translation>把模型朝向您的一侧向下转 15 度。</translation>
     </message>
     <message>
         <source>&amp;Nearer</source>
@@ -3265,11 +3265,11 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Uses one controller, with the panels in front of you, from the next time you enter VR.</source>
-        <translation>从下次进入 VR 起只用一支手柄，面板立在您面前。</translation>
+        <translation>从下次进入 VR 起只用一只手柄，面板位于您面前。</translation>
     </message>
     <message>
         <source>Sculpts with the left hand, from the next time you enter VR.</source>
-        <translation>从下次进入 VR 起，由左手雕刻。</translation>
+        <translation>从下次进入 VR 起，用左手雕刻。</translation>
     </message>
     <message>
         <source>T&amp;urn and Zoom</source>
@@ -3314,7 +3314,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>%1 has too many triangles for a brush&apos;s shape: at most %2 are allowed. Export it with fewer triangles first.</source>
-        <translation>%1 的三角形太多，不能用作笔刷形状：最多 %2 个。请先以较少的三角形导出。</translation>
+        <translation>%1 的三角形太多，不能用作笔刷形状：最多允许 %2 个。请先以较少的三角形导出。</translation>
     </message>
     <message>
         <source>%1: there is no such file.</source>
@@ -3322,7 +3322,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>%1 is not an image that can be read.</source>
-        <translation>%1 不是可以读取的图像。</translation>
+        <translation>%1 不是可读取的图像。</translation>
     </message>
     <message>
         <source>%1 has %2 × %3 pixels: an alpha may have %4 on a side at most.</source>
@@ -3338,7 +3338,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>%1: there is not enough memory for this model.</source>
-        <translation>%1：内存不足以容纳此模型。</translation>
+        <translation>%1：内存不足，无法载入此模型。</translation>
     </message>
 </context>
 <context>
@@ -3432,7 +3432,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>The tool continues for as long as you hold it in one place.</source>
-        <translation>只要按住不动，工具就持续作用。</translation>
+        <translation>按住不动时，工具持续作用。</translation>
     </message>
     <message>
         <source>Drag out size and direction</source>
@@ -3440,7 +3440,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Press where the alpha or the stamp should go, and drag: the distance sets its radius, and it points up where you drag. A click makes it as large as the brush.</source>
-        <translation>在放置 Alpha 或图章的地方按下并拖动：拖动的距离是半径，拖动的方向朝上。只点一下则与笔刷一样大。</translation>
+        <translation>在放置 Alpha 或图章处按下并拖动：距离决定半径，拖动方向为上方。单击则与笔刷一样大。</translation>
     </message>
     <message>
         <source>Steady stroke</source>
@@ -3460,7 +3460,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Repeats your strokes in this number of sectors around the vertical axis (y), mirrored in each if Mirror is on.</source>
-        <translation>在绕竖直轴（y）的这么多扇区里重复您的笔画；打开镜像时，每个扇区里还会镜像。</translation>
+        <translation>在绕竖直轴（y）的这么多个扇区中重复您的笔画；打开镜像时，各扇区内也会镜像。</translation>
     </message>
     <message>
         <source>Off</source>
@@ -3468,7 +3468,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>With this count the sectors look alike; with 2 and 4 they are exactly alike.</source>
-        <translation>扇区数为此值时看起来相同；为 2 和 4 时完全相同。</translation>
+        <translation>扇区数为此值时，各扇区看起来相同；为 2 和 4 时完全相同。</translation>
     </message>
     <message>
         <source>Radial</source>
@@ -3492,7 +3492,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Keeps the radius when you change the tool. When off, each tool has its own radius, as it has its own strength.</source>
-        <translation>换工具时半径不变。关闭后，每个工具各有自己的半径，正如各有自己的强度。</translation>
+        <translation>切换工具时半径不变。关闭后，每个工具有各自的半径，正如有各自的强度。</translation>
     </message>
 </context>
 <context>
@@ -3500,12 +3500,12 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     <message>
         <source>The brush is without its alpha: %1</source>
         <comment>a sentence that says why</comment>
-        <translation>笔刷不再有它的 Alpha：%1</translation>
+        <translation>笔刷已没有 Alpha：%1</translation>
     </message>
     <message>
         <source>Stamp has a ball again: %1</source>
         <comment>a sentence that says why</comment>
-        <translation>图章又是球了：%1</translation>
+        <translation>图章恢复为球：%1</translation>
     </message>
 </context>
 <context>
@@ -3516,7 +3516,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Undoes Next Pupil: reopens the pupil&apos;s work and continues the turn. Possible until somebody sculpts.</source>
-        <translation>撤回“下一位”：重新打开保存的作品，继续这一轮。有人开始雕刻后就不能撤回。</translation>
+        <translation>撤销“下一位”：重新打开该学生的作品，继续这一轮。有人开始雕刻之前可用。</translation>
     </message>
     <message>
         <source>&amp;Next Pupil</source>
@@ -3532,7 +3532,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Asks for the teacher&apos;s PIN, saves the work, and ends the class.</source>
-        <translation>询问教师 PIN，保存作品并结束课堂。</translation>
+        <translation>询问教师 PIN，保存作品，并结束课堂。</translation>
     </message>
     <message>
         <source>Time is up</source>
@@ -3647,7 +3647,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Pupils take turns: each begins with fresh clay, and Next Pupil saves the work in the class folder. Pupils cannot reach other files; leaving asks for your PIN.</source>
-        <translation>课堂按轮次进行：每个学生从新的黏土开始，“下一位”把作品保存到课堂文件夹。无人能接触其他文件，离开需要您的 PIN。</translation>
+        <translation>学生轮流进行：每人从新的黏土开始，“下一位”把作品保存到课堂文件夹。学生无法接触其他文件；离开需要您的 PIN。</translation>
     </message>
     <message>
         <source>Starting shapes</source>
@@ -3671,7 +3671,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Saves the class to another file.</source>
-        <translation>把课堂保存到另一个文件。</translation>
+        <translation>将课堂保存到另一个文件。</translation>
     </message>
     <message>
         <source>Shown in the top bar, such as the name of the class.</source>
@@ -3683,7 +3683,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Each turn gets a folder there, with model, picture and recording.</source>
-        <translation>每件作品在那里有一个文件夹，含模型、图片和记录。</translation>
+        <translation>每一轮在其中有一个文件夹，含模型、图片和记录。</translation>
     </message>
     <message>
         <source>&amp;Choose…</source>
@@ -3703,7 +3703,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>The length of a turn. Nothing is lost when it is over.</source>
-        <translation>每轮的时长。时间到了也不会丢失任何东西。</translation>
+        <translation>每轮的时长。时间到了也不会丢失任何内容。</translation>
     </message>
     <message>
         <source>none</source>
@@ -3711,7 +3711,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>How long before the end a notice appears, also in the headset.</source>
-        <translation>在结束前这么久给出提示，头显中也会显示。</translation>
+        <translation>结束前多久显示提示，头显中也会显示。</translation>
     </message>
     <message>
         <source>Full &amp;screen</source>
@@ -3719,7 +3719,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Hides everything else on the screen.</source>
-        <translation>屏幕上不显示其他内容。</translation>
+        <translation>隐藏屏幕上的其他内容。</translation>
     </message>
     <message>
         <source>The language of the window in this class.</source>
@@ -3739,7 +3739,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Needed to leave the class. Stored as a hash, not as you type it.</source>
-        <translation>离开课堂时需要。保存的是校验值，而不是您输入的内容。</translation>
+        <translation>离开课堂时需要。保存的是哈希值，而不是您输入的 PIN。</translation>
     </message>
     <message>
         <source>P&amp;IN:</source>
@@ -3781,7 +3781,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Next Pupil shows a form about the program first. Its answers are saved with the work and summed up in the class report; each may be left out.</source>
-        <translation>“下一位”会先显示一份关于程序的问卷。回答与作品一起保存，并在班级报告中汇总；每个问题都可以不答。</translation>
+        <translation>“下一位”会先显示关于程序的问卷。回答与作品一起保存，并在班级报告中汇总；每题都可以不答。</translation>
     </message>
     <message>
         <source>&amp;Open a Class…</source>
@@ -3789,7 +3789,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Opens a class file to change it.</source>
-        <translation>在此显示一个课堂，以便修改。</translation>
+        <translation>打开课堂文件以便修改。</translation>
     </message>
     <message>
         <source>unchanged</source>
@@ -3801,11 +3801,11 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>This folder cannot be created.</source>
-        <translation>无法新建此文件夹。</translation>
+        <translation>无法创建此文件夹。</translation>
     </message>
     <message>
         <source>Allow other &amp;names</source>
-        <translation>可以输入其他名字(&amp;N)</translation>
+        <translation>允许其他名字(&amp;N)</translation>
     </message>
     <message>
         <source>For guests, and for names that are not in the list.</source>
@@ -3828,7 +3828,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>The paint colour as in web pages: # and two digits, 0 to f, for each of red, green and blue.</source>
-        <translation>网页写法的上色颜色：# 后接红、绿、蓝各两位数字（0 到 f）。</translation>
+        <translation>笔刷颜色的网页写法：# 后接红、绿、蓝各两位数字（0 到 f）。</translation>
     </message>
     <message>
         <source>Red</source>
@@ -3844,15 +3844,15 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>%1 of the paint colour, 0 to 255.</source>
-        <translation>上色颜色的%1，0 到 255。</translation>
+        <translation>笔刷颜色的%1，0 到 255。</translation>
     </message>
     <message>
         <source>%1 is not a colour: write # and six digits from 0 to f.</source>
-        <translation>%1 不是颜色：应为 # 和六位数字（0 到 f）。</translation>
+        <translation>%1 不是颜色：请输入 # 和六位数字（0 到 f）。</translation>
     </message>
     <message>
         <source>Paint colour %1, the other %2</source>
-        <translation>上色颜色 %1，另一色 %2</translation>
+        <translation>笔刷颜色 %1，另一色 %2</translation>
     </message>
     <message>
         <source>Colour</source>
@@ -3860,7 +3860,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>No colour was picked: you did not click on the model.</source>
-        <translation>没有取到颜色：没有点在模型上。</translation>
+        <translation>未取到颜色：您没有单击模型。</translation>
     </message>
 </context>
 <context>
@@ -3871,11 +3871,11 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Keeps the paint colour among the swatches.</source>
-        <translation>把上色颜色保留到色板中。</translation>
+        <translation>把笔刷颜色保留到色板中。</translation>
     </message>
     <message>
         <source>%1: click to use it, press Delete to remove it.</source>
-        <translation>%1：单击选用，Delete 键删除。</translation>
+        <translation>%1：单击使用，按 Delete 删除。</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -3905,7 +3905,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Words of a command</source>
-        <translation>命令的词</translation>
+        <translation>命令中的词</translation>
     </message>
 </context>
 <context>
@@ -4017,7 +4017,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Removes triangles where shape and colours change least. The model in the window stays as it is.</source>
-        <translation>在形状和颜色损失最小的地方减少三角形。窗口中的模型保持不变。</translation>
+        <translation>在形状和颜色变化最小处减少三角形。窗口中的模型保持不变。</translation>
     </message>
     <message>
         <source>Most triangles</source>
@@ -4041,7 +4041,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Slices the file with PrusaSlicer&apos;s own settings and reports layers and time, or its error. Esc stops it.</source>
-        <translation>用 PrusaSlicer 自己的设置切片，并显示层数和时间或其报告的问题；Esc 可停止。</translation>
+        <translation>用 PrusaSlicer 自己的设置切片，并报告层数和时间，或其错误。按 Esc 停止。</translation>
     </message>
 </context>
 <context>
@@ -4140,7 +4140,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Write the Class Report</source>
-        <translation>写出班级报告</translation>
+        <translation>生成班级报告</translation>
     </message>
     <message>
         <source>Class report</source>
@@ -4160,7 +4160,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Write the Handout</source>
-        <translation>写出讲义</translation>
+        <translation>保存讲义</translation>
     </message>
     <message>
         <source>Import a Brush Preset</source>
@@ -4190,7 +4190,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>%1 cannot be opened: permission denied.</source>
-        <translation>无法查看 %1：没有权限。</translation>
+        <translation>无法打开 %1：没有权限。</translation>
     </message>
     <message>
         <source>There is a file named %1 already; %2 keeps its name.</source>
@@ -4206,7 +4206,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>A file name may not contain %1.</source>
-        <translation>文件名不能包含字符 %1。</translation>
+        <translation>文件名不能包含 %1。</translation>
     </message>
     <message>
         <source>A file name may not contain control characters.</source>
@@ -4227,21 +4227,21 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>%1 was not deleted: it could not be moved to the trash, and Fettle deletes nothing permanently.</source>
-        <translation>%1 未被删除：无法放入回收站，而这里不会永久删除任何文件。</translation>
+        <translation>%1 未删除：无法移到回收站，而 Fettle 不会永久删除任何文件。</translation>
     </message>
     <message>
         <source>%1 is in the trash.</source>
-        <translation>%1 已移入回收站。</translation>
+        <translation>%1 已移到回收站。</translation>
     </message>
     <message numerus="yes">
         <source>%Ln files are in the trash.</source>
         <translation>
-            <numerusform>%Ln 个文件已移入回收站。</numerusform>
+            <numerusform>%Ln 个文件已移到回收站。</numerusform>
         </translation>
     </message>
     <message>
         <source>Nothing in %1 can be changed: permission denied.</source>
-        <translation>无法更改 %1 中的内容：没有权限。</translation>
+        <translation>无法更改 %1 中的任何内容：没有权限。</translation>
     </message>
 </context>
 <context>
@@ -4290,7 +4290,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Shows only files whose names contain these letters.</source>
-        <translation>只显示名称中包含这些文字的项目。</translation>
+        <translation>只显示名称包含这些文字的文件。</translation>
     </message>
     <message>
         <source>Sorted by</source>
@@ -4330,7 +4330,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Stops making pictures of this folder.</source>
-        <translation>不再为此文件夹生成图片。</translation>
+        <translation>停止为此文件夹生成图片。</translation>
     </message>
     <message>
         <source>Size of the pictures</source>
@@ -4352,7 +4352,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>No file name contains %1.</source>
-        <translation>这里没有名称包含“%1”的项目。</translation>
+        <translation>没有文件名包含“%1”。</translation>
     </message>
     <message>
         <source>Files</source>
@@ -4360,7 +4360,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>No models in this folder (%1).</source>
-        <translation>这里没有模型（%1）。</translation>
+        <translation>此文件夹中没有模型（%1）。</translation>
     </message>
 </context>
 <context>
@@ -4379,7 +4379,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Shows only pages with these words. Return finds the next place.</source>
-        <translation>只保留含有这些词的页面；按回车转到下一处。</translation>
+        <translation>只显示含有这些词的页面。按回车转到下一处。</translation>
     </message>
     <message>
         <source>Contents</source>
@@ -4410,7 +4410,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Arrow keys move the cross. Space presses while it is held, Return until the next Return.</source>
-        <translation>方向键移动十字。按住空格即按下工具；回车按下后，到再按一次回车为止。</translation>
+        <translation>方向键移动十字。按住空格使用工具；按回车开始，再按一次结束。</translation>
     </message>
 </context>
 <context>
@@ -4478,7 +4478,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Every step since the model was opened. Click one, or press Return, to go there.</source>
-        <translation>打开模型以来的每一步。单击或按回车即可回到那里。</translation>
+        <translation>打开模型以来的每一步。单击或按回车即可转到那里。</translation>
     </message>
     <message>
         <source>Memory for the history</source>
@@ -4486,7 +4486,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>The memory that the history may use. Older steps are moved to disk; if the disk is full, they expire.</source>
-        <translation>历史最多占用这么多内存；更早的步骤会存到磁盘，磁盘已满时则过期。</translation>
+        <translation>历史可占用的内存。更早的步骤会移到磁盘；磁盘已满时过期。</translation>
     </message>
     <message>
         <source> MB</source>
@@ -4501,11 +4501,11 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     <name>ui::NamesField</name>
     <message>
         <source>One name per line; you can paste a list. Pupils choose their name; those who had a turn today are marked.</source>
-        <translation>每行一个名字，可从别处粘贴。学生选择自己的名字；今天已轮到的会有标记。</translation>
+        <translation>每行一个名字，可以粘贴名单。学生选择自己的名字；今天已轮到的会有标记。</translation>
     </message>
     <message>
         <source>One name per line. Without names, pupils type theirs.</source>
-        <translation>每行一个名字；不填则由学生输入。</translation>
+        <translation>每行一个名字。没有名单时由学生输入。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is longer than %2 characters.</source>
@@ -4577,11 +4577,11 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Blender</source>
-        <translation>与 Blender 相同</translation>
+        <translation>Blender</translation>
     </message>
     <message>
         <source>As in ZBrush</source>
-        <translation>与 ZBrush 相同</translation>
+        <translation>ZBrush</translation>
     </message>
     <message>
         <source>Search for a command or a key</source>
@@ -4609,7 +4609,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Chooses a set of keys. Keys that you changed yourself stay.</source>
-        <translation>选择基础快捷键方案；您自己更改的快捷键保持不变。</translation>
+        <translation>选择一套快捷键。您自己更改的快捷键保持不变。</translation>
     </message>
     <message>
         <source>Reset A&amp;ll Keys</source>
@@ -4617,7 +4617,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Resets all commands to the keys of the preset.</source>
-        <translation>将所有命令恢复为方案中的快捷键。</translation>
+        <translation>将所有命令重置为方案的快捷键。</translation>
     </message>
     <message>
         <source>&amp;Preset</source>
@@ -4633,7 +4633,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Press the new key for the command, or Backspace to remove it.</source>
-        <translation>按下要分配给该命令的按键；退格键将其清除。</translation>
+        <translation>按下该命令的新快捷键，或按退格键清除。</translation>
     </message>
     <message>
         <source>R&amp;eset</source>
@@ -4641,7 +4641,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Resets the command to the keys of the preset.</source>
-        <translation>将该命令恢复为方案中的快捷键。</translation>
+        <translation>将该命令重置为方案的快捷键。</translation>
     </message>
     <message>
         <source>&amp;Go There</source>
@@ -4649,7 +4649,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Selects the command that uses the key.</source>
-        <translation>选中占用该快捷键的命令。</translation>
+        <translation>选中使用该快捷键的命令。</translation>
     </message>
     <message>
         <source>This key cannot be changed.</source>
@@ -4665,7 +4665,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>A modifier key cannot be a shortcut on its own.</source>
-        <translation>与其他键一起按住的修饰键不能单独作为命令。</translation>
+        <translation>修饰键不能单独作为快捷键。</translation>
     </message>
     <message>
         <source>%1 is needed to move and type in panels and dialogs.</source>
@@ -4673,14 +4673,14 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Alt with a letter opens menus and reaches controls.</source>
-        <translation>Alt 加字母用于打开菜单和到达控件。</translation>
+        <translation>Alt 加字母用于打开菜单和选中控件。</translation>
     </message>
 </context>
 <context>
     <name>ui::LessonChoice</name>
     <message>
         <source>Pupils can begin with it: it is shown stroke by stroke, and the report says how far they got.</source>
-        <translation>学生可以从它开始：逐笔演示，报告会说明做到了哪一步。</translation>
+        <translation>学生可以从它开始：课程会逐笔演示，报告会说明做到了哪一步。</translation>
     </message>
     <message>
         <source>none</source>
@@ -4695,11 +4695,11 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     <name>ui::LessonEditor</name>
     <message>
         <source>A lesson records what you sculpt, step by step, here or in the headset. It begins with:</source>
-        <translation>课程一步一步地录制您在这里或头显中的雕刻。它从这里开始：</translation>
+        <translation>课程一步一步地录制您在这里或头显中的雕刻。起始模型：</translation>
     </message>
     <message>
         <source>Begins with</source>
-        <translation>开始于</translation>
+        <translation>起始模型</translation>
     </message>
     <message>
         <source>The model as it is now</source>
@@ -4711,11 +4711,11 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Begins a lesson of one step. Earlier strokes can no longer be undone.</source>
-        <translation>开始一个只有一步的课程。之前的笔画不能再撤销。</translation>
+        <translation>开始一个只有一步的课程。之前的笔画将无法再撤销。</translation>
     </message>
     <message>
         <source>Or change an existing lesson:</source>
-        <translation>或者修改已有的课程：</translation>
+        <translation>或修改已有的课程：</translation>
     </message>
     <message>
         <source>Lessons of the program</source>
@@ -4727,7 +4727,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Opens it here; you save it under a name of your own.</source>
-        <translation>在这里打开；保存时使用您自己的名称。</translation>
+        <translation>在这里打开；保存时用您自己的名称。</translation>
     </message>
     <message>
         <source>Open a Lesson…</source>
@@ -4735,7 +4735,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Opens a lesson from a zip or a folder, to change it.</source>
-        <translation>从 zip 或文件夹打开课程来修改。</translation>
+        <translation>从 ZIP 文件或文件夹打开课程进行修改。</translation>
     </message>
     <message>
         <source>Language of the texts</source>
@@ -4743,7 +4743,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>The language that you write in. Where a text is missing, pupils read it in another language.</source>
-        <translation>文字用这种语言书写。缺少时，学生会看到另一种语言。</translation>
+        <translation>您书写所用的语言。缺少文字时，学生会看到另一种语言。</translation>
     </message>
     <message>
         <source>Title of the lesson</source>
@@ -4751,7 +4751,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Title of the lesson.</source>
-        <translation>课程的名称。</translation>
+        <translation>课程的标题。</translation>
     </message>
     <message>
         <source>In one sentence</source>
@@ -4759,7 +4759,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Subject of the lesson, in one sentence.</source>
-        <translation>用一句话说明课程的内容。</translation>
+        <translation>用一句话说明课程的主题。</translation>
     </message>
     <message>
         <source>Steps</source>
@@ -4771,7 +4771,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Starts a new step at the end; strokes belong to it from here on.</source>
-        <translation>从这里起，笔画属于一个新的步骤，也就是最后一步。</translation>
+        <translation>在末尾开始新的步骤；此后的笔画属于它。</translation>
     </message>
     <message>
         <source>Moves the step up</source>
@@ -4787,7 +4787,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Plays the lesson to its end and records from there. Press again to stop.</source>
-        <translation>把课程播放到底并从那里开始录制，或停止录制。</translation>
+        <translation>把课程播放到底，并从那里开始录制。再按一次停止。</translation>
     </message>
     <message>
         <source>Save…</source>
@@ -4795,7 +4795,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Plays the lesson to its end, checks each step, and writes it as one file or a folder.</source>
-        <translation>把课程播放到底，评判每一步，然后写成一个文件或文件夹。</translation>
+        <translation>把课程播放到底，检查每一步，然后保存为一个文件或文件夹。</translation>
     </message>
     <message>
         <source>Close</source>
@@ -4803,7 +4803,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Closes this lesson. The model stays as it is.</source>
-        <translation>结束对这个课程的编辑。模型保持不变。</translation>
+        <translation>关闭这个课程。模型保持不变。</translation>
     </message>
     <message>
         <source>%1. %2 (%3)</source>
@@ -4824,7 +4824,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Lesson Editor</source>
-        <translation>课程编辑</translation>
+        <translation>课程编辑器</translation>
     </message>
     <message>
         <source>● Recording into step %1</source>
@@ -4847,7 +4847,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Opens a lesson from a zip or a folder.</source>
-        <translation>从 zip 或文件夹打开课程。</translation>
+        <translation>从 ZIP 文件或文件夹打开课程。</translation>
     </message>
     <message>
         <source>How far the teacher is</source>
@@ -4871,7 +4871,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Speed of the demonstration.</source>
-        <translation>老师的动作有多快。</translation>
+        <translation>演示的速度。</translation>
     </message>
     <message>
         <source>%1 ×</source>
@@ -4892,7 +4892,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Colours the model by how far it is from the teacher&apos;s.</source>
-        <translation>按与老师的模型相差多远给模型着色。</translation>
+        <translation>按与老师模型的距离给模型上色。</translation>
     </message>
     <message>
         <source>Back</source>
@@ -4912,7 +4912,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Ends the lesson. The model stays as it is.</source>
-        <translation>结束这堂课。模型保持原样。</translation>
+        <translation>结束这堂课。模型保持不变。</translation>
     </message>
     <message>
         <source>%1: step %2 of %3</source>
@@ -4932,7 +4932,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Begins this step with the teacher&apos;s model. Undo brings yours back.</source>
-        <translation>用老师的模型开始这一步。撤销可以找回原来的模型。</translation>
+        <translation>用老师的模型开始这一步。撤销可以恢复你的模型。</translation>
     </message>
     <message>
         <source>Handout as PDF…</source>
@@ -4940,7 +4940,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Writes the texts and pictures of all steps to a PDF for pupils.</source>
-        <translation>把所有步骤的文字和图片写成一份给学生的 PDF。</translation>
+        <translation>把所有步骤的文字和图片做成给学生的 PDF。</translation>
     </message>
     <message>
         <source>Brush: %1</source>
@@ -4980,11 +4980,11 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Cut Stroke</source>
-        <translation>剪掉这一笔</translation>
+        <translation>去掉这一笔</translation>
     </message>
     <message>
         <source>Removes this stroke from the lesson. Later ones are played without it when the lesson is saved.</source>
-        <translation>把这一笔从课程中剪掉。保存课程时，后面的笔画在没有它的情况下播放。</translation>
+        <translation>把这一笔从课程中去掉。保存课程时，后面的笔画会在没有它的情况下播放。</translation>
     </message>
     <message>
         <source>Strokes</source>
@@ -4992,7 +4992,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Tools that the pupil has; if none is chosen, all of them.</source>
-        <translation>学生可以使用这些工具；一个都不选就是全部。</translation>
+        <translation>学生可用的工具；一个都不选则为全部。</translation>
     </message>
     <message>
         <source>Tools</source>
@@ -5020,11 +5020,11 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Holes</source>
-        <translation>孔</translation>
+        <translation>孔洞</translation>
     </message>
     <message>
         <source>Parts</source>
-        <translation>部分</translation>
+        <translation>部件</translation>
     </message>
     <message>
         <source>Height, mm</source>
@@ -5048,7 +5048,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>How close the pupil&apos;s shape must be to the teacher&apos;s.</source>
-        <translation>学生的形状要与老师的笔画留下的形状相差不超过这么多。</translation>
+        <translation>学生的形状与老师的形状须有多接近。</translation>
     </message>
     <message>
         <source>Near the teacher&apos;s, mm</source>
@@ -5064,7 +5064,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Asks for the holes and parts that the model in the window has, for its height at least, and that it can be printed.</source>
-        <translation>要求与窗口中的模型有同样的孔数和部分数，至少同样高，并且可以打印。</translation>
+        <translation>要求孔洞数和部件数与窗口中的模型相同，至少同样高，并且可以打印。</translation>
     </message>
     <message>
         <source>Goal</source>
@@ -5128,7 +5128,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Saved %1.</source>
-        <translation>已写入 %1。</translation>
+        <translation>已保存 %1。</translation>
     </message>
     <message>
         <source>&amp;Panels</source>
@@ -5144,7 +5144,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Stamp has %1 as it is now.</source>
-        <translation>图章现在用的是 %1 此刻的样子。</translation>
+        <translation>图章现在使用 %1 当前的样子。</translation>
     </message>
 </context>
 <context>
@@ -5190,7 +5190,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Treat enclosed parts as cavities</source>
-        <translation>把内部的部分当作空腔</translation>
+        <translation>把内部的部件当作空腔</translation>
     </message>
     <message>
         <source>Repair and Open</source>
@@ -5198,7 +5198,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Fettle can repair it: it fills holes, turns faces outwards and joins parts that intersect. You will see what changed. The file stays as it is.</source>
-        <translation>Fettle 可以修复它：填补孔洞，将面翻转朝外，并把相交的部分合为一体。您会看到改动了什么。文件保持不变。</translation>
+        <translation>Fettle 可以修复它：填补孔洞，将面翻转朝外，并连接相交的部件。您会看到改动了什么。文件保持不变。</translation>
     </message>
     <message>
         <source>Fettle</source>
@@ -5214,7 +5214,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>%1 was repaired and inserted. Undo reverts both.</source>
-        <translation>%1 已修复并插入。撤销会同时撤回这两步。</translation>
+        <translation>%1 已修复并插入。“撤销”会同时取消这两步。</translation>
     </message>
     <message>
         <source>Repaired, but Changed</source>
@@ -5253,15 +5253,15 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Faces or parts turned outwards: %1</source>
-        <translation>翻转朝外的面或部分：%1</translation>
+        <translation>翻转朝外的面或部件：%1</translation>
     </message>
     <message>
         <source>Faces of inner sheets removed: %1</source>
-        <translation>移除的内部薄片的面：%1</translation>
+        <translation>移除的内层薄片的面：%1</translation>
     </message>
     <message>
         <source>Holes filled: %1</source>
-        <translation>填补的孔：%1</translation>
+        <translation>填补的孔洞：%1</translation>
     </message>
     <message>
         <source>of these, longer than a quarter of the model: %1</source>
@@ -5269,7 +5269,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Parts inside of others: %1</source>
-        <translation>位于其他部分内部的部分：%1</translation>
+        <translation>位于其他部件内部的部件：%1</translation>
     </message>
     <message>
         <source>Intersections resolved: %1</source>
@@ -5281,7 +5281,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Tangles that could not be resolved, covered by small solids: %1, the widest %2 mm</source>
-        <translation>无法切开的缠结处，已用小实体覆盖：%1，最宽 %2 mm</translation>
+        <translation>无法消除的缠结处，已用小实体覆盖：%1，最宽 %2 mm</translation>
     </message>
     <message>
         <source>Tiny thin parts left out: %1</source>
@@ -5297,15 +5297,15 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>%1 was not repaired: it has holes longer than a quarter of its size (%2).</source>
-        <translation>%1 未修复：它有长于自身四分之一的孔（%2 个）。</translation>
+        <translation>未修复 %1：它有长于自身四分之一的孔洞（%2 个）。</translation>
     </message>
     <message>
         <source>%1 cannot be repaired: its faces enclose no space.</source>
-        <translation>%1 无法修复：它的面没有围成任何空间。</translation>
+        <translation>无法修复 %1：它的面没有围成任何空间。</translation>
     </message>
     <message>
         <source>Open points joined at cracks: %1, within %2 mm</source>
-        <translation>裂缝处合并的开放点：%1，距离不超过 %2 毫米</translation>
+        <translation>裂缝处连接的开放点：%1，相距不超过 %2 毫米</translation>
     </message>
     <message>
         <source>Repairing %1: points and faces</source>
@@ -5337,11 +5337,11 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Repairing %1: measuring the changes</source>
-        <translation>正在修复 %1：测量偏移</translation>
+        <translation>正在修复 %1：测量变化</translation>
     </message>
     <message>
         <source>Masked points removed, with their mask: %1</source>
-        <translation>消失的被遮罩的点，其遮罩也随之消失：%1</translation>
+        <translation>移除的带遮罩的点，连同其遮罩：%1</translation>
     </message>
     <message>
         <source>Volume: %1, before %2</source>
@@ -5357,7 +5357,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>%1 could only be rebuilt, with edges of about %2 mm: its shape is close to the old one, but detail is lost.</source>
-        <translation>%1 只能重新生成，边长约 %2 毫米：形状接近原来的，细节已丢失。</translation>
+        <translation>%1 只能重新生成表面，边长约 %2 毫米：形状接近原来的，但细节已丢失。</translation>
     </message>
     <message>
         <source>%1 was repaired, but now has %2 % of its volume.</source>
@@ -5365,7 +5365,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>%1 was repaired, but parts that could be holes were treated as parts that face the wrong way: %2 % of the space.</source>
-        <translation>%1 已修复，但可能是孔的部分被当作了朝向错误的部分，占空间的 %2 %。</translation>
+        <translation>%1 已修复，但可能是孔洞的部件被当作朝向错误的部件，占空间的 %2 %。</translation>
     </message>
     <message>
         <source>%1 was repaired, but the space that it encloses differs by %2 % from what its faces enclosed before.</source>
@@ -5373,15 +5373,15 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>%1 was repaired, but part of its surface was lost: it is %2 mm from the new one on average, %3 % of the size.</source>
-        <translation>%1 已修复，但部分表面已不在：原表面与新表面平均相距 %2 毫米，为尺寸的 %3 %。</translation>
+        <translation>%1 已修复，但部分表面已丢失：原表面与新表面平均相距 %2 毫米，为尺寸的 %3 %。</translation>
     </message>
     <message>
         <source>%1 cannot be repaired as it is: its faces could not be separated near %2, %3, %4.</source>
-        <translation>%1 无法照原样修复：在 %2, %3, %4 附近无法将各面切开。</translation>
+        <translation>%1 无法照原样修复：在 %2, %3, %4 附近无法分开各面。</translation>
     </message>
     <message>
         <source>%1 cannot be repaired as it is: its faces could not be separated.</source>
-        <translation>%1 无法照原样修复：无法将各面切开。</translation>
+        <translation>%1 无法照原样修复：无法分开各面。</translation>
     </message>
     <message>
         <source>%1 cannot be repaired as it is: its faces are too badly connected, and most of it would be lost.</source>
@@ -5396,7 +5396,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     <message numerus="yes">
         <source>%1 cannot be repaired: it has %n open sheets that enclose no space, the largest %2 x %3 mm.</source>
         <translation>
-            <numerusform>%1 无法修复：它有 %n 片不围成空间的开放曲面，最大的为 %2 x %3 毫米。</numerusform>
+            <numerusform>无法修复 %1：它有 %n 片不围成空间的开放曲面，最大的为 %2 x %3 毫米。</numerusform>
         </translation>
     </message>
 </context>
@@ -5416,11 +5416,11 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>points at which parts merely touch: %1</source>
-        <translation>各部分仅有点接触的顶点：%1</translation>
+        <translation>部件仅在一点相接的顶点：%1</translation>
     </message>
     <message>
         <source>edges between faces that face different ways: %1</source>
-        <translation>两侧面朝向不一致的边：%1</translation>
+        <translation>两侧的面朝向不一致的边：%1</translation>
     </message>
     <message>
         <source>faces without area: %1</source>
@@ -5445,7 +5445,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>%1 cannot be sculpted yet, because some of its faces would intersect after rounding to the program&apos;s grid (faces: %2).</source>
-        <translation>尚无法雕刻 %1，因为部分面在程序的工作格点上会相互接触（面数：%2）。</translation>
+        <translation>尚无法雕刻 %1，因为按程序的坐标格点取整后，部分面会相交（面数：%2）。</translation>
     </message>
     <message>
         <source>%1: there is no such file or folder.</source>
@@ -5469,11 +5469,11 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>%1 is not a valid %2 file.</source>
-        <translation>%1 不是 %2 文件。</translation>
+        <translation>%1 不是有效的 %2 文件。</translation>
     </message>
     <message>
         <source>%1 is not a valid %2 file; it looks like %3.</source>
-        <translation>%1 不是 %2 文件；看起来像 %3。</translation>
+        <translation>%1 不是有效的 %2 文件；看起来像 %3。</translation>
     </message>
     <message>
         <source>plain text</source>
@@ -5481,7 +5481,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>%1: the file is incomplete; it ends here.</source>
-        <translation>%1：文件在此处中断。</translation>
+        <translation>%1：文件不完整，在此处结束。</translation>
     </message>
     <message>
         <source>%1: the file is incomplete; %2 are expected, but it has %3.</source>
@@ -5501,7 +5501,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>%1: &quot;%2&quot; is not a whole number that is valid here.</source>
-        <translation>%1：“%2”不是此处可用的整数。</translation>
+        <translation>%1：“%2”不是此处有效的整数。</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; is not a finite number.</source>
@@ -5521,7 +5521,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>%1 contains no faces, except those of slicer parts that are not printed (%2): negative volumes, modifiers and supports, which are left out.</source>
-        <translation>%1 不含任何面，除了切片软件中不属于实体的部件（%2）：负体积、修改器和支撑，这些都会被略去。</translation>
+        <translation>%1 不含任何面，只有切片软件中不打印的部件（%2）：负体积、修改器和支撑，均已略去。</translation>
     </message>
     <message>
         <source>%1 cannot be written: it is not allowed%2.</source>
@@ -5545,23 +5545,23 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>%1 was not written: so far from the origin its coordinates are too coarse for the model&apos;s detail. Recentre the model.</source>
-        <translation>%1 未写入：离原点这么远，坐标对模型的细节来说太粗略。请将模型重新居中。</translation>
+        <translation>未写入 %1：离原点太远，坐标精度不足以表示模型的细节。请将模型居中。</translation>
     </message>
     <message>
         <source>%1 cannot be written: the folder %2 does not exist.</source>
-        <translation>无法写入 %1：没有文件夹 %2。</translation>
+        <translation>无法写入 %1：文件夹 %2 不存在。</translation>
     </message>
     <message>
         <source>Nothing happened here: the surface would have intersected itself.</source>
-        <translation>此处没有变化：表面会与自身相碰。</translation>
+        <translation>此处没有变化：表面会与自身相交。</translation>
     </message>
     <message>
         <source>The brush stopped: surfaces touch, and they may not join here.</source>
-        <translation>笔刷停在了不可连接的表面相遇之处。</translation>
+        <translation>笔刷已停止：表面相碰，而此处不允许连接。</translation>
     </message>
     <message>
         <source>The brush stopped at the edge of the workspace.</source>
-        <translation>笔刷停在了工作空间的边界。</translation>
+        <translation>笔刷停在了工作空间的边缘。</translation>
     </message>
     <message>
         <source>The brush is too large for this much detail. Continue with another stroke.</source>
@@ -5597,7 +5597,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>The model is not symmetric here: both sides were changed, but they are not exact mirror images.</source>
-        <translation>模型在此处并不对称：两侧都已处理，但并非精确的镜像。</translation>
+        <translation>模型在此处并不对称：两侧都已更改，但并非精确的镜像。</translation>
     </message>
     <message>
         <source>%1: drawings are written as PDF, SVG or PNG; the ending says which.</source>
@@ -5605,7 +5605,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>%1 contains no image that can be read.</source>
-        <translation>%1 中没有可以读取的图片。</translation>
+        <translation>%1 中没有可读取的图片。</translation>
     </message>
     <message>
         <source>The reference image %1 no longer exists.</source>
@@ -5613,7 +5613,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>%1 has no known file extension: use one of %2.</source>
-        <translation>%1 没有说明格式的扩展名：可使用 %2。</translation>
+        <translation>%1 没有已知的扩展名：请使用 %2 之一。</translation>
     </message>
     <message>
         <source>%1: the format &quot;%2&quot; is not known; %3 can be used.</source>
@@ -5629,15 +5629,15 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>%1 was not read: unpacked it is larger than %2, which is too much for a file of its size.</source>
-        <translation>未读取 %1：其中压缩的内容超过 %2，对这样大小的文件来说太大了。</translation>
+        <translation>未读取 %1：解压后超过 %2，对这样大小的文件来说太大。</translation>
     </message>
     <message>
         <source>The model has only %1 mm³: slicers may read it as inches.</source>
-        <translation>模型只有 %1 mm³：切片软件可能把它当作以英寸为单位。</translation>
+        <translation>模型只有 %1 mm³：切片软件可能把单位当作英寸。</translation>
     </message>
     <message>
         <source>The model has only %1 mm³: slicers may read it as metres.</source>
-        <translation>模型只有 %1 mm³：切片软件可能把它当作以米为单位。</translation>
+        <translation>模型只有 %1 mm³：切片软件可能把单位当作米。</translation>
     </message>
     <message>
         <source>materials</source>
@@ -5669,7 +5669,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>%1 refers to &quot;%2&quot;, which is not in its folder; files elsewhere are not read.</source>
-        <translation>%1 指向“%2”，它不在该文件所在的文件夹中；不会读取其他位置的内容。</translation>
+        <translation>%1 引用了“%2”，它不在该文件所在的文件夹中；不会读取其他位置的文件。</translation>
     </message>
     <message>
         <source>%1 was not written: %2 is only read; %3 can be written.</source>
@@ -5677,27 +5677,27 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>%1 cannot be read: the importer does not understand it.</source>
-        <translation>%1：读取程序无法识别其内容。</translation>
+        <translation>无法读取 %1：导入程序无法识别其内容。</translation>
     </message>
     <message>
         <source>%1 cannot be read: the importer does not understand it (%2).</source>
-        <translation>%1：读取程序无法识别其内容（%2）。</translation>
+        <translation>无法读取 %1：导入程序无法识别其内容（%2）。</translation>
     </message>
     <message>
         <source>%1 was not read: the process that reads it ended unexpectedly.</source>
-        <translation>未读取 %1：读取它的独立进程中途崩溃了。</translation>
+        <translation>未读取 %1：读取它的进程意外终止。</translation>
     </message>
     <message>
         <source>%1 was not read: it took longer than the limit of %2 seconds for a file of its size.</source>
-        <translation>未读取 %1：读取所用时间超过了这样大小的文件所允许的 %2 秒。</translation>
+        <translation>未读取 %1：读取时间超过了这样大小的文件的上限（%2 秒）。</translation>
     </message>
     <message>
         <source>%1 was not read: it needs more memory than the limit of %2 for a file of its size.</source>
-        <translation>未读取 %1：读取所需内存超过了这样大小的文件所允许的 %2。</translation>
+        <translation>未读取 %1：所需内存超过了这样大小的文件的上限（%2）。</translation>
     </message>
     <message>
         <source>%1: at that size the coordinates overflow.</source>
-        <translation>%1：这样的大小下坐标不再是数。</translation>
+        <translation>%1：在此尺寸下坐标会溢出。</translation>
     </message>
     <message>
         <source>%1 cannot be a brush&apos;s shape, because its surface does not bound a solid (%2).</source>
@@ -5709,7 +5709,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Nothing was added, because it would touch the model.</source>
-        <translation>没有添加任何东西，因为它会离表面太近。</translation>
+        <translation>没有添加任何东西，因为它会碰到模型。</translation>
     </message>
     <message>
         <source>Nothing was added, because it would reach beyond the workspace.</source>
@@ -5717,15 +5717,15 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Nothing was added, because the brush&apos;s shape is not watertight at that size.</source>
-        <translation>没有添加任何东西，因为笔刷形状在该尺寸下落到程序的工作网格上不再完好。</translation>
+        <translation>没有添加任何东西，因为笔刷形状在该尺寸下不是水密的。</translation>
     </message>
     <message>
         <source>Nothing was added, because the mask protects the surface there.</source>
-        <translation>没有添加任何东西，因为那会改变遮罩的表面。</translation>
+        <translation>没有添加任何东西，因为该处的表面受遮罩保护。</translation>
     </message>
     <message>
         <source>The sectors meet here, or the model differs between them: they were changed one after the other and are not exact copies.</source>
-        <translation>各扇区在这里相接，或模型各扇区不同：它们是依次进行的，并不完全相同。</translation>
+        <translation>各扇区在这里相接，或模型的各扇区不同：它们已依次更改，并非精确的副本。</translation>
     </message>
     <message>
         <source>%1: class reports are written as HTML or PDF; the ending says which.</source>
@@ -5761,7 +5761,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>data after the end of the model (%1)</source>
-        <translation>模型之后的内容（%1）</translation>
+        <translation>模型结尾之后的数据（%1）</translation>
     </message>
     <message>
         <source>parts that a slicer would cut out of the model (%1)</source>
@@ -5873,7 +5873,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>%1: &quot;%2&quot; appears twice.</source>
-        <translation>%1：“%2”第二次出现。</translation>
+        <translation>%1：“%2”重复出现。</translation>
     </message>
     <message>
         <source>%1: the JSON of the file is broken here.</source>
@@ -5905,11 +5905,11 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>%1: &quot;%2&quot; contains less data than should be read from it.</source>
-        <translation>%1：要从“%2”读取的内容多于其所含。</translation>
+        <translation>%1：“%2”所含的数据少于应从中读取的数据。</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; has a type or a count that does not fit its use.</source>
-        <translation>%1：“%2”的类型或个数与引用它的内容不符。</translation>
+        <translation>%1：“%2”的类型或个数与其用途不符。</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; contain themselves, or are nested too deeply.</source>
@@ -5917,7 +5917,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>%1 needs the extension %2, which Fettle cannot read: save it without, in the program that made it.</source>
-        <translation>%1 需要扩展 %2，而该扩展无法读取：请在来源程序中不使用它另行保存。</translation>
+        <translation>%1 需要 Fettle 无法读取的扩展 %2：请在创建它的程序中不用该扩展另行保存。</translation>
     </message>
     <message>
         <source>%1 is glTF of version %2; version 2 is read: save it as that.</source>
@@ -5945,7 +5945,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>%1: &quot;%2&quot; should say where in the package the model is, but does not.</source>
-        <translation>%1：“%2”应指明模型在包中的位置，却未指明。</translation>
+        <translation>%1：“%2”应说明模型在包中的位置，但没有说明。</translation>
     </message>
     <message>
         <source>%1: the part &quot;%2&quot; is encrypted, or packed in a way that is not read.</source>
@@ -6044,7 +6044,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Mirror across the origin:</source>
-        <translation>以原点为中心镜像：</translation>
+        <translation>以过原点的平面镜像：</translation>
     </message>
     <message>
         <source>Left and right (X)</source>
@@ -6068,7 +6068,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Mirror across the origin. Which half is kept?</source>
-        <translation>镜面通过原点。保留哪一半？</translation>
+        <translation>以过原点的平面镜像。保留哪一半？</translation>
     </message>
     <message>
         <source>Right (X above 0)</source>
@@ -6227,11 +6227,11 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>%1 had been deleted or moved and was written again.</source>
-        <translation>%1 已不存在，现已重新写入。</translation>
+        <translation>%1 已被删除或移动，现已重新写入。</translation>
     </message>
     <message>
         <source>Saved %1. Only GLB files keep view, brush, symmetry and reference images: use Save As.</source>
-        <translation>已写入 %1。只有 GLB 文件保存视图、笔刷、对称设置和参考图：请使用“另存为”。</translation>
+        <translation>已保存 %1。只有 GLB 文件保留视图、笔刷、对称和参考图：请使用“另存为”。</translation>
     </message>
     <message>
         <source>Save changes to %1?</source>
@@ -6269,7 +6269,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Parts of the surface that are not connected, including hollows.</source>
-        <translation>互不相连的表面部分，包括空腔。</translation>
+        <translation>互不相连的表面部件，包括空腔。</translation>
     </message>
     <message>
         <source>Genus</source>
@@ -6289,7 +6289,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Volume inside the surface.</source>
-        <translation>表面之内实体的体积。</translation>
+        <translation>表面所包围的体积。</translation>
     </message>
     <message>
         <source>Area</source>
@@ -6337,7 +6337,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>The surface is open, intersects itself or encloses no space.</source>
-        <translation>表面不封闭、与自身相交或不包围实体。</translation>
+        <translation>表面不封闭、自相交或未围成空间。</translation>
     </message>
     <message>
         <source>Not checked since the last change</source>
@@ -6354,7 +6354,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>The number of handles or through holes: 0 for a ball, 1 for a ring or a cup.</source>
-        <translation>有几个把手，也就是有几个贯穿的孔：球为 0，圆环或带把的杯子为 1。</translation>
+        <translation>把手或贯通孔的数量：球为 0，圆环或带把手的杯子为 1。</translation>
     </message>
 </context>
 <context>
@@ -6422,30 +6422,30 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     <name>ui::PressureCurve</name>
     <message>
         <source>Pressure curve</source>
-        <translation>压感曲线</translation>
+        <translation>笔压曲线</translation>
     </message>
     <message>
         <source>Effect of pen pressure: above the diagonal a light touch does much, below it little. Drag to bend the curve.</source>
-        <translation>压感笔的压力如何计算：曲线在对角线之上时，轻触的作用大，在其下则小。拖动可弯曲它。</translation>
+        <translation>笔压的作用：曲线在对角线之上时，轻触作用大，在其下则小。拖动可弯曲曲线。</translation>
     </message>
 </context>
 <context>
     <name>ui::PressureTest</name>
     <message>
         <source>Pen test</source>
-        <translation>压感笔测试</translation>
+        <translation>手写笔测试</translation>
     </message>
     <message>
         <source>Draw here: the line shows the effect of your pen&apos;s pressure.</source>
-        <translation>在此处绘画：线条会显示压感笔的压力变成多少。</translation>
+        <translation>在此处画：线条显示笔压的作用。</translation>
     </message>
     <message>
         <source>Draw here with the pen or the mouse.</source>
-        <translation>在此处用压感笔或鼠标绘画。</translation>
+        <translation>用手写笔或鼠标在此处画。</translation>
     </message>
     <message>
         <source>Mouse: no pressure</source>
-        <translation>鼠标：无压感</translation>
+        <translation>鼠标：无笔压</translation>
     </message>
     <message>
         <source>Eraser: %1</source>
@@ -6453,7 +6453,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Pen: %1</source>
-        <translation>压感笔：%1</translation>
+        <translation>手写笔：%1</translation>
     </message>
 </context>
 <context>
@@ -6497,7 +6497,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Chooses a light or a dark window, or follows the desktop.</source>
-        <translation>选择浅色或深色的窗口，或与桌面一致。</translation>
+        <translation>选择浅色或深色的窗口，或跟随桌面。</translation>
     </message>
     <message>
         <source>&amp;Language</source>
@@ -6525,15 +6525,15 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Pen pressure controls &amp;strength</source>
-        <translation>笔的压力决定强度(&amp;S)</translation>
+        <translation>笔压控制强度(&amp;S)</translation>
     </message>
     <message>
         <source>A light touch changes little, a firm touch much.</source>
-        <translation>轻触改变少，重压改变多。</translation>
+        <translation>轻触变化小，重压变化大。</translation>
     </message>
     <message>
         <source>Pen pressure controls &amp;radius</source>
-        <translation>笔的压力决定半径(&amp;R)</translation>
+        <translation>笔压控制半径(&amp;R)</translation>
     </message>
     <message>
         <source>A light touch makes a narrow stroke, a firm touch a wide one.</source>
@@ -6549,7 +6549,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Resets all settings of the program to their defaults, after a question.</source>
-        <translation>确认后，将程序中的一切恢复为初始状态。</translation>
+        <translation>询问后，将程序的所有设置恢复为默认值。</translation>
     </message>
     <message>
         <source>Reset all settings to defaults?</source>
@@ -6557,7 +6557,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>This resets colours, language, keys, pen and mouse, brush, view and the layout of panels. Models, recent files and swatches stay. The language changes at the next start.</source>
-        <translation>包括颜色、语言、快捷键、手写笔与鼠标、笔刷、视图和面板位置。模型、最近的文件和色板保持不变。语言从下次启动起生效。</translation>
+        <translation>将重置颜色、语言、快捷键、手写笔与鼠标、笔刷、视图和面板布局。模型、最近的文件和色板保持不变。语言在下次启动时更改。</translation>
     </message>
     <message>
         <source>&amp;Reset</source>
@@ -6569,11 +6569,11 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Pressure &amp;curve</source>
-        <translation>压感曲线(&amp;C)</translation>
+        <translation>笔压曲线(&amp;C)</translation>
     </message>
     <message>
         <source>Pen test</source>
-        <translation>压感笔测试</translation>
+        <translation>手写笔测试</translation>
     </message>
     <message>
         <source>&amp;Files</source>
@@ -6581,15 +6581,15 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Keep the last three &amp;versions of each saved file</source>
-        <translation>再次保存时保留文件的最近三个版本(&amp;V)</translation>
+        <translation>保存时保留文件的最近三个版本(&amp;V)</translation>
     </message>
     <message>
         <source>Older versions stay beside the file, as vase.glb~1, vase.glb~2 and so on. Open them like any other file.</source>
-        <translation>文件之前的内容保留在旁边，名为 vase.glb~1、vase.glb~2 等；可以像其他文件一样打开。</translation>
+        <translation>旧版本保留在文件旁边，名为 vase.glb~1、vase.glb~2 等；可以像其他文件一样打开。</translation>
     </message>
     <message>
         <source>Unsaved changes are always kept if Fettle ends unexpectedly. The next start offers to recover them.</source>
-        <translation>若 Fettle 意外结束，尚未保存的更改总会保留；下次启动时提供恢复。</translation>
+        <translation>若 Fettle 意外结束，未保存的更改总会保留；下次启动时可以恢复。</translation>
     </message>
     <message>
         <source>&amp;Text size</source>
@@ -6597,7 +6597,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Makes the window&apos;s text larger than the desktop&apos;s.</source>
-        <translation>使窗口文字大于桌面的文字。</translation>
+        <translation>使窗口文字大于桌面文字。</translation>
     </message>
     <message>
         <source>Restart Fettle to apply language and text size.</source>
@@ -6613,7 +6613,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>The view jumps to its place instead of flying there, and the light that points in VR does not pulse.</source>
-        <translation>视图立即到达目标，不再飞过去；指示用的光点静止不动。</translation>
+        <translation>视图直接跳到目标，不再飞过去；VR 中的指示光点不再闪动。</translation>
     </message>
 </context>
 <context>
@@ -6707,7 +6707,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Closed, all faces outwards, no self-intersections. Checked exactly.</source>
-        <translation>封闭，每个面朝外，没有自相交：已精确检查。</translation>
+        <translation>封闭，所有面朝外，没有自相交。已精确检查。</translation>
     </message>
     <message>
         <source>The surface needs repair</source>
@@ -6715,17 +6715,17 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>It is open, intersects itself or encloses no space; walls were not measured.</source>
-        <translation>表面不封闭、自相交或不围成实体；未测量壁厚。</translation>
+        <translation>表面不封闭、自相交或未围成空间；未测量壁厚。</translation>
     </message>
     <message numerus="yes">
         <source>%Ln parts</source>
         <translation>
-            <numerusform>%Ln 个部分</numerusform>
+            <numerusform>%Ln 个部件</numerusform>
         </translation>
     </message>
     <message>
         <source>Separate parts of the surface; closed hollows count as parts.</source>
-        <translation>互不相连的表面部分；空腔也计算在内。</translation>
+        <translation>表面的独立部件；封闭的空腔也算部件。</translation>
     </message>
     <message>
         <source>%1 × %2 × %3 mm wide, deep and high.</source>
@@ -6790,7 +6790,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Area of the surface that is flat on the bed.</source>
-        <translation>平放在打印床上的表面面积。</translation>
+        <translation>平放在打印床上的面积。</translation>
     </message>
     <message>
         <source>Stands on %1</source>
@@ -6798,7 +6798,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Rests on a point or an edge</source>
-        <translation>只靠一点或一条边站立</translation>
+        <translation>只立在一个点或一条边上</translation>
     </message>
     <message>
         <source>Scale the model, or choose millimetres in the slicer.</source>
@@ -6836,7 +6836,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Edits the list of printers.</source>
-        <translation>修改打印机列表。</translation>
+        <translation>编辑打印机列表。</translation>
     </message>
     <message>
         <source> mm</source>
@@ -6872,11 +6872,11 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Finds thinner walls. Two lines of the nozzle are usual.</source>
-        <translation>找出更薄的壁：通常为喷嘴的两条线宽。</translation>
+        <translation>找出更薄的壁。通常为喷嘴的两条线宽。</translation>
     </message>
     <message>
         <source>Steepest overhang that prints without support, from the vertical.</source>
-        <translation>面允许偏离垂直方向多少。</translation>
+        <translation>无需支撑即可打印的最大悬垂角，从竖直方向量起。</translation>
     </message>
     <message>
         <source>Colours</source>
@@ -6884,7 +6884,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Colours the model by wall thickness or by overhang.</source>
-        <translation>在模型上显示厚度或悬垂程度。</translation>
+        <translation>按厚度或悬垂给模型上色。</translation>
     </message>
     <message>
         <source>Findings</source>
@@ -6892,7 +6892,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>The findings. Click a place, or press Return, to see it on the model.</source>
-        <translation>检查结果。点击某处或按回车可在模型上查看。</translation>
+        <translation>检查结果。单击某处或按回车，即可在模型上查看。</translation>
     </message>
     <message>
         <source>good</source>
@@ -6967,7 +6967,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Height</source>
-        <translation>高度</translation>
+        <translation>高</translation>
     </message>
     <message>
         <source>&amp;Add</source>
@@ -7038,7 +7038,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>How freely could you make holes and handles, and join parts?</source>
-        <translation>做孔洞和把手、连接各部分有多自由？</translation>
+        <translation>做孔洞和把手、连接各部件有多自由？</translation>
     </message>
     <message>
         <source>not freely at all</source>
@@ -7081,11 +7081,11 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Continues without answers; nothing is saved.</source>
-        <translation>不作回答并继续；不保存任何回答。</translation>
+        <translation>不作回答并继续；不保存任何内容。</translation>
     </message>
     <message>
         <source>Saves the answers with the work, and continues.</source>
-        <translation>继续，并把回答与作品一起保存。</translation>
+        <translation>将回答与作品一起保存，并继续。</translation>
     </message>
     <message>
         <source>How was it, %1?</source>
@@ -7130,7 +7130,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Hides this bar; the next start offers it again.</source>
-        <translation>隐藏此提示条；下次启动时再提供。</translation>
+        <translation>隐藏此提示条；下次启动时会再次提供。</translation>
     </message>
     <message>
         <source>Fettle</source>
@@ -7161,7 +7161,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>The side that shows the image. Choosing another side turns the view to it.</source>
-        <translation>图片所固定的一侧；选择另一侧会把视图转到那里。</translation>
+        <translation>显示图片的一侧。选择另一侧会把视图转到那里。</translation>
     </message>
     <message>
         <source>Width</source>
@@ -7201,7 +7201,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Opacity of the image.</source>
-        <translation>图片遮住其后内容的程度。</translation>
+        <translation>图片的不透明度。</translation>
     </message>
     <message>
         <source> mm</source>
@@ -7248,7 +7248,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     <name>ui::RevealFile</name>
     <message>
         <source>No file manager was found; the file is in %1.</source>
-        <translation>这里没有显示文件夹的程序；文件位于 %1。</translation>
+        <translation>未找到文件管理器；文件位于 %1。</translation>
     </message>
 </context>
 <context>
@@ -7317,7 +7317,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>An image that weights the brush: white is full strength, black is none. A spacing of 2 places prints side by side.</source>
-        <translation>给笔刷加权的图像：亮处作用大，黑处没有作用。间距设为 2 时印记并排。</translation>
+        <translation>给笔刷加权的图像：白色为全强度，黑色为零。间距设为 2 时印记并排。</translation>
     </message>
     <message>
         <source>None</source>
@@ -7333,7 +7333,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>The model that Stamp presses in or raises, with its top outwards, and that Add Ball adds.</source>
-        <translation>图章压入或隆起的模型，其顶部朝外；“添加球”也添加它。</translation>
+        <translation>图章压入或隆起的模型，顶部朝外；“添加球”也使用它。</translation>
     </message>
     <message>
         <source>Ball</source>
@@ -7558,7 +7558,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Starts with the ball of clay. (Esc)</source>
-        <translation>转到泥球。（Esc）</translation>
+        <translation>从黏土球开始。（Esc）</translation>
     </message>
     <message>
         <source>Opens a model that was open before.</source>
@@ -7570,7 +7570,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Otherwise Fettle starts with a ball of clay; Help › Start Page brings this page back.</source>
-        <translation>否则 Fettle 从泥球开始；“帮助 › 起始页”可重新显示此页。</translation>
+        <translation>否则 Fettle 从黏土球开始；“帮助 › 起始页”可重新显示此页。</translation>
     </message>
 </context>
 <context>
@@ -7814,7 +7814,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Draws the model after each step, from the current view, as numbered PNG files in a folder that you choose. Sculpting is paused while it runs.</source>
-        <translation>按现在的视角画出模型各步骤之后的样子，存为带编号的 PNG 文件，放在您选择的文件夹中。其间不能雕刻。</translation>
+        <translation>从当前视图画出每一步之后的模型，以带编号的 PNG 文件存入您选择的文件夹。其间雕刻暂停。</translation>
     </message>
     <message>
         <source>%1 × %2 pixels</source>
@@ -7847,7 +7847,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Drag to see the model after each step; Left and Right move by one. Sculpting there removes the later steps.</source>
-        <translation>拖动可查看每一步之后的模型；左右方向键逐步移动。在那里雕刻会丢弃之后的步骤。</translation>
+        <translation>拖动可查看每一步之后的模型；左右方向键逐步移动。在那里雕刻会移除之后的步骤。</translation>
     </message>
     <message>
         <source>Play the steps</source>
@@ -7867,7 +7867,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     <name>ui::ToolPalette</name>
     <message>
         <source>Tool Palette</source>
-        <translation>工具面板</translation>
+        <translation>工具选板</translation>
     </message>
 </context>
 <context>
@@ -7885,7 +7885,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Turns the model under your hand. Hold still to cut a groove all around (T).</source>
-        <translation>让模型在手下转动：手不动即可刻出环绕的沟槽 (T)。</translation>
+        <translation>在您手下转动模型。手不动即可刻出一圈沟槽 (T)。</translation>
     </message>
     <message>
         <source>Direction</source>
@@ -7893,7 +7893,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Direction of the turn, seen from above.</source>
-        <translation>从上方看，模型转动的方向。</translation>
+        <translation>转动的方向，从上方看。</translation>
     </message>
     <message>
         <source>Anticlockwise</source>
@@ -7909,7 +7909,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Speed in degrees per second; 360 are one turn.</source>
-        <translation>模型每秒转动的度数；360 为一整圈。</translation>
+        <translation>转动速度，单位为度每秒；360 为一整圈。</translation>
     </message>
     <message>
         <source> °/s</source>
@@ -7975,7 +7975,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>The model cannot be shown: the graphics driver lacks a feature that it claims to have.</source>
-        <translation>无法显示模型：显卡驱动未能实现其声明的功能。</translation>
+        <translation>无法显示模型：显卡驱动缺少它声称具备的功能。</translation>
     </message>
 </context>
 <context>
@@ -8011,7 +8011,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Moves each waiting model, in its own folder, to the folder that you choose.</source>
-        <translation>作品会完整地移到那里，每件在自己的文件夹中，不再等待。</translation>
+        <translation>把每个等待的模型连同其文件夹移到您选择的文件夹。</translation>
     </message>
 </context>
 <context>
@@ -8084,7 +8084,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>The model has unsaved changes: save it first, or hold to open.</source>
-        <translation>模型尚未保存：请先保存，或按住以打开。</translation>
+        <translation>模型有未保存的更改：请先保存，或按住以打开。</translation>
     </message>
     <message>
         <source>Saved: %1</source>
@@ -8093,7 +8093,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>There are no models here yet. Save adds the first one.</source>
-        <translation>这里还没有模型。保存后，第一个模型会出现在这里。</translation>
+        <translation>这里还没有模型。保存即可添加第一个。</translation>
     </message>
     <message>
         <source>%1 / %2</source>
@@ -8137,7 +8137,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>The headset is not worn. Put it on to continue.</source>
-        <translation>头显已摘下。戴上即可继续。</translation>
+        <translation>头显未佩戴。戴上即可继续。</translation>
     </message>
     <message>
         <source>Left VR.</source>
@@ -8145,12 +8145,12 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>VR was ended in the headset&apos;s own program.</source>
-        <translation>VR 已在头显自己的程序中结束。</translation>
+        <translation>VR 已在头显程序中结束。</translation>
     </message>
     <message>
         <source>The headset&apos;s program does not support windows of the kind “%1”. Start Fettle with QT_QPA_PLATFORM=xcb and QT_XCB_GL_INTEGRATION=xcb_glx, then enter VR again.</source>
         <extracomment>%1: a window system, such as wayland</extracomment>
-        <translation>头显的程序不接受“%1”类窗口的画面。请用 QT_QPA_PLATFORM=xcb 和 QT_XCB_GL_INTEGRATION=xcb_glx 启动 Fettle，然后重新进入 VR。</translation>
+        <translation>头显程序不支持“%1”类型的窗口。请用 QT_QPA_PLATFORM=xcb 和 QT_XCB_GL_INTEGRATION=xcb_glx 启动 Fettle，然后重新进入 VR。</translation>
     </message>
     <message>
         <source>VR cannot be drawn with this OpenGL.</source>
@@ -8158,7 +8158,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>The headset&apos;s program has stopped. The model is as it was; when the program runs again, enter VR again.</source>
-        <translation>头显的程序已停止。模型保持原样；程序重新运行后，可再次进入 VR。</translation>
+        <translation>头显程序已停止。模型保持原样；该程序重新运行后，请再次进入 VR。</translation>
     </message>
     <message>
         <source>The headset is gone. The model is as it was; plug the headset in, then enter VR again.</source>
@@ -8166,16 +8166,16 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>The headset&apos;s program does not answer. The model is as it was; restart that program, then enter VR again.</source>
-        <translation>头显的程序没有响应。模型保持原样；请重新启动该程序，再进入 VR。</translation>
+        <translation>头显程序没有响应。模型保持原样；请重新启动该程序，再进入 VR。</translation>
     </message>
     <message>
         <source>The headset&apos;s program still does not answer, and VR cannot be entered. Restart that program; if that does not help, save the model and restart Fettle.</source>
-        <translation>头显的程序仍然没有响应，无法进入 VR。请重新启动该程序；如果仍然不行，请保存模型并重新启动 Fettle。</translation>
+        <translation>头显程序仍然没有响应，无法进入 VR。请重新启动该程序；如果仍然不行，请保存模型并重新启动 Fettle。</translation>
     </message>
     <message>
         <source>VR ended: the headset&apos;s program reports a fault (%1). The model is as it was; try to enter VR again.</source>
         <extracomment>%1: a call of OpenXR and its result, such as xrCreateSession: XR_ERROR_RUNTIME_FAILURE</extracomment>
-        <translation>VR 已结束：头显的程序报告错误（%1）。模型保持原样；请尝试再次进入 VR。</translation>
+        <translation>VR 已结束：头显程序报告错误（%1）。模型保持原样；请尝试再次进入 VR。</translation>
     </message>
 </context>
 <context>
@@ -8227,7 +8227,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>%1 supports %2, but it does not support OpenGL.</source>
-        <translation>%1 检测到 %2，但不接受 OpenGL 图像。</translation>
+        <translation>%1 支持 %2，但不支持 OpenGL。</translation>
     </message>
     <message>
         <source>%1 is ready, through %2.</source>
@@ -8686,15 +8686,15 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Shows what a brush preset contains, or why it is invalid (status 2). Without a preset: lists the program&apos;s presets.</source>
-        <translation>说明笔刷预设的内容，或为何不是预设（状态 2）。不给预设时列出程序自带的预设。</translation>
+        <translation>显示笔刷预设的内容，或说明其为何无效（状态 2）。不指定预设时：列出自带的预设。</translation>
     </message>
     <message>
         <source>A preset file, or the name of a preset of the program.</source>
-        <translation>预设文件，或程序自带预设的名称。</translation>
+        <translation>预设文件，或自带预设的名称。</translation>
     </message>
     <message>
         <source>File for a picture of one stroke of the brush, PNG.</source>
-        <translation>该笔刷一笔的图片写到何处，PNG。</translation>
+        <translation>保存该笔刷一笔效果图的文件，PNG。</translation>
     </message>
     <message>
         <source>brush: one preset at a time can be read, not %1 as well.</source>
@@ -8702,7 +8702,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>brush: no preset was given.</source>
-        <translation>brush：没有给出预设。</translation>
+        <translation>brush：未指定预设。</translation>
     </message>
 </context>
 <context>
@@ -8733,7 +8733,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>%1 was not deleted: it cannot be moved to the trash.</source>
-        <translation>%1 未删除：无法移入回收站。</translation>
+        <translation>%1 未删除：无法移到回收站。</translation>
     </message>
 </context>
 <context>
@@ -8756,7 +8756,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Renames this preset (F2).</source>
-        <translation>给此预设换一个名称（F2）。</translation>
+        <translation>重命名此预设（F2）。</translation>
     </message>
     <message>
         <source>Delete</source>
@@ -8764,7 +8764,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Moves this preset to the trash.</source>
-        <translation>把此预设移入回收站。</translation>
+        <translation>把此预设移到回收站。</translation>
     </message>
     <message>
         <source>Import</source>
@@ -8799,7 +8799,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Adds clay in thick rolls, more where you pause.</source>
-        <translation>铺上厚厚的泥条，停留处更多。</translation>
+        <translation>铺上粗粗的黏土条，停留处更多。</translation>
     </message>
     <message>
         <source>Raked Clay</source>
@@ -8807,7 +8807,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Adds clay in strips, as a rake does.</source>
-        <translation>铺上一条条的泥，如耙过一般。</translation>
+        <translation>铺上一条条黏土，如耙过一般。</translation>
     </message>
     <message>
         <source>Carve</source>
@@ -8823,7 +8823,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Inflates the surface under it, with a soft edge.</source>
-        <translation>使笔下之处鼓起，边缘柔和。</translation>
+        <translation>使笔下的表面鼓起，边缘柔和。</translation>
     </message>
     <message>
         <source>Panel</source>
@@ -8831,7 +8831,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Raises a plate of one height, with steep sides.</source>
-        <translation>抬起一块高度一致、边缘陡直的板。</translation>
+        <translation>隆起一块高度一致、边缘陡直的板。</translation>
     </message>
     <message>
         <source>Fine Line</source>
@@ -8919,7 +8919,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Makes the surface rough, like broken stone.</source>
-        <translation>使表面如碎石般粗糙。</translation>
+        <translation>使表面粗糙，如碎石一般。</translation>
     </message>
 </context>
 <context>
@@ -9053,7 +9053,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>&quot;%1&quot; appears twice</source>
-        <translation>“%1”出现了两次</translation>
+        <translation>“%1”重复出现</translation>
     </message>
     <message>
         <source>it has version %1; this program reads version 1</source>
@@ -9097,11 +9097,11 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Overwrite no existing file; end with status 2 instead.</source>
-        <translation>不覆盖已有的文件：改为返回状态 2。</translation>
+        <translation>不覆盖已有的文件；改以状态 2 结束。</translation>
     </message>
     <message>
         <source>%1: %2 already exists and is not overwritten, because of --no-clobber.</source>
-        <translation>%1：%2 已存在，因 --no-clobber 而保持原样。</translation>
+        <translation>%1：%2 已存在，因 --no-clobber 未被覆盖。</translation>
     </message>
     <message>
         <source>The file to write, in the format of its ending; or -.</source>
@@ -9109,14 +9109,14 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>%1: the output file is missing; name it with -o.</source>
-        <translation>%1：缺少要写入的文件；用 -o 指定。</translation>
+        <translation>%1：缺少输出文件；请用 -o 指定。</translation>
     </message>
 </context>
 <context>
     <name>app::NewCommand</name>
     <message>
         <source>Writes one of the program&apos;s starting shapes: %1.</source>
-        <translation>写出程序的一个起始形状：%1。</translation>
+        <translation>生成程序的一个起始形状：%1。</translation>
     </message>
     <message>
         <source>The shape.</source>
@@ -9147,7 +9147,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Format of the standard output, -.</source>
-        <translation>写到标准输出（-）的内容的格式。</translation>
+        <translation>标准输出（-）的格式。</translation>
     </message>
     <message>
         <source>%1: --%2 must say the format of -: one of %3.</source>
@@ -9159,7 +9159,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>%1: %2 is binary and is not printed to a terminal: redirect the standard output to a file or a program.</source>
-        <translation>%1：%2 不是文本，不会显示在终端上：请将标准输出重定向到文件或程序。</translation>
+        <translation>%1：%2 是二进制内容，不会显示在终端上：请将标准输出重定向到文件或程序。</translation>
     </message>
     <message>
         <source>The standard output cannot be written (%1).</source>
