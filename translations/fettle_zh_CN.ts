@@ -3715,7 +3715,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Full &amp;screen</source>
-        <translation>全屏(&amp;E)</translation>
+        <translation>全屏(&amp;R)</translation>
     </message>
     <message>
         <source>Hides everything else on the screen.</source>
@@ -3797,7 +3797,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>&amp;Make This Folder</source>
-        <translation>新建此文件夹(&amp;M)</translation>
+        <translation>新建此文件夹(&amp;K)</translation>
     </message>
     <message>
         <source>This folder cannot be created.</source>
@@ -3813,7 +3813,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>&amp;Pupils&apos; names:</source>
-        <translation>学生名单(&amp;U)：</translation>
+        <translation>学生名单(&amp;H)：</translation>
     </message>
     <message>
         <source>L&amp;esson:</source>
@@ -6533,7 +6533,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Pen pressure controls &amp;radius</source>
-        <translation>笔压控制半径(&amp;R)</translation>
+        <translation>笔压控制半径(&amp;U)</translation>
     </message>
     <message>
         <source>A light touch makes a narrow stroke, a firm touch a wide one.</source>
@@ -6605,7 +6605,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>&amp;Reduced motion</source>
-        <translation>减少动态效果(&amp;R)</translation>
+        <translation>减少动态效果(&amp;D)</translation>
     </message>
     <message>
         <source>%1 %</source>
