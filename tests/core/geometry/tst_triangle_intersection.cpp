@@ -11,9 +11,12 @@
 #include <QElapsedTimer>
 #include <QTest>
 
+#include <boost/variant/get.hpp>
+
 #include <algorithm>
 #include <random>
 #include <string>
+#include <variant>
 
 namespace
 {
@@ -35,6 +38,17 @@ typename Kernel::Triangle_3 judgedTriangle(const CornerTriangle<Predicates>& t)
     return {point(t.points[0]), point(t.points[1]), point(t.points[2])};
 }
 
+/// Returns whether an intersection is of this kind. CGAL 5 returns Boost's variant, CGAL 6 that of the standard.
+template <typename Kind, typename First, typename... Others>
+bool isOfKind(const boost::variant<First, Others...>& intersection)
+{
+    return boost::get<Kind>(&intersection);
+}
+template <typename Kind, typename... Kinds> bool isOfKind(const std::variant<Kinds...>& intersection)
+{
+    return std::holds_alternative<Kind>(intersection);
+}
+
 template <typename Predicates> bool judgedMeet(const CornerTriangle<Predicates>& s, const CornerTriangle<Predicates>& t)
 {
     int shared = 0;
@@ -45,7 +59,7 @@ template <typename Predicates> bool judgedMeet(const CornerTriangle<Predicates>&
     if (shared == 3)
         return true;
     const auto common = CGAL::intersection(judgedTriangle<Exact>(s), judgedTriangle<Exact>(t));
-    return shared == 1 ? !boost::get<Exact::Point_3>(&*common) : !boost::get<Exact::Segment_3>(&*common);
+    return shared == 1 ? !isOfKind<Exact::Point_3>(*common) : !isOfKind<Exact::Segment_3>(*common);
 }
 
 template <typename Predicates>
