@@ -159,7 +159,7 @@
         <translation>Dreiecke ohne Fläche</translation>
     </message>
     <message>
-        <source>stays sound when opened</source>
+        <source>still valid when opened</source>
         <translation>bleibt beim Öffnen fehlerfrei</translation>
     </message>
     <message>
@@ -195,7 +195,7 @@
         <translation>passt aufs Druckbett</translation>
     </message>
     <message>
-        <source>perhaps made in</source>
+        <source>possible unit</source>
         <translation>vermutlich erstellt in</translation>
     </message>
     <message>
@@ -345,7 +345,7 @@
         <translation>%1 ist keine Klassendatei: kein UTF-8-Text oder zu lang.</translation>
     </message>
     <message>
-        <source>a line says key = value, or begins with #.</source>
+        <source>each line must be key = value, or begin with #.</source>
         <translation>Eine Zeile enthält Schlüssel = Wert oder beginnt mit #.</translation>
     </message>
     <message>
@@ -630,7 +630,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Ein Modell reparieren, das nicht wasserdicht ist, und sagen, was sich geändert hat.</translation>
     </message>
     <message>
-        <source>With --repair: make a new surface where nothing else keeps the model; detail is lost.</source>
+        <source>With --repair: make a new surface if the model cannot be kept otherwise; detail is lost.</source>
         <translation>Mit --repair: eine neue Oberfläche bilden, wo nichts anderes das Modell erhält; Details gehen verloren.</translation>
     </message>
     <message>
@@ -3176,7 +3176,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Zeigen</translation>
     </message>
     <message>
-        <source>Shows the person in VR a light where the pointer is on the model. Hold the key to point only meanwhile.</source>
+        <source>Shows the person in VR a light where the pointer is on the model. Hold the key to point only for that time.</source>
         <translation>Zeigt der Person in VR ein Licht, wo der Zeiger auf dem Modell ist. Halten Sie die Taste, um nur solange zu zeigen.</translation>
     </message>
     <message>
@@ -3729,7 +3729,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>So lange vor dem Ende erscheint ein Hinweis, auch in der VR-Brille.</translation>
     </message>
     <message>
-        <source>Full &amp;screen</source>
+        <source>Full s&amp;creen</source>
         <translation>&amp;Vollbild</translation>
     </message>
     <message>
@@ -4602,7 +4602,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Blender</translation>
     </message>
     <message>
-        <source>As in ZBrush</source>
+        <source>ZBrush</source>
         <translation>ZBrush</translation>
     </message>
     <message>
@@ -6092,7 +6092,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Modell symmetrisieren</translation>
     </message>
     <message>
-        <source>Mirror across the origin. Which half is kept?</source>
+        <source>Mirror across a plane through the origin. Which half is kept?</source>
         <translation>Am Ursprung spiegeln. Welche Hälfte bleibt?</translation>
     </message>
     <message>
@@ -6321,7 +6321,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Oberfläche</translation>
     </message>
     <message>
-        <source>Of the whole surface.</source>
+        <source>Area of the whole surface.</source>
         <translation>Inhalt der ganzen Oberfläche.</translation>
     </message>
     <message>
@@ -6558,7 +6558,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Eine leichte Berührung ändert wenig, eine feste viel.</translation>
     </message>
     <message>
-        <source>Pen pressure controls &amp;radius</source>
+        <source>Pen pressure controls ra&amp;dius</source>
         <translation>Stiftdruck bestimmt den &amp;Radius</translation>
     </message>
     <message>
@@ -6630,7 +6630,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Sprache und Schriftgröße gelten ab dem nächsten Start.</translation>
     </message>
     <message>
-        <source>&amp;Reduced motion</source>
+        <source>Reduced moti&amp;on</source>
         <translation>Weniger &amp;Bewegung</translation>
     </message>
     <message>
@@ -8010,7 +8010,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
 <context>
     <name>ui::WaitingWorksDialog</name>
     <message>
-        <source>Works on This Computer</source>
+        <source>Models on This Computer</source>
         <translation>Arbeiten auf diesem Rechner</translation>
     </message>
     <message numerus="yes">

@@ -159,7 +159,7 @@
         <translation>没有面积的三角形</translation>
     </message>
     <message>
-        <source>stays sound when opened</source>
+        <source>still valid when opened</source>
         <translation>打开后仍然完好</translation>
     </message>
     <message>
@@ -195,7 +195,7 @@
         <translation>放得进打印床</translation>
     </message>
     <message>
-        <source>perhaps made in</source>
+        <source>possible unit</source>
         <translation>可能的单位</translation>
     </message>
     <message>
@@ -340,7 +340,7 @@
         <translation>%1 不是课堂文件：它不是 UTF-8 文本，或者太长。</translation>
     </message>
     <message>
-        <source>a line says key = value, or begins with #.</source>
+        <source>each line must be key = value, or begin with #.</source>
         <translation>每一行应为“键 = 值”，或以 # 开头。</translation>
     </message>
     <message>
@@ -623,7 +623,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>修复不水密的模型，并说明改动了什么。</translation>
     </message>
     <message>
-        <source>With --repair: make a new surface where nothing else keeps the model; detail is lost.</source>
+        <source>With --repair: make a new surface if the model cannot be kept otherwise; detail is lost.</source>
         <translation>与 --repair 一起使用：别无他法时重新生成表面；会丢失细节。</translation>
     </message>
     <message>
@@ -3164,7 +3164,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>指点(&amp;P)</translation>
     </message>
     <message>
-        <source>Shows the person in VR a light where the pointer is on the model. Hold the key to point only meanwhile.</source>
+        <source>Shows the person in VR a light where the pointer is on the model. Hold the key to point only for that time.</source>
         <translation>在模型上指针所在处给 VR 中的人显示一个光点。按住该键则只在按住时指点。</translation>
     </message>
     <message>
@@ -3714,7 +3714,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>结束前多久显示提示，头显中也会显示。</translation>
     </message>
     <message>
-        <source>Full &amp;screen</source>
+        <source>Full s&amp;creen</source>
         <translation>全屏(&amp;R)</translation>
     </message>
     <message>
@@ -4580,7 +4580,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>Blender</translation>
     </message>
     <message>
-        <source>As in ZBrush</source>
+        <source>ZBrush</source>
         <translation>ZBrush</translation>
     </message>
     <message>
@@ -6067,7 +6067,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>使模型对称</translation>
     </message>
     <message>
-        <source>Mirror across the origin. Which half is kept?</source>
+        <source>Mirror across a plane through the origin. Which half is kept?</source>
         <translation>以过原点的平面镜像。保留哪一半？</translation>
     </message>
     <message>
@@ -6296,7 +6296,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>面积</translation>
     </message>
     <message>
-        <source>Of the whole surface.</source>
+        <source>Area of the whole surface.</source>
         <translation>整个表面的面积。</translation>
     </message>
     <message>
@@ -6532,7 +6532,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>轻触变化小，重压变化大。</translation>
     </message>
     <message>
-        <source>Pen pressure controls &amp;radius</source>
+        <source>Pen pressure controls ra&amp;dius</source>
         <translation>笔压控制半径(&amp;U)</translation>
     </message>
     <message>
@@ -6604,7 +6604,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>语言和文字大小在重新启动 Fettle 后生效。</translation>
     </message>
     <message>
-        <source>&amp;Reduced motion</source>
+        <source>Reduced moti&amp;on</source>
         <translation>减少动态效果(&amp;D)</translation>
     </message>
     <message>
@@ -7981,7 +7981,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
 <context>
     <name>ui::WaitingWorksDialog</name>
     <message>
-        <source>Works on This Computer</source>
+        <source>Models on This Computer</source>
         <translation>本机上的作品</translation>
     </message>
     <message numerus="yes">

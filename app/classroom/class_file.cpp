@@ -143,7 +143,7 @@ private:
         const qsizetype equals = line.indexOf(u'=');
         const QString key = line.left(equals).trimmed();
         if (equals <= 0)
-            failIn(number, ClassFile::tr("a line says key = value, or begins with #."));
+            failIn(number, ClassFile::tr("each line must be key = value, or begin with #."));
         if (m_entries.contains(key))
             failIn(number, ClassFile::tr("%1 appears twice.").arg(key));
         m_entries.insert(key, {number, line.mid(equals + 1).trimmed()});

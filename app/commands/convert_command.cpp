@@ -78,8 +78,8 @@ void addConvertOptions(QCommandLineParser& parser)
           QStringLiteral("N")},
          {{repairOption, QStringLiteral("legalise"), QStringLiteral("legalize")},
           ConvertMessages::tr("Repair a model that is not watertight, and say what changed.")},
-         {wrap, ConvertMessages::tr("With --repair: make a new surface where nothing else keeps the model; detail "
-                                    "is lost.")},
+         {wrap, ConvertMessages::tr(
+                    "With --repair: make a new surface if the model cannot be kept otherwise; detail is lost.")},
          {largeHoles,
           ConvertMessages::tr("With --repair: what to do with holes longer than a quarter of the model (default: "
                               "fill)."),

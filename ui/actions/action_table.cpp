@@ -374,7 +374,7 @@ public:
          Bar::None, true},
         {MenuId::Vr, "vr.point", QT_TR_NOOP("&Point"),
          QT_TR_NOOP("Shows the person in VR a light where the pointer is on the model. "
-                    "Hold the key to point only meanwhile."),
+                    "Hold the key to point only for that time."),
          "Q", "point", true, Bar::None, true},
         {MenuId::Vr, "vr.takeOver", QT_TR_NOOP("&Take Over"),
          QT_TR_NOOP("Lets only this window sculpt until you give it back; the person in VR watches."), "",

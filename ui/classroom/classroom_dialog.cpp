@@ -278,7 +278,7 @@ void ClassroomDialog::addTimes(QFormLayout* form)
     m_warning = minutes("classWarning", defaults.warningMinutes, tr("none"),
                         tr("How long before the end a notice appears, also in the headset."));
     m_fullScreen =
-        named(new QCheckBox(tr("Full &screen")), "classFullScreen", tr("Hides everything else on the screen."));
+        named(new QCheckBox(tr("Full s&creen")), "classFullScreen", tr("Hides everything else on the screen."));
     m_fullScreen->setChecked(defaults.fullScreen);
     m_questions = named(new QCheckBox(tr("Six &questions after each turn")), "classQuestions",
                         tr("Next Pupil shows a form about the program first. Its answers are saved with the work and "

@@ -20,7 +20,7 @@ constexpr int waitingTextWidth = 460;
 WaitingWorksDialog::WaitingWorksDialog(int works, const QString& problem, const QString& folder, QWidget* parent)
     : QDialog(parent)
 {
-    QVBoxLayout* column = beginDialog(this, "waitingWorks", tr("Works on This Computer"));
+    QVBoxLayout* column = beginDialog(this, "waitingWorks", tr("Models on This Computer"));
     column->addWidget(dialogText(tr("%n models are not yet in the class folder.", nullptr, works), waitingTextWidth));
     column->addWidget(dialogText(problem, waitingTextWidth));
     column->addWidget(dialogText(tr("They are safe in %1 and go to the class folder when this class begins on this "

@@ -211,7 +211,7 @@ void askForMirror(QWidget* parent, const CommandCallback& callback)
 void askForSymmetry(QWidget* parent, const CommandCallback& callback)
 {
     auto* dialog = new CommandDialog(parent, "symmetryDialog", ModelDialogs::tr("Symmetrize the Model"),
-                                     ModelDialogs::tr("Mirror across the origin. Which half is kept?"));
+                                     ModelDialogs::tr("Mirror across a plane through the origin. Which half is kept?"));
     const auto* halves =
         dialog->addChoice({}, {ModelDialogs::tr("Right (X above 0)"), ModelDialogs::tr("Left (X below 0)"),
                                ModelDialogs::tr("Top (Y above 0)"), ModelDialogs::tr("Bottom (Y below 0)"),

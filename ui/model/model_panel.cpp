@@ -55,7 +55,7 @@ ModelPanel::ModelPanel(QWidget* parent)
     addRow("genus", tr("Genus"), tr("The number of handles or through holes: 0 for a ball, 1 for a ring or a cup."));
     addRow("size", tr("Size"), tr("Width, height and depth of the box around the model."));
     addRow("volume", tr("Volume"), tr("Volume inside the surface."));
-    addRow("area", tr("Area"), tr("Of the whole surface."));
+    addRow("area", tr("Area"), tr("Area of the whole surface."));
     addRow("edges", tr("Edges"), tr("The shortest and the longest edge of a triangle."));
     setStale();
 }

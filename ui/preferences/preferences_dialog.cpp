@@ -98,7 +98,7 @@ QWidget* PreferencesDialog::appearancePage()
     form->addRow(remark(tr("Restart Fettle to apply language and text size.")));
     addCheck(
         form,
-        {"calm", tr("&Reduced motion"),
+        {"calm", tr("Reduced moti&on"),
          tr("The view jumps to its place instead of flying there, and the light that points in VR does not pulse.")},
         [](Preferences& all) { return &all.reducesMotion; });
     return page;
@@ -113,7 +113,7 @@ QWidget* PreferencesDialog::inputPage()
               tr("A light touch changes little, a firm touch much.")},
              [](Preferences& all) { return &all.input.pressureToStrength; });
     addCheck(form,
-             {"pressureToRadius", tr("Pen pressure controls &radius"),
+             {"pressureToRadius", tr("Pen pressure controls ra&dius"),
               tr("A light touch makes a narrow stroke, a firm touch a wide one.")},
              [](Preferences& all) { return &all.input.pressureToRadius; });
     addCheck(form,

@@ -22,8 +22,7 @@ constexpr int keyWidth = 120;
 
 QString presetName(ShortcutPreset preset)
 {
-    const QString names[] = {ShortcutsPage::tr("Fettle"), ShortcutsPage::tr("Blender"),
-                             ShortcutsPage::tr("As in ZBrush")};
+    const QString names[] = {ShortcutsPage::tr("Fettle"), ShortcutsPage::tr("Blender"), ShortcutsPage::tr("ZBrush")};
     static_assert(std::size(names) == static_cast<std::size_t>(ShortcutPreset::ZBrush) + 1);
     return names[static_cast<std::size_t>(preset)];
 }

@@ -165,7 +165,7 @@ private Q_SLOTS:
             QTest::newRow(name) << QByteArray(before) << QByteArray(after) << QString::fromUtf8(reason);
         };
         row("unknown key", "full_screen", "fullscreen", "line 9: fullscreen is not a key of a class file.");
-        row("no pair", "tools = smooth, pull", "tools", "line 6: a line says key = value, or begins with #.");
+        row("no pair", "tools = smooth, pull", "tools", "line 6: each line must be key = value, or begin with #.");
         row("twice", "language = de", "title = x", "line 10: title appears twice.");
         row("no title", "title = Klasse 5b, Ton & Töne", "title =", "line 3: title: it is empty.");
         row("no number", "= 30", "= thirty",
