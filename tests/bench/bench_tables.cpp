@@ -17,6 +17,15 @@ std::string toText(double value, int digits)
     return text.str();
 }
 
+/// Returns whether a run failed. Google Benchmark 1.8 has the reason `skipped` in place of the flag `error_occurred`.
+template <typename Run> bool hasFailed(const Run& run)
+{
+    if constexpr (requires { run.error_occurred; })
+        return run.error_occurred;
+    else
+        return static_cast<bool>(run.skipped);
+}
+
 /// Prints the lines as a table: the first column is aligned left, numbers are aligned right.
 void printAligned(std::ostream& out, const Lines& lines)
 {
@@ -42,7 +51,7 @@ bool TableReporter::ReportContext(const Context&)
 void TableReporter::ReportRuns(const std::vector<Run>& runs)
 {
     for (const Run& run : runs) {
-        if (run.run_type != Run::RT_Iteration || run.error_occurred)
+        if (run.run_type != Run::RT_Iteration || hasFailed(run))
             continue;
         Row& row = m_rows[run.run_name.function_name][run.per_family_instance_index];
         row.label = run.report_label;

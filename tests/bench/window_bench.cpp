@@ -74,7 +74,7 @@ public:
         action.sa_flags = SA_RESTART;
         sigaction(SIGUSR2, &action, nullptr);
         m_timer.setTimerType(Qt::PreciseTimer);
-        m_timer.callOnTimeout([this] { comeBack(); });
+        QObject::connect(&m_timer, &QTimer::timeout, &m_timer, [this] { comeBack(); });
         m_timer.start(1);
         m_asker = std::jthread([](const std::stop_token& stop) {
             while (!stop.stop_requested()) {
