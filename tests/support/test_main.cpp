@@ -2,6 +2,7 @@
 // Every class is run, each in a process of its own, if CLASS is missing. `--list` prints the names of the classes.
 #include "tests/support/test_main.h"
 
+#include <QFileInfo>
 #include <QProcess>
 
 #include <algorithm>
@@ -24,6 +25,7 @@ std::vector<TestClass>& testClasses()
 }
 
 const char* s_running = "";
+QString s_path;
 
 /// Runs every class. Returns the exit status of the first failing class, or 0.
 int runAll(char* argv[])
@@ -51,8 +53,14 @@ QString test::runningClass()
     return QString::fromLatin1(s_running);
 }
 
+QString test::programPath()
+{
+    return s_path;
+}
+
 int main(int argc, char* argv[])
 {
+    s_path = QFileInfo(QString::fromLocal8Bit(argv[0])).absoluteFilePath();
     std::ranges::sort(testClasses(),
                       [](const TestClass& a, const TestClass& b) { return std::strcmp(a.name, b.name) < 0; });
     if (argc == 2 && std::strcmp(argv[1], "--list") == 0) {

@@ -32,6 +32,9 @@ struct Registration
 /// Returns the name of the running test class. In a process that a test starts from its own program, this is the first
 /// argument.
 QString runningClass();
+/// Returns the absolute path of the test program, as it was at the start. QCoreApplication::applicationFilePath() is
+/// wrong in a chroot after places::SmallDisk has left the mount namespace: it then is the path outside the chroot.
+QString programPath();
 
 struct NoApplication
 {

@@ -1761,7 +1761,7 @@ void TestClassroom::aPowerCutInTheQuestions_losesNothing()
     const QTemporaryDir root;
     QProcess victim;
     victim.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-    victim.start(QCoreApplication::applicationFilePath(),
+    victim.start(test::programPath(),
                  {test::runningClass(), QStringLiteral("--victim"), root.path(), QStringLiteral("questions")});
     QVERIFY(victim.waitForFinished(longestWait));
     const std::uint64_t hash = victim.readAllStandardOutput().trimmed().toULongLong();
@@ -1792,7 +1792,7 @@ void TestClassroom::aPowerCutInALesson_keepsItsResult()
     const QTemporaryDir root;
     QProcess victim;
     victim.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-    victim.start(QCoreApplication::applicationFilePath(),
+    victim.start(test::programPath(),
                  {test::runningClass(), QStringLiteral("--victim"), root.path(), QStringLiteral("lesson")});
     QVERIFY(victim.waitForFinished(longestWait));
     const std::uint64_t hash = victim.readAllStandardOutput().trimmed().toULongLong();
@@ -1837,7 +1837,7 @@ void TestClassroom::aPowerCut_losesNobodysWork()
     const QTemporaryDir root;
     QProcess victim;
     victim.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-    victim.start(QCoreApplication::applicationFilePath(),
+    victim.start(test::programPath(),
                  {test::runningClass(), QStringLiteral("--victim"), root.path(), QString::number(afterNextMs)});
     QVERIFY(victim.waitForFinished(longestWait));
     const std::uint64_t hash = victim.readAllStandardOutput().trimmed().toULongLong();

@@ -447,7 +447,7 @@ std::unique_ptr<places::SmallDisk> smallDisk, largerDisk;
 void TestRecovery::startVictim(QProcess& victim, const fs::path& root, std::uint64_t seed, int changes)
 {
     victim.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-    victim.start(QCoreApplication::applicationFilePath(),
+    victim.start(test::programPath(),
                  {test::runningClass(), QStringLiteral("--victim"), QString::fromStdString(root.string()),
                   QString::number(seed), QString::number(changes)});
     QVERIFY(victim.waitForStarted());
@@ -570,9 +570,8 @@ QList<QByteArray> TestRecovery::killAfter(const fs::path& root, int last)
 {
     QProcess victim;
     victim.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-    victim.start(QCoreApplication::applicationFilePath(),
-                 {test::runningClass(), QStringLiteral("--kinds"), QString::fromStdString(root.string()),
-                  QString::number(last)});
+    victim.start(test::programPath(), {test::runningClass(), QStringLiteral("--kinds"),
+                                       QString::fromStdString(root.string()), QString::number(last)});
     QList<QByteArray> lines;
     while (lines.size() <= last && (victim.canReadLine() || victim.waitForReadyRead(longestWait))) {
         if (victim.canReadLine())
@@ -935,7 +934,7 @@ QByteArray TestRecovery::killDisplayOf(const fs::path& root, const QString& chan
     environment.insert(QStringLiteral("DISPLAY"), QString::fromLatin1(display.name()));
     environment.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("xcb"));
     victim.setProcessEnvironment(environment);
-    victim.start(QCoreApplication::applicationFilePath(),
+    victim.start(test::programPath(),
                  {test::runningClass(), QStringLiteral("--window"), QString::fromStdString(root.string()), changes});
     if (!victim.waitForReadyRead(longestWait) || !victim.readAllStandardOutput().contains("ready"))
         return "not ready: " + victim.readAllStandardError();

@@ -139,7 +139,9 @@ QString ScriptedHeadset::complaints() const
     QStringList all = m_runtime.clientErrors() + m_runtime.clientWarnings();
     QFile file(m_folder.filePath("validation.txt"));
     if (file.open(QIODevice::ReadOnly))
-        all << QString::fromUtf8(file.readAll());
+        for (const QString& line : QString::fromUtf8(file.readAll()).split('\n'))
+            if (!line.contains("[VALID_DEBUG |")) // newer layers report their own start
+                all << line;
     return all.join('\n').trimmed();
 }
 
