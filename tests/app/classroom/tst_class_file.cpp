@@ -80,7 +80,7 @@ private Q_SLOTS:
         const QString path = folder.filePath(QStringLiteral("again.fettleclass"));
         QCOMPARE(ClassFile::write(path, read), QString());
         QCOMPARE(ClassFile::read(path), read);
-        QVERIFY(File(whole() + "names = Anna; Anna\n").problem().contains(QStringLiteral("names: Anna stands there")));
+        QVERIFY(File(whole() + "names = Anna; Anna\n").problem().contains(QStringLiteral("names: Anna appears twice")));
         QVERIFY(File(whole() + "other_names = no\n").problem().contains(QStringLiteral("no names to choose from")));
         QVERIFY(File(whole() + "names = " + QByteArray(41, 'x') + '\n').problem().contains(QStringLiteral("at most")));
         QByteArray tooMany = "names = ";
@@ -182,7 +182,7 @@ private Q_SLOTS:
         row("questions", "questions = yes", "questions = 6", "line 11: questions: \"6\" is none of no, yes.");
         row("language", "= de", "= fr", "line 10: language: \"fr\" is none of system, en, de, zh_CN.");
         row("a PIN that can be read", pinLine.constData(), "pin = 1234\n",
-            "line 12: pin: this is no PIN as Fettle writes it");
+            "line 12: pin: this is not a PIN as Fettle writes it");
         row("unknown lesson", "questions = yes", "lesson = mugs",
             "mugs is not a lesson: it is neither one of first-clay, mug, creature nor a folder or ZIP file.");
         row("unknown lesson's line", "questions = yes", "lesson = mugs", "line 11: lesson: ");

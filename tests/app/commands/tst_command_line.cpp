@@ -387,9 +387,9 @@ void TestCommandLine::words_thatAreOneOfSomeAreListed()
 void TestCommandLine::files_ofAnotherFormatAreToldAsSuch()
 {
     write(at("a.stl"), "this is plain text, and long enough to be no cut header of a binary file: it goes on and on");
-    VERIFY_REFUSED(fettle({QStringLiteral("check"), at("a.stl")}), "a.stl is no STL file; it looks like plain text.");
+    VERIFY_REFUSED(fettle({QStringLiteral("check"), at("a.stl")}), "a.stl is not a valid STL file; it looks like plain text.");
     write(at("b.ply"), "\x89PNG\r\n\x1a\n");
-    VERIFY_REFUSED(fettle({QStringLiteral("check"), at("b.ply")}), "b.ply is no PLY file; it looks like PNG.");
+    VERIFY_REFUSED(fettle({QStringLiteral("check"), at("b.ply")}), "b.ply is not a valid PLY file; it looks like PNG.");
 }
 
 void TestCommandLine::spellings_ofBothKindsAreTaken()
@@ -506,7 +506,7 @@ void TestCommandLine::standardOutput_isNoTerminalForBinaries()
     };
     const Answer binary = atTerminal("stl");
     QCOMPARE(binary.status, 2);
-    QVERIFY2(binary.out.contains("new: STL is no text") && binary.out.count('\n') == 1, binary.out.constData());
+    QVERIFY2(binary.out.contains("new: STL is binary") && binary.out.count('\n') == 1, binary.out.constData());
     QVERIFY(atTerminal("obj").out.startsWith("v "));
 }
 
@@ -736,7 +736,7 @@ void TestCommandLine::check_folderOfAClass()
     QFile::setPermissions(at("locked"), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
     QCOMPARE(csv.status, 2);
     QCOMPARE(csv.err.count('\n'), 3);
-    QVERIFY(csv.err.contains("empty: there is no model") && csv.err.contains("locked: this folder cannot be read") &&
+    QVERIFY(csv.err.contains("empty: this folder contains no models") && csv.err.contains("locked: this folder cannot be read") &&
             csv.err.contains("Pupil 42.obj is empty"));
     const QList<QByteArray> rows = csv.out.trimmed().split('\n');
     QCOMPARE(rows.size(), 301);
@@ -1083,7 +1083,7 @@ void TestCommandLine::convert_triangles()
                  tooFew.err.contains("not to 8: its holes and parts need at least"),
              tooFew.err.constData());
     QVERIFY(!QFile::exists(at("tiny.stl")));
-    const QString reached = QString::fromUtf8(tooFew.err).section(QStringLiteral("down to "), 1).section(u' ', 0, 0);
+    const QString reached = QString::fromUtf8(tooFew.err).section(QStringLiteral("reduced to "), 1).section(u' ', 0, 0);
     QCOMPARE(fettle({QStringLiteral("convert"), at("ring.stl"), at("tiny.stl"), QStringLiteral("--triangles"), reached})
                  .status,
              0);

@@ -235,13 +235,13 @@ private Q_SLOTS:
         QTest::newRow("newer") << QByteArray("\"version\": 1") << QByteArray("\"version\": 2")
                                << QStringLiteral("newer version");
         QTest::newRow("outside") << QByteArray("step-2.png") << QByteArray("../step-2.png")
-                                 << QStringLiteral("step 2 (steps[1]): it names a file outside");
+                                 << QStringLiteral("step 2 (steps[1]): it refers to a file that is outside");
         QTest::newRow("gone") << QByteArray("push.json") << QByteArray("none.json")
                               << QStringLiteral("none.json, step 2 (steps[1]): this file is missing");
         QTest::newRow("no strokes") << QByteArray("push.json") << QByteArray("step-1.png")
                                     << QStringLiteral("step-1.png, step 2 (steps[1]), line 1");
         QTest::newRow("no words") << QByteArray("\"Den Hals ziehen\"") << QByteArray("\"\"")
-                                  << QStringLiteral("no words");
+                                  << QStringLiteral("no text");
         QTest::newRow("no JSON") << QByteArray("\"steps\":") << QByteArray("steps:") << QStringLiteral("not JSON");
         QTest::newRow("unknown") << QByteArray("\"summary\"") << QByteArray("\"sumary\"")
                                  << QStringLiteral("unknown key sumary");

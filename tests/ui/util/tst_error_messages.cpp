@@ -116,7 +116,7 @@ private Q_SLOTS:
         FileError none(FileErrorKind::NoFaces, path);
         QVERIFY(ui::ErrorMessages::sentence(none).endsWith(QStringLiteral(" contains no faces.")));
         none.expected = 3;
-        QVERIFY(ui::ErrorMessages::sentence(none).contains(QStringLiteral("a slicer's parts that are no matter (3)")));
+        QVERIFY(ui::ErrorMessages::sentence(none).contains(QStringLiteral("slicer parts that are not printed (3)")));
     }
 
     void theSystemsReasonIsGiven()
