@@ -161,7 +161,12 @@ bool Qt3dEngine::drawsIntoBoundFramebuffer(unsigned int framebuffer)
 
 void Qt3dEngine::setView(const OrbitCamera& camera, QSize pixels)
 {
-    m_state->camera->transform()->setMatrix(toQt(Eigen::Matrix4d(camera.viewMatrix().inverse())));
+    // Qt 6.8 ignores changes of camera->transform().
+    const QMatrix4x4 place = toQt(Eigen::Matrix4d(camera.viewMatrix().inverse()));
+    const QVector3D eye = place.column(3).toVector3D();
+    m_state->camera->setPosition(eye);
+    m_state->camera->setViewCenter(eye - place.column(2).toVector3D());
+    m_state->camera->setUpVector(place.column(1).toVector3D());
     m_state->camera->lens()->setProjectionMatrix(toQt(camera.projectionMatrix()));
     if (pixels == m_state->size)
         return;
