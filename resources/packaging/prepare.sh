@@ -4,7 +4,7 @@
 
 fettle_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 
-# package and reason, one per line
+# package and reason, one per line; a package with ? is wanted only where the distribution has it
 fettle_build_packages='
 g++                 compiles the program (C++20)
 cmake               describes the build
@@ -13,6 +13,7 @@ qt6-base-dev        Qt: windows, widgets, OpenGL
 libqt6opengl6-dev   Qt: OpenGL classes
 qt6-3d-dev          Qt3D: the view of the model
 qt6-svg-dev         Qt: icons
+qt6-svg-plugins?    Qt: icons, a package of its own since Debian 13
 qt6-tools-dev       Qt: translations in the build
 qt6-l10n-tools      Qt: translations in the build
 qt6-translations-l10n  Qt: the translations of its own texts
@@ -78,11 +79,24 @@ fettle_missing()
         END {n = split(names, name, "\n"); for (i = 1; i <= n; ++i) if (!(name[i] in have)) print name[i]}'
 }
 
+# fettle_names TABLE: the packages of the table, without those that this distribution does not have.
+fettle_names()
+{
+    local package reason
+    while read -r package reason; do
+        case $package in
+            '') ;;
+            *\?) ! apt-cache show "${package%\?}" >/dev/null 2>&1 || printf '%s\n' "${package%\?}" ;;
+            *) printf '%s\n' "$package" ;;
+        esac
+    done <<<"$1"
+}
+
 # fettle_install TABLE: installs the packages of the table that are missing.
 fettle_install()
 {
     local names missing package reason
-    names=$(awk 'NF {print $1}' <<<"$1")
+    names=$(fettle_names "$1")
     if ! command -v dpkg-query >/dev/null; then
         fettle_fail "this is not Debian, so nothing can be installed from here. Wanted are (by their Debian names): ${names//$'\n'/ }. Then: cmake --preset release && cmake --build --preset release"
     fi
@@ -91,6 +105,7 @@ fettle_install()
 
     fettle_say "Fettle needs these Debian packages, which are not installed yet:"
     while read -r package reason; do
+        package=${package%\?}
         if grep -qxF -- "${package:-none}" <<<"$missing"; then
             printf '  %-22s %s\n' "$package" "$reason" >&2
         fi
@@ -107,6 +122,7 @@ fettle_install()
         fettle_say "The package list is old or empty: fetching it anew."
         fettle_as_root apt-get -q -o DPkg::Lock::Timeout=300 update >&2 ||
             fettle_fail "apt-get update failed (is there a network?). Still missing: ${missing//$'\n'/ }"
+        missing=$(fettle_missing "$(fettle_names "$1")")
         fettle_apt_install $missing ||
             fettle_fail "apt-get could not install these packages (is there a network?): ${missing//$'\n'/ }"
     fi
