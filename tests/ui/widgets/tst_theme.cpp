@@ -61,7 +61,7 @@ private:
     QDBusConnection m_bus;
 };
 
-/// A private session bus for the test.
+/// A private session bus for the test. Must exist before the application, which may connect to the session bus at once.
 class Bus
 {
 public:
@@ -69,9 +69,10 @@ public:
     {
         m_daemon.start(QStringLiteral("dbus-daemon"),
                        {QStringLiteral("--session"), QStringLiteral("--nofork"), QStringLiteral("--print-address")});
+        QByteArray address;
         if (m_daemon.waitForStarted() && m_daemon.waitForReadyRead())
-            m_address = QString::fromLatin1(m_daemon.readLine().trimmed());
-        qputenv("DBUS_SESSION_BUS_ADDRESS", m_address.toLatin1());
+            address = m_daemon.readLine().trimmed();
+        qputenv(addressVariable, address);
     }
     ~Bus()
     {
@@ -79,11 +80,12 @@ public:
         m_daemon.waitForFinished();
     }
 
-    const QString& address() const { return m_address; }
+    static QString address() { return qEnvironmentVariable(addressVariable); }
 
 private:
+    static constexpr const char* addressVariable = "DBUS_SESSION_BUS_ADDRESS";
+
     QProcess m_daemon;
-    QString m_address;
 };
 
 double luminance(const QColor& color)
@@ -243,8 +245,8 @@ private Q_SLOTS:
 
     void theSystemIsFollowed()
     {
-        QVERIFY2(!m_bus.address().isEmpty(), "dbus-daemon is not installed");
-        Portal portal(m_bus.address());
+        QVERIFY2(!Bus::address().isEmpty(), "dbus-daemon is not installed");
+        Portal portal(Bus::address());
         ui::Theme theme(ThemeChoice::System);
         QTRY_VERIFY(theme.isDark() && applicationIsDark());
         portal.tell(2U);
@@ -272,18 +274,21 @@ private Q_SLOTS:
 
     void nonsenseIsNoPreference()
     {
-        QVERIFY2(!m_bus.address().isEmpty(), "dbus-daemon is not installed");
+        QVERIFY2(!Bus::address().isEmpty(), "dbus-daemon is not installed");
         QFETCH(QVariant, value);
-        Portal portal(m_bus.address());
+        Portal portal(Bus::address());
         const SystemColorScheme system;
         QTRY_COMPARE(system.scheme(), SystemColorScheme::Scheme::Dark);
         portal.tell(value);
         QTRY_COMPARE(system.scheme(), SystemColorScheme::Scheme::Unknown);
     }
-
-private:
-    Bus m_bus; ///< first member: must exist before anything uses the session bus
 };
 
-FETTLE_TEST(TestTheme, ui::TestApplication)
+static int themeMain(int argc, char* argv[])
+{
+    const Bus bus;
+    return test::run<TestTheme, ui::TestApplication>(argc, argv);
+}
+
+FETTLE_TEST_MAIN(TestTheme, themeMain)
 #include "tst_theme.moc"
