@@ -83,8 +83,7 @@ ClassroomMode::ClassroomMode(const Program& program, ui::Classroom classroom, Cl
             then();
     };
     connect(document, &Document::opened, this, onOpened, Qt::QueuedConnection);
-    // opening failed, which the window has reported, or was cancelled: the class continues
-    const auto checkIdle = [this] {
+    const auto checkIdle = [this] { // opening failed, as the window has reported, or was cancelled
         if (m_isOpened || m_program.document->job().isBusy() || !std::exchange(m_then, nullptr))
             return;
         if (m_stage != Stage::Asking) // in stage Asking the questions or the name panel are already open
