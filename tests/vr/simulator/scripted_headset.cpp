@@ -136,13 +136,9 @@ int ScriptedHeadset::calls(const char* name) const
 
 QString ScriptedHeadset::complaints() const
 {
-    QStringList all = m_runtime.clientErrors() + m_runtime.clientWarnings();
-    QFile file(m_folder.filePath("validation.txt"));
-    if (file.open(QIODevice::ReadOnly))
-        for (const QString& line : QString::fromUtf8(file.readAll()).split('\n'))
-            if (!line.contains("[VALID_DEBUG |")) // newer layers report their own start
-                all << line;
-    return all.join('\n').trimmed();
+    const QStringList all =
+        m_runtime.clientErrors() + m_runtime.clientWarnings() + layerComplaints(m_folder.filePath("validation.txt"));
+    return all.join('\n');
 }
 
 QImage ScriptedHeadset::picture(int session, int frame, const char* eye) const

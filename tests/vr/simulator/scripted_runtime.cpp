@@ -3,6 +3,7 @@
 #include "tests/support/effort.h"
 #include "vr/simulator/control_api.h"
 
+#include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QLibrary>
@@ -74,4 +75,14 @@ QStringList ScriptedRuntime::clientErrors() const
 QStringList ScriptedRuntime::clientWarnings() const
 {
     return texts(report()[QStringLiteral("client_warnings")]);
+}
+
+QStringList layerComplaints(const QString& path)
+{
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return {};
+    QStringList lines = QString::fromUtf8(file.readAll()).split(u'\n', Qt::SkipEmptyParts);
+    lines.removeIf([](const QString& line) { return line.contains(QStringLiteral("[VALID_DEBUG |")); });
+    return lines;
 }

@@ -33,6 +33,10 @@ public:
     QStringList clientWarnings() const;
 };
 
+/// Returns the complaints that OpenXR's validation layer has written to a file, one per line. Empty if there is no
+/// file, or if the file contains only the reports of newer layers about their own start and end.
+QStringList layerComplaints(const QString& path);
+
 /// Returns a script with the fastest pace.
 inline QByteArray fastScript()
 {
