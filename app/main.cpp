@@ -8,6 +8,7 @@
 #include "app/import/assimp_import.h"
 #include "app/import/sandboxed_importer.h"
 #include "app/platform/process_signals.h"
+#include "app/platform/terminal.h"
 #include "app/recovery/recovery_store.h"
 #include "app/window/connections.h"
 #include "app/worker/sculpt_worker.h"
@@ -295,6 +296,7 @@ int main(int argc, char* argv[])
 {
     if (argc == 4 && qstrcmp(argv[1], app::importWord) == 0)
         return app::runImport(argv[2], argv[3]);
+    app::useUtf8Locale();
     nameProgram();
     app::surviveFileSizeLimit();
     app::installSandboxedImporter();
