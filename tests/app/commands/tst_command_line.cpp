@@ -387,7 +387,8 @@ void TestCommandLine::words_thatAreOneOfSomeAreListed()
 void TestCommandLine::files_ofAnotherFormatAreToldAsSuch()
 {
     write(at("a.stl"), "this is plain text, and long enough to be no cut header of a binary file: it goes on and on");
-    VERIFY_REFUSED(fettle({QStringLiteral("check"), at("a.stl")}), "a.stl is not a valid STL file; it looks like plain text.");
+    VERIFY_REFUSED(fettle({QStringLiteral("check"), at("a.stl")}),
+                   "a.stl is not a valid STL file; it looks like plain text.");
     write(at("b.ply"), "\x89PNG\r\n\x1a\n");
     VERIFY_REFUSED(fettle({QStringLiteral("check"), at("b.ply")}), "b.ply is not a valid PLY file; it looks like PNG.");
 }
@@ -736,8 +737,8 @@ void TestCommandLine::check_folderOfAClass()
     QFile::setPermissions(at("locked"), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
     QCOMPARE(csv.status, 2);
     QCOMPARE(csv.err.count('\n'), 3);
-    QVERIFY(csv.err.contains("empty: this folder contains no models") && csv.err.contains("locked: this folder cannot be read") &&
-            csv.err.contains("Pupil 42.obj is empty"));
+    QVERIFY(csv.err.contains("empty: this folder contains no models") &&
+            csv.err.contains("locked: this folder cannot be read") && csv.err.contains("Pupil 42.obj is empty"));
     const QList<QByteArray> rows = csv.out.trimmed().split('\n');
     QCOMPARE(rows.size(), 301);
     for (qsizetype i = 0; i < names.size(); ++i)
