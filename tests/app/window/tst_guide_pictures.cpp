@@ -64,13 +64,15 @@ QString textOf(const QWidget& widget)
     return {};
 }
 
-/// Returns the visible texts in a part of a window, sorted and without numbers, which depend on the machine.
+/// Returns the texts in a part of a window, sorted and without numbers, which depend on the machine. Texts that a panel
+/// cuts off are left out, because where it does so depends on the font.
 QString visibleTexts(const QWidget& window, const QRect& part)
 {
     QStringList texts;
     for (const QWidget* widget : window.findChildren<QWidget*>()) {
-        const QRect visible = widget->visibleRegion().boundingRect();
-        if (visible.isEmpty() || !part.contains(visible.translated(widget->mapTo(&window, QPoint()))))
+        const QRect whole = widget->rect();
+        if (whole.isEmpty() || widget->visibleRegion().boundingRect() != whole ||
+            !part.contains(whole.translated(widget->mapTo(&window, QPoint()))))
             continue;
         static const QRegularExpression number(QStringLiteral(R"([\d.,]*\d)"));
         const QString text = textOf(*widget).remove(number).simplified();
