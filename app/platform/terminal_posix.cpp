@@ -1,8 +1,6 @@
 #include "app/platform/terminal.h"
 
-#include <clocale>
 #include <cstdlib>
-#include <langinfo.h>
 #include <string_view>
 #include <unistd.h>
 
@@ -15,10 +13,16 @@ bool isTerminal(std::FILE* stream)
 
 void useUtf8Locale()
 {
-    std::setlocale(LC_CTYPE, "");
-    if (std::string_view(nl_langinfo(CODESET)) == "UTF-8")
+    constexpr const char* utf8 = "C.UTF-8";
+    for (const char* name : {"LC_ALL", "LC_CTYPE", "LANG"}) { // in the order of precedence
+        const char* const variable = std::getenv(name);
+        const std::string_view locale(variable ? variable : "");
+        if (locale.empty())
+            continue;
+        if (locale == "C" || locale == "POSIX")
+            setenv(name == std::string_view("LANG") ? "LC_CTYPE" : name, utf8, 1);
         return;
-    const char* const all = std::getenv("LC_ALL"); // overrides LC_CTYPE if it is not empty
-    setenv(all && *all ? "LC_ALL" : "LC_CTYPE", "C.UTF-8", 1);
+    }
+    setenv("LC_CTYPE", utf8, 1);
 }
 } // namespace app

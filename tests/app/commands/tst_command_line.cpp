@@ -171,6 +171,8 @@ private Q_SLOTS:
     void replay_oddStrokesAreTaken();
     void replay_radiusHasToFitTheLattice();
     void numbers_haveNoLocale();
+    void locale_givesTheLanguage_data();
+    void locale_givesTheLanguage();
 
 private:
     QString at(const char* name) const { return m_folder->filePath(QString::fromUtf8(name)); }
@@ -1573,6 +1575,27 @@ void TestCommandLine::numbers_haveNoLocale()
                      .status,
                  0);
     }
+}
+
+void TestCommandLine::locale_givesTheLanguage_data()
+{
+    QTest::addColumn<QString>("variable");
+    QTest::addColumn<QString>("locale");
+    for (const char* variable : {"LC_ALL", "LANG"})
+        for (const char* locale : {"de_DE.UTF-8", "de_DE.ISO-8859-1", "de_AT"})
+            QTest::addRow("%s=%s", variable, locale) << QString::fromLatin1(variable) << QString::fromLatin1(locale);
+}
+
+/// The locale gives the language even if the system has no such locale, or if its encoding is not UTF-8.
+void TestCommandLine::locale_givesTheLanguage()
+{
+    QFETCH(QString, variable);
+    QFETCH(QString, locale);
+    QMap<QString, QString> variables{{QStringLiteral("LC_ALL"), {}}, {QStringLiteral("LANGUAGE"), {}}};
+    variables[variable] = locale;
+    const Answer answer = fettle({QStringLiteral("check"), at("none.stl")}, variables);
+    QCOMPARE(answer.status, 2);
+    QVERIFY2(answer.err.contains("gibt es nicht"), answer.err.constData());
 }
 
 static int commandLineMain(int argc, char* argv[])
