@@ -162,8 +162,27 @@ void GuideWindow::showPage()
         return;
     m_text->setMarkdown(helpText(item->data(Id).toString(), m_actions));
     layOut(m_text->document(), palette().mid().color());
+    removeDeadLinks();
     m_text->moveCursor(QTextCursor::Start);
     markFound();
+}
+
+/// Turns links to pages that are left out into plain text.
+void GuideWindow::removeDeadLinks()
+{
+    const QTextCharFormat plain;
+    for (QTextBlock block = m_text->document()->begin(); block.isValid(); block = block.next()) {
+        QList<QTextFragment> dead;
+        for (auto part = block.begin(); !part.atEnd(); ++part)
+            if (part.fragment().charFormat().isAnchor() && rowOf(part.fragment().charFormat().anchorHref()) < 0)
+                dead << part.fragment();
+        for (const QTextFragment& link : dead) {
+            QTextCursor cursor(m_text->document());
+            cursor.setPosition(link.position());
+            cursor.setPosition(link.position() + link.length(), QTextCursor::KeepAnchor);
+            cursor.setCharFormat(plain);
+        }
+    }
 }
 
 void GuideWindow::search()

@@ -35,6 +35,7 @@ private:
     void followLink(const QUrl& url);
     int rowOf(const QString& page) const; ///< in the contents; -1: it is not there
     void showPage();
+    void removeDeadLinks();
     void search();
     void findNext();
     void markFound();
