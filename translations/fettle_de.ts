@@ -346,7 +346,7 @@
     </message>
     <message>
         <source>each line must be key = value, or begin with #.</source>
-        <translation>Eine Zeile enthält Schlüssel = Wert oder beginnt mit #.</translation>
+        <translation>Jede Zeile muss Schlüssel = Wert sein oder mit # beginnen.</translation>
     </message>
     <message>
         <source>%1 appears twice.</source>
@@ -1292,8 +1292,8 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>wie das der Lehrkraft, bis auf %1 mm</translation>
     </message>
     <message>
-        <source>Sculpt something in this step</source>
-        <translation>in diesem Schritt etwas formen</translation>
+        <source>something sculpted in this step</source>
+        <translation>in diesem Schritt etwas geformt</translation>
     </message>
     <message>
         <source>like the teacher&apos;s to %1 mm (now up to %2)</source>
@@ -3701,7 +3701,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Dort bekommt jede Arbeit einen Ordner mit Modell, Bild und Aufzeichnung.</translation>
     </message>
     <message>
-        <source>&amp;Choose…</source>
+        <source>C&amp;hoose…</source>
         <translation>&amp;Wählen …</translation>
     </message>
     <message>
@@ -3730,7 +3730,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Full s&amp;creen</source>
-        <translation>&amp;Vollbild</translation>
+        <translation>Voll&amp;bild</translation>
     </message>
     <message>
         <source>Hides everything else on the screen.</source>
@@ -5733,16 +5733,16 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Es wurde nichts hinzugefügt, weil es im Modell läge.</translation>
     </message>
     <message>
-        <source>Nothing was added, because it would touch the model.</source>
-        <translation>Es wurde nichts hinzugefügt, weil es das Modell berühren würde.</translation>
+        <source>Nothing was added, because it would be too close to the surface.</source>
+        <translation>Es wurde nichts hinzugefügt, weil es zu nahe an der Oberfläche wäre.</translation>
     </message>
     <message>
         <source>Nothing was added, because it would reach beyond the workspace.</source>
         <translation>Es wurde nichts hinzugefügt, weil es über den Arbeitsraum hinausreichen würde.</translation>
     </message>
     <message>
-        <source>Nothing was added, because the brush&apos;s shape is not watertight at that size.</source>
-        <translation>Es wurde nichts hinzugefügt, weil die Pinselform in dieser Größe nicht wasserdicht ist.</translation>
+        <source>Nothing was added, because the brush&apos;s shape would intersect itself at that size.</source>
+        <translation>Es wurde nichts hinzugefügt, weil sich die Pinselform in dieser Größe selbst durchdringen würde.</translation>
     </message>
     <message>
         <source>Nothing was added, because the mask protects the surface there.</source>
@@ -6068,8 +6068,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Modell spiegeln</translation>
     </message>
     <message>
-        <source>Mirror across the origin:</source>
-        <translation>Am Ursprung spiegeln:</translation>
+        <source>Mirror across a plane through the origin:</source>
+        <translation>An einer Ebene durch den Ursprung spiegeln:</translation>
     </message>
     <message>
         <source>Left and right (X)</source>
@@ -6093,7 +6093,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Mirror across a plane through the origin. Which half is kept?</source>
-        <translation>Am Ursprung spiegeln. Welche Hälfte bleibt?</translation>
+        <translation>An einer Ebene durch den Ursprung spiegeln. Welche Hälfte bleibt?</translation>
     </message>
     <message>
         <source>Right (X above 0)</source>
@@ -6619,7 +6619,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>&amp;Text size</source>
-        <translation>&amp;Schriftgröße</translation>
+        <translation>Schrift&amp;größe</translation>
     </message>
     <message>
         <source>Makes the window&apos;s text larger than the desktop&apos;s.</source>
@@ -6638,8 +6638,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>The view jumps to its place instead of flying there, and the light that points in VR does not pulse.</source>
-        <translation>Die Ansicht springt ans Ziel, statt hinzufliegen, und das Licht, das in VR zeigt, pulsiert nicht.</translation>
+        <source>The view jumps to its place instead of flying there, and the ring around a place that is pointed at stands still.</source>
+        <translation>Die Ansicht springt ans Ziel, statt hinzufliegen, und der Ring um eine Stelle, auf die gezeigt wird, steht still.</translation>
     </message>
 </context>
 <context>

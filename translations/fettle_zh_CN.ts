@@ -1283,7 +1283,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>与老师的相差不超过 %1 毫米</translation>
     </message>
     <message>
-        <source>Sculpt something in this step</source>
+        <source>something sculpted in this step</source>
         <translation>在这一步里做些雕刻</translation>
     </message>
     <message>
@@ -3686,7 +3686,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>每一轮在其中有一个文件夹，含模型、图片和记录。</translation>
     </message>
     <message>
-        <source>&amp;Choose…</source>
+        <source>C&amp;hoose…</source>
         <translation>选择(&amp;C)…</translation>
     </message>
     <message>
@@ -5377,7 +5377,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>%1 cannot be repaired as it is: its faces could not be separated near %2, %3, %4.</source>
-        <translation>%1 无法照原样修复：在 %2, %3, %4 附近无法分开各面。</translation>
+        <translation>%1 无法照原样修复：在 %2、%3、%4 附近无法分开各面。</translation>
     </message>
     <message>
         <source>%1 cannot be repaired as it is: its faces could not be separated.</source>
@@ -5513,7 +5513,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>%1: too many %2; at most %3 are allowed.</source>
-        <translation>%1：元素 (%2) 过多；最多允许 %3 个。</translation>
+        <translation>%1：元素（%2）过多；最多允许 %3 个。</translation>
     </message>
     <message>
         <source>%1 contains no faces.</source>
@@ -5708,16 +5708,16 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>没有添加任何东西，因为它会位于模型内部。</translation>
     </message>
     <message>
-        <source>Nothing was added, because it would touch the model.</source>
-        <translation>没有添加任何东西，因为它会碰到模型。</translation>
+        <source>Nothing was added, because it would be too close to the surface.</source>
+        <translation>没有添加任何东西，因为它会离表面太近。</translation>
     </message>
     <message>
         <source>Nothing was added, because it would reach beyond the workspace.</source>
         <translation>没有添加任何东西，因为它会超出工作空间。</translation>
     </message>
     <message>
-        <source>Nothing was added, because the brush&apos;s shape is not watertight at that size.</source>
-        <translation>没有添加任何东西，因为笔刷形状在该尺寸下不是水密的。</translation>
+        <source>Nothing was added, because the brush&apos;s shape would intersect itself at that size.</source>
+        <translation>没有添加任何东西，因为笔刷形状在该尺寸下会自相交。</translation>
     </message>
     <message>
         <source>Nothing was added, because the mask protects the surface there.</source>
@@ -6043,7 +6043,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>镜像模型</translation>
     </message>
     <message>
-        <source>Mirror across the origin:</source>
+        <source>Mirror across a plane through the origin:</source>
         <translation>以过原点的平面镜像：</translation>
     </message>
     <message>
@@ -6612,8 +6612,8 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>The view jumps to its place instead of flying there, and the light that points in VR does not pulse.</source>
-        <translation>视图直接跳到目标，不再飞过去；VR 中的指示光点不再闪动。</translation>
+        <source>The view jumps to its place instead of flying there, and the ring around a place that is pointed at stands still.</source>
+        <translation>视图直接跳到目标，不再飞过去；指示位置的光圈保持静止。</translation>
     </message>
 </context>
 <context>
@@ -8965,7 +8965,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>this is not a stroke file of version 1 (%1)</source>
-        <translation>不是版本 1 的笔画文件 (%1)</translation>
+        <translation>不是版本 1 的笔画文件（%1）</translation>
     </message>
     <message>
         <source>no object</source>

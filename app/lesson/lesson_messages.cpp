@@ -245,7 +245,7 @@ QString LessonMessages::asked(const core::CheckpointTarget& target)
 
 QString LessonMessages::sculpted()
 {
-    return tr("Sculpt something in this step");
+    return tr("something sculpted in this step");
 }
 
 QString LessonMessages::tool(core::Tool tool)

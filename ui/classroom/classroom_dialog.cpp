@@ -237,7 +237,7 @@ void ClassroomDialog::addNames(QFormLayout* form)
     form->addRow(tr("&Title:"), m_title);
     m_folder = named(new QLineEdit, "classFolderField",
                      tr("Each turn gets a folder there, with model, picture and recording."));
-    auto* choose = named(new QPushButton(tr("&Choose…")), "classFolderChoice", m_folder->toolTip());
+    auto* choose = named(new QPushButton(tr("C&hoose…")), "classFolderChoice", m_folder->toolTip());
     choose->setAutoDefault(false);
     connect(choose, &QPushButton::clicked, this, [this] {
         askForFolder(this, m_startFolder,

@@ -201,7 +201,7 @@ void askForScale(QWidget* parent, const ModelInfo& modelInfo, const CommandCallb
 void askForMirror(QWidget* parent, const CommandCallback& callback)
 {
     auto* dialog = new CommandDialog(parent, "mirrorDialog", ModelDialogs::tr("Mirror the Model"),
-                                     ModelDialogs::tr("Mirror across the origin:"));
+                                     ModelDialogs::tr("Mirror across a plane through the origin:"));
     const auto* sides =
         dialog->addChoice({}, {ModelDialogs::tr("Left and right (X)"), ModelDialogs::tr("Top and bottom (Y)"),
                                ModelDialogs::tr("Front and back (Z)")});

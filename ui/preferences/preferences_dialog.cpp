@@ -96,11 +96,11 @@ QWidget* PreferencesDialog::appearancePage()
     addChoice(form, {"textSize", tr("&Text size"), tr("Makes the window's text larger than the desktop's.")}, textSizes,
               &Preferences::textSize);
     form->addRow(remark(tr("Restart Fettle to apply language and text size.")));
-    addCheck(
-        form,
-        {"calm", tr("Reduced moti&on"),
-         tr("The view jumps to its place instead of flying there, and the light that points in VR does not pulse.")},
-        [](Preferences& all) { return &all.reducesMotion; });
+    addCheck(form,
+             {"calm", tr("Reduced moti&on"),
+              tr("The view jumps to its place instead of flying there, and the ring around a place that is pointed at "
+                 "stands still.")},
+             [](Preferences& all) { return &all.reducesMotion; });
     return page;
 }
 

@@ -177,16 +177,17 @@ QString ErrorMessages::remarks(const QString& file, const core::ReadRemarks& rem
 
 QString ErrorMessages::shortfall(core::Shortfall shortfall)
 {
-    const QString sentences[] = {QString(),
-                                 tr("Nothing happened here: the surface would have intersected itself."),
-                                 tr("The brush stopped: surfaces touch, and they may not join here."),
-                                 tr("The brush stopped at the edge of the workspace."),
-                                 tr("The brush is too large for this much detail. Continue with another stroke."),
-                                 tr("Nothing was added, because it would be inside the model."),
-                                 tr("Nothing was added, because it would touch the model."),
-                                 tr("Nothing was added, because it would reach beyond the workspace."),
-                                 tr("Nothing was added, because the brush's shape is not watertight at that size."),
-                                 tr("Nothing was added, because the mask protects the surface there.")};
+    const QString sentences[] = {
+        QString(),
+        tr("Nothing happened here: the surface would have intersected itself."),
+        tr("The brush stopped: surfaces touch, and they may not join here."),
+        tr("The brush stopped at the edge of the workspace."),
+        tr("The brush is too large for this much detail. Continue with another stroke."),
+        tr("Nothing was added, because it would be inside the model."),
+        tr("Nothing was added, because it would be too close to the surface."),
+        tr("Nothing was added, because it would reach beyond the workspace."),
+        tr("Nothing was added, because the brush's shape would intersect itself at that size."),
+        tr("Nothing was added, because the mask protects the surface there.")};
     static_assert(std::size(sentences) == static_cast<std::size_t>(core::Shortfall::Masked) + 1);
     return sentences[static_cast<std::size_t>(shortfall)];
 }

@@ -160,11 +160,11 @@ private Q_SLOTS:
         QCOMPARE(meshHash(program.worker), start);
         QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(QStringLiteral("○ at least 125 mm tall (now 100 mm)")),
                                  longestWait);
-        QVERIFY(marks(program).contains(QStringLiteral("○ Sculpt something in this step")));
+        QVERIFY(marks(program).contains(QStringLiteral("○ something sculpted in this step")));
         drag(program.window.viewport(), {30, 0});
         QTRY_COMPARE_WITH_TIMEOUT(program.document.history().stack().count(), 1, longestWait);
         QVERIFY(meshHash(program.worker) != start);
-        QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(QStringLiteral("✓ Sculpt something in this step")),
+        QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(QStringLiteral("✓ something sculpted in this step")),
                                  longestWait);
         showStep(program);
         QCOMPARE(meshHash(program.worker), teachersHash("first-clay", 1));
@@ -332,7 +332,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(meshHash(program.worker) == teachersHash("first-clay", 1) &&
                                      program.document.queue().isSettled() && !program.document.job().isBusy(),
                                  longestWait);
-        QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(QStringLiteral("○ Sculpt something in this step")),
+        QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(QStringLiteral("○ something sculpted in this step")),
                                  longestWait);
         showStep(program);
         QCOMPARE(meshHash(program.worker), teachersHash("first-clay", 2));
@@ -658,7 +658,7 @@ private Q_SLOTS:
         };
         const QString path = folder.filePath(QStringLiteral("pear.pdf"));
         write(path);
-        QTRY_VERIFY_WITH_TIMEOUT(notice(program).contains(QStringLiteral("pear.pdf.")), longestWait);
+        QTRY_VERIFY_WITH_TIMEOUT(notice(program).contains(QStringLiteral("Saved pear.pdf.")), longestWait);
         QFile file(path);
         QVERIFY(file.open(QIODevice::ReadOnly));
         QVERIFY(file.readAll().startsWith("%PDF-"));

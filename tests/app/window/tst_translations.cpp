@@ -1,18 +1,24 @@
 // Tests that every language is complete: the files in translations/ are compared with the sources, checked for
 // consistency, and used in the program.
 #include "ui/actions/actions.h"
+#include "ui/classroom/classroom_dialog.h"
+#include "ui/preferences/preferences_dialog.h"
 
 #include "tests/support/test_main.h"
 
+#include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
+#include <QDialogButtonBox>
 #include <QDir>
 #include <QFontDatabase>
+#include <QLabel>
 #include <QMainWindow>
 #include <QMenu>
 #include <QProcess>
 #include <QRawFont>
 #include <QRegularExpression>
+#include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTranslator>
@@ -130,6 +136,18 @@ QStringList mnemonics(const QString& text)
     return found;
 }
 
+/// Returns the mnemonics of the controls in a part of a window.
+QStringList mnemonicsIn(const QWidget& part)
+{
+    QStringList found;
+    for (const auto* label : part.findChildren<QLabel*>())
+        if (label->buddy())
+            found += mnemonics(label->text());
+    for (const auto* button : part.findChildren<QAbstractButton*>())
+        found += mnemonics(button->text());
+    return found;
+}
+
 QString edges(const QString& text)
 {
     return QStringLiteral("%1%2").arg(text.startsWith(u' ') ? 1 : 0).arg(text.endsWith(u'\n') ? 1 : 0);
@@ -189,6 +207,8 @@ private Q_SLOTS:
     void chineseHasAFont();
     void mnemonics_areUniqueInAMenu_data() { addLanguages(); }
     void mnemonics_areUniqueInAMenu();
+    void mnemonics_areUniqueInADialog_data() { addLanguages(); }
+    void mnemonics_areUniqueInADialog();
     void menuKeys_areInMenusOnly();
     void theProgram_speaksIt_data();
     void theProgram_speaksIt();
@@ -346,6 +366,29 @@ void TestTranslations::mnemonics_areUniqueInAMenu()
                           ->shortcuts()
                           .contains(QKeySequence(QStringLiteral("Alt+") + title)),
                      row.id);
+}
+
+void TestTranslations::mnemonics_areUniqueInADialog()
+{
+    QFETCH(QString, language);
+    QTranslator translator;
+    QVERIFY(translator.load(QStringLiteral("fettle_") + language, QStringLiteral(FETTLE_QM_DIR)));
+    QCoreApplication::installTranslator(&translator);
+    QMainWindow window;
+    const ui::Actions actions(&window);
+    const ui::ClassroomDialog classroom(&window, actions, {});
+    QStringList keys = mnemonicsIn(classroom);
+    QVERIFY(keys.size() > 15);
+    QVERIFY2(keys.removeDuplicates() == 0, qPrintable(keys.join(u' ')));
+    const ui::PreferencesDialog preferences({}, actions, &window);
+    const auto* pages = preferences.findChild<QTabWidget*>();
+    for (int page = 0; page < pages->count(); ++page) {
+        keys = mnemonicsIn(*pages->widget(page)) + mnemonicsIn(*preferences.findChild<QDialogButtonBox*>());
+        for (int tab = 0; tab < pages->count(); ++tab)
+            keys += mnemonics(pages->tabText(tab));
+        QVERIFY(keys.size() > pages->count());
+        QVERIFY2(keys.removeDuplicates() == 0, qPrintable(pages->tabText(page) + u' ' + keys.join(u' ')));
+    }
 }
 
 void TestTranslations::menuKeys_areInMenusOnly()

@@ -111,7 +111,7 @@ std::vector<ExamplePanel> lessonPanels()
                           5,
                           {},
                           true};
-    shown.marks = {{QStringLiteral("Sculpt something in this step"), false},
+    shown.marks = {{QStringLiteral("something sculpted in this step"), false},
                    {QStringLiteral("no holes"), true},
                    {QStringLiteral("in one piece"), true},
                    {QStringLiteral("at least 125 mm tall (now 100 mm)"), false},
