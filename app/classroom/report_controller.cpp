@@ -8,7 +8,6 @@
 #include "ui/util/error_messages.h"
 #include "ui/util/format_filters.h"
 
-#include <QDir>
 #include <QFileInfo>
 #include <QPointer>
 
@@ -55,6 +54,6 @@ void ReportController::finish(const QString& path, const ReportOutcome& outcome)
     if (!outcome.problem.isEmpty())
         return Q_EMIT refused(outcome.problem);
     Q_EMIT noticed(outcome.isWritten ? tr("Saved %1.").arg(QFileInfo(path).fileName())
-                                     : tr("%1 was not written.").arg(QDir::toNativeSeparators(path)));
+                                     : tr("%1 was not written.").arg(QFileInfo(path).fileName()));
 }
 } // namespace app

@@ -13,7 +13,6 @@
 #include "ui/widgets/file_dialogs.h"
 #include "ui/window/main_window.h"
 
-#include <QDir>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
@@ -75,7 +74,7 @@ void LessonWriter::onChecked(const QString& path, const CheckedLesson& checked, 
     if (!checked.problem.isEmpty())
         return m_window->showProblem(checked.problem);
     if (!checked.lesson)
-        return m_window->showNotice(tr("%1 was not written.").arg(QDir::toNativeSeparators(path)));
+        return m_window->showNotice(tr("%1 was not written.").arg(QFileInfo(path).fileName()));
     if (checked.remarks.isEmpty())
         return write(path, checked.lesson, revision);
     QStringList remarks = checked.remarks.mid(0, maxRemarks);

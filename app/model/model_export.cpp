@@ -9,7 +9,6 @@
 #include "core/operations/decimate.h"
 #include "ui/util/error_messages.h"
 
-#include <QDir>
 #include <QFileInfo>
 #include <QLocale>
 
@@ -44,7 +43,7 @@ ExportOutcome ModelExport::run(ExportRequest request, const OnStage& onStage, co
     } catch (const core::FileError& error) {
         return {ui::ErrorMessages::sentence(error), {}};
     } catch (const core::ReadingCancelled&) {
-        return {{}, tr("Saved %1. It was not verified.").arg(QDir::toNativeSeparators(request.path))};
+        return {{}, tr("Saved %1. It was not verified.").arg(QFileInfo(request.path).fileName())};
     } catch (const std::bad_alloc&) {
         return {tr("%1: there is not enough memory to write this model.").arg(request.path), {}};
     }
@@ -78,7 +77,7 @@ ExportOutcome ModelExport::readBack(const ExportRequest& request, const core::Tr
         if (!verdict.sameCorners || !verdict.sameColors)
             return {tr("Saved %1, but reading it back gave something else. The disk may be failing, or another program "
                        "may be changing the file.")
-                        .arg(QDir::toNativeSeparators(request.path)),
+                        .arg(QFileInfo(request.path).fileName()),
                     {}};
         if (!verdict.report.printReady())
             return {ui::ErrorMessages::refusal(request.path, verdict.report), {}};

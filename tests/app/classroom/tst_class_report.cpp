@@ -358,12 +358,12 @@ void TestClassReport::window_writesAReport()
     ask(path);
     QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path), longestWait);
     QTRY_VERIFY(!program.document.job().isBusy());
-    QTRY_VERIFY(notice(program).contains(QStringLiteral("by hand.html.")));
+    QTRY_VERIFY(notice(program).contains(QStringLiteral("Saved by hand.html.")));
     QCOMPARE(captured(read(at("by hand.html")), "<bdi>([^<]*)</bdi>").size(), models);
     QVERIFY(program.document.savedState().isModified()); // the open model is not affected
 
     ask(QString::fromStdString(at("on paper.pdf").string()));
-    QTRY_VERIFY(notice(program).contains(QStringLiteral("on paper.pdf.")));
+    QTRY_VERIFY(notice(program).contains(QStringLiteral("Saved on paper.pdf.")));
     QVERIFY(read(at("on paper.pdf")).count("/URI (class/") >= models);
 
     Q_EMIT program.window.files()->reportRequested(QString::fromStdString(at("class/folder.stl").string()), path);
