@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, and runs the whole test suite without a screen.
 #   ./test.sh [--long | --soak] [--asan | --tsan | --debug] [CTEST ARGUMENTS]
-#   --long   the fuzzers, the random tests and the pictures in full, which without it are a sample; builds debug, too
+#   --long   the fuzzers, the random tests and the pictures in full, which without it are a sample; with release it
+#            builds debug, too
 #   --soak   the same, and the tests that take hours
 #   --asan, --tsan, --debug   in that preset instead of release
 # Anything else goes to ctest, e.g. ./test.sh -L core, ./test.sh -R core/mesh.

@@ -48,7 +48,7 @@ struct Delivery
     bool isPaused = false;         ///< whether the delivery was interrupted
 };
 
-/// The archived works of a class. Each turn has a folder named after time and pupil, with model.glb, picture.png,
+/// The archive of a class's work. Each turn has a folder named after time and pupil, with model.glb, picture.png,
 /// record.json and turn.json, later also answers.json if the pupil answered questions. A folder is complete or absent,
 /// even after a power cut. A work is first stored on this computer, which is fast, and then moved to the class's
 /// folder, which may be remote, full or unreachable. Thread: any. Never throws.

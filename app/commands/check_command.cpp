@@ -35,7 +35,7 @@ struct CheckOptions
     CommandModels models;
     bool json = false, csv = false;
     bool table = false;    ///< whether to print a table: for several files, or a folder
-    bool hasWorks = false; ///< whether some models are works of a class; then each object has pupil and turn, or null
+    bool hasWorks = false; ///< whether some models are pupils' work; then each object has pupil and turn, or null
     int nameColumns = 0;   ///< width of the table's first column, characters
     double unit = 1;       ///< unit of the files' coordinates, mm
     std::optional<core::PrintLimits> print; ///< limits given by --print; nothing: printability is not checked

@@ -21,7 +21,7 @@ libopenmesh-dev     OpenMesh: the mesh kernel
 libeigen3-dev       Eigen: vectors and matrices
 libboost-dev        Boost.Multiprecision: exact points where faces cross
 nlohmann-json3-dev  JSON: stroke files, reports, glTF
-libassimp-dev       Assimp: reads the formats that we do not
+libassimp-dev       Assimp: reads the formats for which we have no reader
 libdraco-dev        Draco: unpacks glTF that it packed
 libexpat1-dev       Expat: the XML of 3MF and AMF
 libzip-dev          libzip: the packages that 3MF files are, and zipped AMF
@@ -33,11 +33,11 @@ libgl1-mesa-dri     OpenGL drivers, with one in software
 fonts-wqy-microhei  a font that has Chinese
 '
 fettle_test_packages='
-libcgal-dev         CGAL: an independent judge of meshes
+libcgal-dev         CGAL: an independent check of meshes
 libtinygltf-dev     tinygltf: reads what we write
 libbenchmark-dev    Google Benchmark
 clang-format        checks the format of the sources
-clang               libFuzzer, which feeds every reader the bytes of strangers
+clang               libFuzzer, which tries every reader with random bytes
 libclang-rt-dev     the libraries of libFuzzer and the sanitizers
 openxr-layer-corevalidation  says where a client of OpenXR breaks its rules
 xvfb                a display without a screen

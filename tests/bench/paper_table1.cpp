@@ -1,7 +1,6 @@
 // Reproduces the paper's Table 1: the mean of each phase over 20 operations of one tool with one brush, on a sphere of
 // 2562 vertices.
-// The paper does not state its radius. Here it follows from the paper's relation between radius and edge length, for
-// which the sphere is quasi-uniform.
+// The paper does not state its radius. At 0.25 of the sphere's radius each operation splits and collapses edges.
 #include "tests/bench/bench_models.h"
 #include "tests/bench/bench_stroke.h"
 

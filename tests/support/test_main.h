@@ -34,6 +34,7 @@ struct Registration
 QString runningClass();
 /// Returns the absolute path of the test program, as it was at the start. QCoreApplication::applicationFilePath() is
 /// wrong in a chroot after places::SmallDisk has left the mount namespace: it then is the path outside the chroot.
+/// Precondition: the program was started by its path and not found by PATH; ctest does so.
 QString programPath();
 
 struct NoApplication

@@ -24,7 +24,7 @@ public:
     /// `model`: bounding box of the model, mm; an empty box counts as a cube of 100 mm.
     explicit ModelPlacement(const core::Box& model = {});
     /// Sets the bounding box of a changed model: level() and scale() use its middle, and its size limits the scale.
-    /// What is seen does not move.
+    /// The visible model does not move.
     void setModel(const core::Box& model);
 
     /// Places the model in front of a head, upright, at a comfortable size, with its front (+Z) turned to the head. The

@@ -242,6 +242,7 @@ void TestGuidePictures::check(QImage picture, const QString& texts, const QStrin
         picture = picture.scaledToWidth(maxWidth, Qt::SmoothTransformation);
     picture.setDevicePixelRatio(1);
     const QString path = m_folder.filePath(name + QStringLiteral(".png"));
+    QVERIFY2(!texts.isEmpty(), qPrintable(path));
     if (qEnvironmentVariableIsSet("FETTLE_WRITE_PICTURES")) {
         picture = withoutNoise(picture);
         picture.setText(languageKey, m_language);
