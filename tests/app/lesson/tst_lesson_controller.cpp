@@ -250,7 +250,7 @@ private Q_SLOTS:
         Program program;
         begin(program, QStringLiteral("First clay: a pear"));
         const QString teachers = QStringLiteral("○ This is the teacher's model"),
-                      untouched = QStringLiteral("○ Sculpt something"), own = QStringLiteral("✓ Sculpt something");
+                      untouched = QStringLiteral("○ something sculpted"), own = QStringLiteral("✓ something sculpted");
         showStep(program);
         QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(teachers), longestWait);
         program.document.history().undo();
@@ -323,7 +323,7 @@ private Q_SLOTS:
         drag(program.window.viewport(), {30, 10});
         QTRY_COMPARE_WITH_TIMEOUT(program.document.history().stack().count(), 1, longestWait);
         const std::uint64_t pupils = meshHash(program.worker);
-        QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(QStringLiteral("✓ Sculpt something")), longestWait);
+        QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(QStringLiteral("✓ something sculpted")), longestWait);
         press(program, "lessonNext");
         QTRY_VERIFY_WITH_TIMEOUT(isAtStep(program, 2), longestWait);
         QVERIFY2(notice(program).contains(QStringLiteral("Step 1 is not done yet")), qPrintable(notice(program)));
