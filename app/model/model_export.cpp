@@ -9,6 +9,7 @@
 #include "core/operations/decimate.h"
 #include "ui/util/error_messages.h"
 
+#include <QDir>
 #include <QFileInfo>
 #include <QLocale>
 
@@ -77,7 +78,7 @@ ExportOutcome ModelExport::readBack(const ExportRequest& request, const core::Tr
         if (!verdict.sameCorners || !verdict.sameColors)
             return {tr("Saved %1, but reading it back gave something else. The disk may be failing, or another program "
                        "may be changing the file.")
-                        .arg(QFileInfo(request.path).fileName()),
+                        .arg(QDir::toNativeSeparators(request.path)),
                     {}};
         if (!verdict.report.printReady())
             return {ui::ErrorMessages::refusal(request.path, verdict.report), {}};
