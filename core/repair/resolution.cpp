@@ -91,16 +91,19 @@ class Cutting
 public:
     /// `tolerance`: accuracy of the file's points, lattice units. `budget`: pairs of faces that may be cut after the
     /// first time.
-    Cutting(TriangleSoup& surface, Inside inside, const TriangleSoup& cavities, double tolerance,
-            Resolution& resolution, std::uint64_t& budget, const JobControl& control)
+    Cutting(TriangleSoup& surface, Inside inside, Beside beside, double tolerance, Resolution& resolution,
+            std::uint64_t& budget, const JobControl& control)
         : m_surface(surface)
         , m_inside(inside)
-        , m_cavities(cavities)
+        , m_beside(std::move(beside))
         , m_ofFile(tolerance)
         , m_resolution(resolution)
         , m_budget(budget)
         , m_control(control)
     {}
+
+    /// Only cuts and rounds, without merging or moving points, and gives up after this number of rounds.
+    void setExact(std::size_t rounds) { m_exactRounds = rounds; }
 
     /// `mostPairs`: if more pairs of faces meet at first, nothing is cut.
     void run(std::uint64_t mostPairs)
@@ -111,7 +114,7 @@ public:
         m_resolution.isDone = false;
         m_met = selfIntersections<LatticePredicates>(m_surface.points, m_surface.triangles, maxPairs, m_control.stop);
         m_resolution.intersections = m_met.count;
-        if (canGoOn())
+        if (m_ofFile > 0 && canGoOn())
             removeSlivers(m_ofFile);
         if (m_met.count > 0)
             m_resolution.unresolved = placeOf(m_met.pairs[0]);
@@ -121,11 +124,13 @@ public:
         cut(m_control.part(0, 0.5));
         std::uint64_t fewest = m_met.count;
         double tolerance = std::max(ofRounding, m_ofFile), reached = 0.5;
-        for (std::size_t round = 1; round < maxRounds && !m_control.isCancelled(); ++round) {
+        const bool isExact = m_exactRounds > 0;
+        const std::size_t rounds = isExact ? m_exactRounds : maxRounds;
+        for (std::size_t round = 1; round < rounds && !m_control.isCancelled(); ++round) {
             m_met = intersectionsAmong(m_surface, facesNear(m_surface, m_changed), maxPairs, m_control.stop);
-            if (m_met.count > 0 && canGoOn())
+            if (!isExact && m_met.count > 0 && canGoOn())
                 removeSlivers(tolerance / 2);
-            if (m_met.count > 0 && canGoOn())
+            if (!isExact && m_met.count > 0 && canGoOn())
                 round < firstOfCovering ? offset(tolerance) : cover();
             m_resolution.isDone = m_met.count == 0;
             m_resolution.unresolved.reset();
@@ -198,10 +203,11 @@ private:
         m_resolution.rounds += m_met.count > 0;
         m_changed = boxesAround(m_surface, cornersOf(m_surface, facesOf(m_met.pairs)), reach);
         WindingSolid solid = windingSolidOf(m_surface, arrange(m_surface, m_met.pairs, control.part(0, afterCutting)),
-                                            m_inside, m_cavities, control.part(afterCutting, 1));
+                                            m_inside, m_beside, control.part(afterCutting, 1));
         m_surface = std::move(solid.surface);
         // The surface now bounds the requested space; what rounding turns inside out is removed.
         m_inside = Inside::Positive;
+        m_beside.beyond.resize(std::min<std::size_t>(m_beside.beyond.size(), 1)); // keeps only the kept faces
         if (m_resolution.volume + m_resolution.insideOutVolume == 0) {
             m_resolution.volume = solid.volume;
             m_resolution.insideOutVolume = solid.insideOutVolume;
@@ -212,11 +218,12 @@ private:
 
     TriangleSoup& m_surface;
     Inside m_inside;
-    const TriangleSoup& m_cavities;
+    Beside m_beside; ///< beyond: the kept faces come first
     double m_ofFile;
     Resolution& m_resolution;
     std::uint64_t& m_budget;
     const JobControl& m_control;
+    std::size_t m_exactRounds = 0; ///< 0: points may be merged and moved
     IntersectionReport m_met;
     std::vector<FaceBox> m_changed; ///< boxes where faces changed in the last cut: no faces meet elsewhere
 };
@@ -265,7 +272,7 @@ Resolution resolveIntersections(TriangleSoup& surface, Inside inside, const Tria
     constexpr std::size_t manyTimes = 4, fewStuck = 500;
     Resolution resolution;
     std::size_t mostStuck = std::numeric_limits<std::size_t>::max();
-    Cutting(surface, inside, cavities, tolerance, resolution, budget, control).run(maxPairs);
+    Cutting(surface, inside, {cavities, {}}, tolerance, resolution, budget, control).run(maxPairs);
     for (int time = 0; time < maxTimes && resolution.isDone && !control.isCancelled(); ++time) {
         const MeshTopology topology = topologyOf(surface.points.size(), surface.triangles);
         if (topology.nonManifoldEdges.count + topology.nonManifoldVertices.count == 0)
@@ -290,7 +297,7 @@ Resolution resolveIntersections(TriangleSoup& surface, Inside inside, const Tria
             coverPoints(surface, separated.stuck, reach);
         weld(surface);
         Resolution unread;
-        Cutting(surface, Inside::Positive, cavities, tolerance, unread, budget, {control.stop, {}}).run(budget);
+        Cutting(surface, Inside::Positive, {cavities, {}}, tolerance, unread, budget, {control.stop, {}}).run(budget);
         resolution.isDone = unread.isDone;
         resolution.knots += unread.knots;
         resolution.widestKnot = std::max(resolution.widestKnot, unread.widestKnot);
@@ -298,6 +305,17 @@ Resolution resolveIntersections(TriangleSoup& surface, Inside inside, const Tria
     }
     if (resolution.rounds > 0)
         resolution.crumbs = dropCrumbs(surface);
+    return resolution;
+}
+
+Resolution cutIntersections(TriangleSoup& part, Inside inside, const LeftOut& leftOut, double tolerance,
+                            std::uint64_t& budget, const JobControl& control)
+{
+    constexpr std::size_t exactRounds = 6; // most surfaces need one or two; more rarely help
+    Resolution resolution;
+    Cutting cutting(part, inside, {{}, {&leftOut.kept, &leftOut.dropped}}, tolerance, resolution, budget, control);
+    cutting.setExact(tolerance == 0 ? exactRounds : 0);
+    cutting.run(maxPairs);
     return resolution;
 }
 } // namespace core::repair

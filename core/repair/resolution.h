@@ -36,4 +36,17 @@ struct Resolution
 /// time, about 5,000 a second. It is reduced by what was cut; when it is spent, the surface stays unresolved.
 Resolution resolveIntersections(TriangleSoup& surface, Inside inside, const TriangleSoup& cavities, double tolerance,
                                 std::uint64_t& budget, const JobControl& control = {});
+
+/// Faces of a closed surface that are not in a part of it. Precondition: no face of the part meets them.
+struct LeftOut
+{
+    WindingNumber kept;    ///< faces that bound the solid space
+    WindingNumber dropped; ///< the others
+};
+
+/// Cuts a part of a surface as resolveIntersections() does, but does not separate contacts. Precondition: the borders
+/// of the part are away from faces that meet. isDone: no faces of the part meet. `tolerance`: 0 or more, lattice units.
+/// With 0, points move only by rounding, and after six rounds the part stays unresolved.
+Resolution cutIntersections(TriangleSoup& part, Inside inside, const LeftOut& leftOut, double tolerance,
+                            std::uint64_t& budget, const JobControl& control = {});
 } // namespace core::repair

@@ -7,7 +7,6 @@
 #include "core/repair/cleanup.h"
 #include "core/repair/edge_faces.h"
 
-#include "core/geometry/winding_number.h"
 #include "core/util/disjoint_sets.h"
 #include "core/util/parallel_progress.h"
 
@@ -44,7 +43,7 @@ double areaOf(const Arrangement& arrangement, Slot face)
 /// Winding of the surface around the space on one side of a piece.
 struct Side
 {
-    /// 1: winding number above 0.5, inside; -1: below -0.5, inside out; 0: neither
+    /// 1: winding number of at least Inside::least; -1: winding number below -0.5, inside out; 0: neither
     int sign = 0;
     bool isInsideOut = false; ///< winding number below -0.5 even without the part of the cavities
 };
@@ -54,27 +53,46 @@ struct Sides
     Side before, behind;
 };
 
-Sides classify(const Arrangement& arrangement, const WindingNumber& winding, const WindingNumber& ofCavities, Slot face)
+/// Computes the winding numbers on both sides of a piece, of the arranged surface and the faces beyond it.
+class Windings
 {
-    constexpr double half = 0.5, nearby = 1e-3; // distance of a test point from the piece, lattice units
-    const auto& [corners, original, jump] = arrangement.faces[face];
-    const Vec3 middle =
-        (arrangement.points[corners[0]] + arrangement.points[corners[1]] + arrangement.points[corners[2]]) / 3;
-    std::vector<Slot> here = arrangement.upon[original];
-    here.insert(std::ranges::lower_bound(here, original), original);
-    const double around = winding.at(middle, here);
-    const Vec3 normal = (arrangement.points[corners[1]] - arrangement.points[corners[0]])
-                            .cross(arrangement.points[corners[2]] - arrangement.points[corners[0]])
-                            .normalized();
-    const auto sideOf = [&](double number, double way) {
-        const int sign = number > half ? 1 : number < -half ? -1 : 0;
-        return Side{sign, sign < 0 && number - ofCavities.at(middle + way * nearby * normal) < -half};
-    };
-    return {sideOf(around - half * jump, 1), sideOf(around + half * jump, -1)};
-}
+public:
+    Windings(const TriangleSoup& original, const Beside& beside, Inside inside)
+        : m_ofSurface(original.places(), original.triangles)
+        , m_ofCavities(beside.cavities.places(), beside.cavities.triangles)
+        , m_beyond(beside.beyond)
+        , m_inside(inside)
+    {}
 
-std::vector<Sides> classifyAll(const TriangleSoup& original, const Arrangement& arrangement,
-                               const TriangleSoup& cavities, const JobControl& control)
+    Sides around(const Arrangement& arrangement, Slot face) const
+    {
+        constexpr double half = 0.5, nearby = 1e-3; // distance of a test point from the piece, lattice units
+        const auto& [corners, original, jump] = arrangement.faces[face];
+        const Vec3 middle =
+            (arrangement.points[corners[0]] + arrangement.points[corners[1]] + arrangement.points[corners[2]]) / 3;
+        std::vector<Slot> here = arrangement.upon[original];
+        here.insert(std::ranges::lower_bound(here, original), original);
+        double around = m_ofSurface.at(middle, here);
+        for (const WindingNumber* faces : m_beyond)
+            around += faces->at(middle);
+        const Vec3 normal = (arrangement.points[corners[1]] - arrangement.points[corners[0]])
+                                .cross(arrangement.points[corners[2]] - arrangement.points[corners[0]])
+                                .normalized();
+        const auto sideOf = [&](double number, double way) {
+            const int sign = number > m_inside.least - half ? 1 : number < -half ? -1 : 0;
+            return Side{sign, sign < 0 && number - m_ofCavities.at(middle + way * nearby * normal) < -half};
+        };
+        return {sideOf(around - half * jump, 1), sideOf(around + half * jump, -1)};
+    }
+
+private:
+    WindingNumber m_ofSurface, m_ofCavities;
+    const std::vector<const WindingNumber*>& m_beyond;
+    Inside m_inside;
+};
+
+std::vector<Sides> classifyAll(const TriangleSoup& original, const Arrangement& arrangement, Inside inside,
+                               const Beside& beside, const JobControl& control)
 {
     DisjointSets patches = patchesOf(arrangement);
     const std::size_t count = arrangement.faces.size();
@@ -88,14 +106,13 @@ std::vector<Sides> classifyAll(const TriangleSoup& original, const Arrangement& 
     for (Slot f = 0; f < count; ++f)
         if (largest[f] != noSlot)
             roots.push_back(f);
-    const WindingNumber winding(original.places(), original.triangles);
-    const WindingNumber ofCavities(cavities.places(), cavities.triangles);
+    const Windings windings(original, beside, inside);
     std::vector<Sides> sides(count);
     constexpr std::size_t patchesPerChunk = 4;
     forEachChunkWithProgress(roots.size(), patchesPerChunk, control,
                              [&](std::size_t, std::size_t begin, std::size_t end) {
                                  for (std::size_t i = begin; i < end && !control.isCancelled(); ++i)
-                                     sides[roots[i]] = classify(arrangement, winding, ofCavities, largest[roots[i]]);
+                                     sides[roots[i]] = windings.around(arrangement, largest[roots[i]]);
                              });
     for (Slot f = 0; f < count; ++f)
         sides[f] = sides[patches.root(f)];
@@ -118,7 +135,7 @@ double volumeOf(const Arrangement& arrangement, const std::vector<Sides>& sides,
 } // namespace
 
 WindingSolid windingSolidOf(const TriangleSoup& original, const Arrangement& arrangement, Inside inside,
-                            const TriangleSoup& cavities, const JobControl& control)
+                            const Beside& beside, const JobControl& control)
 {
     WindingSolid solid;
     TriangleSoup& surface = solid.surface;
@@ -126,12 +143,10 @@ WindingSolid windingSolidOf(const TriangleSoup& original, const Arrangement& arr
     surface.points.reserve(arrangement.points.size());
     for (const Vec3& p : arrangement.points)
         surface.points.push_back(p.array().round().cast<int>());
-    const std::vector<Sides> sides = classifyAll(original, arrangement, cavities, control);
+    const std::vector<Sides> sides = classifyAll(original, arrangement, inside, beside, control);
     solid.volume = volumeOf(arrangement, sides, [](const Side& side) { return side.sign > 0; });
     solid.insideOutVolume = volumeOf(arrangement, sides, [](const Side& side) { return side.isInsideOut; });
-    const auto isSolid = [&](const Side& side) {
-        return side.sign > 0 || (side.sign < 0 && inside == Inside::NonZero);
-    };
+    const auto isSolid = [&](const Side& side) { return side.sign > 0 || (side.sign < 0 && inside.isEitherWay); };
     for (Slot f = 0; f < sides.size(); ++f) {
         const bool before = isSolid(sides[f].before), behind = isSolid(sides[f].behind);
         const Triangle& t = arrangement.faces[f].corners;

@@ -2,13 +2,32 @@
 
 #include "core/repair/arrangement.h"
 
+#include "core/geometry/winding_number.h"
+
+#include <span>
+#include <vector>
+
 namespace core::repair
 {
 /// The rule for what space counts as solid, by its winding number. With NonZero, space that is inside and space that is
 /// inside out touch along a line where surfaces cross.
-enum class Inside {
-    Positive, ///< winding number above 0.5
-    NonZero   ///< winding number above 0.5 or below -0.5
+struct Inside
+{
+    int least = 1;            ///< lowest winding number of solid space; n for the intersection of n solids
+    bool isEitherWay = false; ///< whether winding numbers of -1 and less count as solid, too
+
+    static const Inside Positive; ///< winding number above 0.5
+    static const Inside NonZero;  ///< winding number above 0.5 or below -0.5
+};
+inline constexpr Inside Inside::Positive{};
+inline constexpr Inside Inside::NonZero{1, true};
+
+/// Surfaces that count besides the one that is arranged.
+struct Beside
+{
+    /// Parts of it that face inwards; space outside the solid that only these wind around is not inside out.
+    TriangleSoup cavities;
+    std::vector<const WindingNumber*> beyond; ///< faces that it leaves out; none of its own faces meets them
 };
 
 struct WindingSolid
@@ -19,8 +38,7 @@ struct WindingSolid
 };
 
 /// Returns the boundary of all space that counts as solid; overlapping parts become one. `original`: the surface that
-/// was arranged; if it is not closed, the result has borders. `cavities`: parts of it that face inwards; space outside
-/// the solid that only these wind around does not count as inside out. Uses all cores.
+/// was arranged. If it is not closed together with the faces beyond it, the result has borders. Uses all cores.
 WindingSolid windingSolidOf(const TriangleSoup& original, const Arrangement& arrangement, Inside inside,
-                            const TriangleSoup& cavities, const JobControl& control = {});
+                            const Beside& beside, const JobControl& control = {});
 } // namespace core::repair

@@ -30,6 +30,7 @@ const FolderRule folderRules[] = {
     {"core/stroke", "core/geometry"},
     {"core/mesh", "core/util core/geometry core/analysis"},
     {"core/repair", "core/util core/geometry core/analysis"},
+    {"core/boolean", "core/util core/geometry core/analysis core/repair"},
     {"core/drawing", "core/geometry core/mesh"},
     {"core/render", "core/geometry core/mesh"},
     {"core/sculpt/select", "core/util core/geometry core/stroke core/mesh"},

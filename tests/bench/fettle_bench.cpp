@@ -1,6 +1,7 @@
 // Prints tables of the cost of a dab: the paper's Table 1, scale, large dabs, strength, memory. Run by hand, on a
 // release build:
-//   fettle_bench [--benchmark_filter=table1|peersStroke|largeDab|strength|tools|drags|drawing|print|files|memory]
+//   fettle_bench
+//   [--benchmark_filter=table1|peersStroke|largeDab|strength|tools|drags|drawing|print|files|memory|boolean]
 //   FETTLE_AGED_DABS=100000 fettle_bench --benchmark_filter=agedStroke
 // Each row is run five times, interleaved, and the best run counts. --benchmark_repetitions=1 gives a quick estimate.
 
@@ -81,6 +82,9 @@ std::vector<bench::Table> tables()
           {"build", "document", 0},
           {"plain_write", "plain write", 0},
           {"write", "write", 0}}},
+        {"boolean",
+         "Two balls of 1,003,520 triangles, combined and judged: milliseconds",
+         {{"faces", "triangles", 0}, {"wall", "wall", 0}}},
         {"print", "Print check of 1,004,892 vertices: milliseconds", {{"wall", "wall", 1}}},
         {"journal",
          "Journal, strokes of 24 dabs: microseconds of the mesh thread without it and with it, bytes a dab, "
