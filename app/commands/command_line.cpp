@@ -1,6 +1,7 @@
 #include "app/commands/command_line.h"
 
 #include "app/commands/standard_files.h"
+#include "app/commands/word_guess.h"
 #include "app/model/model_loader.h"
 #include "app/platform/terminal.h"
 
@@ -13,9 +14,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <new>
-#include <numeric>
-#include <utility>
-#include <vector>
 
 namespace app
 {
@@ -125,40 +123,6 @@ QStringList withoutQtOptions(const QStringList& arguments)
     return ours;
 }
 
-/// Counts typing errors: wrong, surplus and missing letters. Two swapped letters count as one error.
-int typingErrors(const QString& typed, const QString& meant)
-{
-    const qsizetype n = meant.size();
-    std::vector<int> before, row(static_cast<std::size_t>(n + 1)), next(row.size());
-    std::iota(row.begin(), row.end(), 0);
-    for (qsizetype i = 0; i < typed.size(); ++i) {
-        next[0] = static_cast<int>(i) + 1;
-        for (qsizetype j = 0; j < n; ++j) {
-            const auto at = static_cast<std::size_t>(j);
-            next[at + 1] = std::min({row[at] + (typed[i] == meant[j] ? 0 : 1), row[at + 1] + 1, next[at] + 1});
-            if (i > 0 && j > 0 && typed[i] == meant[j - 1] && typed[i - 1] == meant[j])
-                next[at + 1] = std::min(next[at + 1], before[at - 1] + 1);
-        }
-        before = std::exchange(row, next);
-    }
-    return row.back();
-}
-
-/// Returns the word most similar to the typed one, ignoring dashes; empty if none is similar.
-QString nearest(const QString& typed, const QStringList& words)
-{
-    const auto bare = [](const QString& word) { return word.toLower().remove(u'-'); };
-    const int most = bare(typed).size() < 5 ? 1 : 2;
-    QString best;
-    int fewest = most + 1;
-    for (const QString& word : words)
-        if (const int errors = typingErrors(bare(typed), bare(word)); errors < fewest) {
-            fewest = errors;
-            best = word;
-        }
-    return best;
-}
-
 bool write(std::FILE* stream, const QString& text)
 {
     const QByteArray bytes = text.toUtf8();
@@ -258,13 +222,13 @@ WindowStart CommandLine::windowStart(QStringList arguments)
         else if (!onlyFiles && argument == QLatin1String(simulatorOption))
             start.entersVr = start.simulatesVr = true;
         else if (!onlyFiles && argument.size() > 1 && argument.startsWith(QLatin1Char('-')))
-            failAt(tr("\"%1\" is not an option.").arg(argument), nearest(argument, windowOptions()));
+            failAt(tr("\"%1\" is not an option.").arg(argument), meantWord(argument, windowOptions()));
         else if (QFileInfo::exists(argument))
             files << argument;
         else
             failAt(
                 tr("\"%1\" is neither a command nor a file.").arg(argument),
-                nearest(argument, commandNames() + QStringList{QStringLiteral("help"), QStringLiteral("--version")}));
+                meantWord(argument, commandNames() + QStringList{QStringLiteral("help"), QStringLiteral("--version")}));
     }
     if (files.size() > 1)
         fail(tr("One file at a time can be opened, but %n were given; fettle --help says more.", nullptr,
