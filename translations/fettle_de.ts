@@ -2,6 +2,68 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>app::BooleanCommand</name>
+    <message>
+        <source>Unites models, subtracts all others from the first, or keeps what all have in common. The models must be watertight. OUT keeps their place and is in mm. Status 1: nothing is left, or there is no sound result.</source>
+        <translation>Vereinigt Modelle, zieht alle anderen vom ersten ab oder behält, was allen gemeinsam ist. Die Modelle müssen wasserdicht sein. OUT behält ihre Lage und ist in mm. Status 1: Es bleibt nichts übrig, oder es gibt kein fehlerfreies Ergebnis.</translation>
+    </message>
+    <message>
+        <source>The operation: one of %1.</source>
+        <translation>Die Operation: eine von %1.</translation>
+    </message>
+    <message>
+        <source>The first model; or -.</source>
+        <translation>Das erste Modell; oder -.</translation>
+    </message>
+    <message>
+        <source>The other models; or -.</source>
+        <translation>Die anderen Modelle; oder -.</translation>
+    </message>
+    <message>
+        <source>Axis that points up in the files that are read (default: z for STL, 3MF and AMF, y for others).</source>
+        <translation>Achse, die in den gelesenen Dateien nach oben zeigt (Vorgabe: z bei STL, 3MF und AMF, sonst y).</translation>
+    </message>
+    <message>
+        <source>boolean: &quot;%1&quot; is not an operation: the operations are %2.</source>
+        <translation>boolean: „%1“ ist keine Operation: Die Operationen sind %2.</translation>
+    </message>
+    <message>
+        <source>%1 Did you mean %2?</source>
+        <translation>%1 Meinten Sie %2?</translation>
+    </message>
+    <message>
+        <source>boolean: the operation is missing: one of %1.</source>
+        <translation>boolean: Die Operation fehlt: eine von %1.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be combined with others, because its surface does not bound a solid (%2). fettle convert --repair may make it watertight.</source>
+        <translation>%1 kann nicht mit anderen verknüpft werden, weil seine Oberfläche keinen Körper begrenzt (%2). fettle convert --repair kann es vielleicht wasserdicht machen.</translation>
+    </message>
+    <message>
+        <source>The models have no space in common. Nothing was written.</source>
+        <translation>Die Modelle haben keinen gemeinsamen Raum. Es wurde nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>Nothing is left of %1. Nothing was written.</source>
+        <translation>Von %1 bleibt nichts übrig. Es wurde nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>The models cannot be combined soundly: near (%1, %2, %3) mm faces lie so close to each other that they still meet after rounding. Move a model a little. Nothing was written.</source>
+        <translation>Die Modelle lassen sich nicht ohne Fehler verknüpfen: Bei (%1, %2, %3) mm liegen Flächen so dicht beieinander, dass sie sich nach dem Runden noch treffen. Verschieben Sie ein Modell ein wenig. Es wurde nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>%1: %2 x %3 x %4 mm, triangles: %5, volume: %6.</source>
+        <translation>%1: %2 x %3 x %4 mm, Dreiecke: %5, Volumen: %6.</translation>
+    </message>
+    <message numerus="yes">
+        <source>boolean: needs two models or more; %n were given.</source>
+        <translation>
+            <numerusform>boolean: braucht zwei Modelle oder mehr; angegeben wurde %n.</numerusform>
+            <numerusform>boolean: braucht zwei Modelle oder mehr; angegeben wurden %n.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>app::BrushExport</name>
     <message>
         <source>There is not enough memory to make a brush of this model.</source>
@@ -489,6 +551,10 @@
     <message>
         <source>write a model in another format or size, repaired, or with fewer triangles</source>
         <translation>ein Modell in anderem Format oder anderer Größe schreiben, repariert oder mit weniger Dreiecken</translation>
+    </message>
+    <message>
+        <source>unite models, subtract them from the first, or keep what they share</source>
+        <translation>Modelle vereinigen, vom ersten abziehen oder behalten, was ihnen gemeinsam ist</translation>
     </message>
     <message>
         <source>play recorded strokes on a model</source>

@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>app::BooleanCommand</name>
+    <message numerus="yes">
+        <source>boolean: needs two models or more; %n were given.</source>
+        <translation>
+            <numerusform>boolean: needs two models or more; %n was given.</numerusform>
+            <numerusform>boolean: needs two models or more; %n were given.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>app::ClassEnd</name>
     <message numerus="yes">
         <source>%n models are not yet in the class folder.</source>

@@ -2,6 +2,67 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
 <context>
+    <name>app::BooleanCommand</name>
+    <message>
+        <source>Unites models, subtracts all others from the first, or keeps what all have in common. The models must be watertight. OUT keeps their place and is in mm. Status 1: nothing is left, or there is no sound result.</source>
+        <translation>合并模型，从第一个模型中减去其余模型，或保留所有模型的公共部分。模型必须水密。OUT 保持原来的位置，单位为毫米。状态 1：没有剩余部分，或无法得到完好的结果。</translation>
+    </message>
+    <message>
+        <source>The operation: one of %1.</source>
+        <translation>运算：%1 之一。</translation>
+    </message>
+    <message>
+        <source>The first model; or -.</source>
+        <translation>第一个模型；或 -。</translation>
+    </message>
+    <message>
+        <source>The other models; or -.</source>
+        <translation>其余模型；或 -。</translation>
+    </message>
+    <message>
+        <source>Axis that points up in the files that are read (default: z for STL, 3MF and AMF, y for others).</source>
+        <translation>所读文件中朝上的轴（默认 STL、3MF 和 AMF 为 z，其他为 y）。</translation>
+    </message>
+    <message>
+        <source>boolean: &quot;%1&quot; is not an operation: the operations are %2.</source>
+        <translation>boolean：“%1”不是运算：可用的运算为 %2。</translation>
+    </message>
+    <message>
+        <source>%1 Did you mean %2?</source>
+        <translation>%1您是否想输入 %2？</translation>
+    </message>
+    <message>
+        <source>boolean: the operation is missing: one of %1.</source>
+        <translation>boolean：缺少运算：%1 之一。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be combined with others, because its surface does not bound a solid (%2). fettle convert --repair may make it watertight.</source>
+        <translation>%1 无法与其他模型运算，因为其表面没有围成实体（%2）。用 fettle convert --repair 或许可以修复。</translation>
+    </message>
+    <message>
+        <source>The models have no space in common. Nothing was written.</source>
+        <translation>这些模型没有公共空间。未写入任何文件。</translation>
+    </message>
+    <message>
+        <source>Nothing is left of %1. Nothing was written.</source>
+        <translation>%1 没有任何剩余部分。未写入任何文件。</translation>
+    </message>
+    <message>
+        <source>The models cannot be combined soundly: near (%1, %2, %3) mm faces lie so close to each other that they still meet after rounding. Move a model a little. Nothing was written.</source>
+        <translation>无法得到完好的运算结果：在 (%1, %2, %3) 毫米附近，面与面过于接近，舍入后仍然相交。请稍微移动其中一个模型。未写入任何文件。</translation>
+    </message>
+    <message>
+        <source>%1: %2 x %3 x %4 mm, triangles: %5, volume: %6.</source>
+        <translation>%1：%2 x %3 x %4 毫米，三角形：%5，体积：%6。</translation>
+    </message>
+    <message numerus="yes">
+        <source>boolean: needs two models or more; %n were given.</source>
+        <translation>
+            <numerusform>boolean：需要两个或更多模型，但指定了 %n 个。</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>app::BrushExport</name>
     <message>
         <source>There is not enough memory to make a brush of this model.</source>
@@ -482,6 +543,10 @@
     <message>
         <source>write a model in another format or size, repaired, or with fewer triangles</source>
         <translation>以其他格式或尺寸输出模型，可修复，也可减少三角形</translation>
+    </message>
+    <message>
+        <source>unite models, subtract them from the first, or keep what they share</source>
+        <translation>合并模型，从第一个模型中减去其余模型，或保留公共部分</translation>
     </message>
     <message>
         <source>play recorded strokes on a model</source>

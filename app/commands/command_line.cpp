@@ -34,6 +34,8 @@ constexpr CommandRow commandTable[] = {
     {"convert", convertCommand, "convert IN OUT",
      QT_TRANSLATE_NOOP("app::CommandLine",
                        "write a model in another format or size, repaired, or with fewer triangles")},
+    {"boolean", booleanCommand, "boolean OP A B -o OUT",
+     QT_TRANSLATE_NOOP("app::CommandLine", "unite models, subtract them from the first, or keep what they share")},
     {"replay", replayCommand, "replay --strokes S.json",
      QT_TRANSLATE_NOOP("app::CommandLine", "play recorded strokes on a model")},
     {"report", reportCommand, "report FOLDER -o OUT",

@@ -63,6 +63,7 @@ private:
     [[noreturn]] static void failAt(const QString& sentence, const QString& meant);
 };
 
+ExitStatus booleanCommand(const QStringList& arguments);
 ExitStatus brushCommand(const QStringList& arguments);
 ExitStatus checkCommand(const QStringList& arguments);
 ExitStatus convertCommand(const QStringList& arguments);

@@ -13,7 +13,7 @@ namespace app
 namespace
 {
 /// length of the longest side, mm: default, and limits of the option
-constexpr double starterSize = 100, minSize = 0.001, maxSize = 1e6;
+constexpr double starterSize = 100, minStarterSize = 0.001, maxStarterSize = 1e6;
 
 class NewMessages
 {
@@ -51,7 +51,7 @@ ExitStatus newCommand(const QStringList& arguments)
     const std::optional<core::Starter> starter = core::starterNamed(word.toStdString());
     if (!starter)
         CommandLine::fail(NewMessages::tr("new: the shape must be one of %1, not \"%2\".").arg(starterNames(), word));
-    const double factor = options.has(size) ? options.number(size, minSize, maxSize) / starterSize : 1;
+    const double factor = options.has(size) ? options.number(size, minStarterSize, maxStarterSize) / starterSize : 1;
     options.requireFree(out);
     const QString path = StandardFiles::output(options, out);
     CommandLine::requireMeshEnding(path);

@@ -12,19 +12,20 @@ _fettle()
         previous=${COMP_WORDS[COMP_CWORD - 1]} word=
     fi
     if [ "$COMP_CWORD" = 1 ]; then
-        words='new check convert replay report sheet lesson brush help --vr --vr-simulator --classroom --help --version'
+        words='new check convert boolean replay report sheet lesson brush help --vr --vr-simulator --classroom --help --version'
     else
         case ${COMP_WORDS[1]}:$previous in
         *:--unit) words='mm cm m in' ;;
         *:--from) words=$read_formats ;;
         report:--to) words='html pdf' ;;
         *:--to) words=$formats ;;
-        convert:--up) words='y z' ;;
+        convert:--up | boolean:--up) words='y z' ;;
         convert:--large-holes) words='fill refuse' ;;
         convert:--inner-parts) words='fill hollow' ;;
         replay:--verify) words='local full none' ;;
         lesson:--language) words='en de zh_CN' ;;
-        help:*) words='new check convert replay report sheet lesson brush' ;;
+        help:*) words='new check convert boolean replay report sheet lesson brush' ;;
+        boolean:boolean) words='union subtract intersect' ;;
         new:new) words='ball cube torus slab vase head tablet' ;;
         lesson:lesson) words=$lessons ;;
         brush:brush)
@@ -39,6 +40,7 @@ _fettle()
         convert)
             words="$model --to --no-clobber --size --up --triangles --repair --legalise --legalize --wrap --large-holes
                    --inner-parts" ;;
+        boolean) words="$model --out --output -o --to --no-clobber --up" ;;
         replay)
             words='--strokes --in --out -o --stats --frames --every --verify --from --to --no-clobber --help -h' ;;
         report) words='--out --output -o --unit --to --no-clobber --help -h' ;;

@@ -112,9 +112,10 @@ const FolderRule folderRules[] = {
      "core/util core/geometry core/drawing core/io/stroke core/io core/lesson ui/util ui/settings "
      "ui/widgets ui/viewport ui/files ui/lesson ui/classroom ui/window app/model app/worker app/recovery "
      "app/document app/lesson"},
-    {"app/commands", "core/util core/geometry core/analysis core/mesh core/repair core/sculpt core/operations "
-                     "core/io/stroke core/io core/lesson ui/util ui/brush ui/drawing app/platform app/model "
-                     "app/document app/classroom app/lesson"},
+    {"app/commands",
+     "core/util core/geometry core/analysis core/mesh core/repair core/boolean core/sculpt "
+     "core/operations core/io/stroke core/io core/lesson ui/util ui/brush ui/drawing app/platform app/model "
+     "app/document app/classroom app/lesson"},
     {"app/headset", "ui/util ui/settings ui/scene ui/viewport ui/files ui/brush ui/lesson ui/headset ui/window "
                     "vr/openxr vr/input vr/frame vr/scene vr/panels vr/sculpt vr/simulator app/worker "
                     "app/document app/commands"},

@@ -299,6 +299,7 @@ QString lineWith(const QString& command, const QString& option)
         {QStringLiteral("new"), QStringLiteral("fettle new ball - --to obj")},
         {QStringLiteral("check"), QStringLiteral("fettle check broken.stl --print --json")},
         {QStringLiteral("convert"), QStringLiteral("fettle convert broken.stl - --to obj --repair")},
+        {QStringLiteral("boolean"), QStringLiteral("fettle boolean union model.stl model.stl -o - --to obj")},
         {QStringLiteral("replay"), QStringLiteral("fettle replay --strokes s.json --out - --to obj")},
         {QStringLiteral("report"), QStringLiteral("fettle report class -o - --to html")},
         {QStringLiteral("sheet"), QStringLiteral("fettle sheet model.stl -o sheet.pdf")},
