@@ -1,7 +1,7 @@
 // Makes the boundary of a solid from any triangles:
 //   1. snap      to the lattice, and weld                                        cleanup
 //   2. clean up  remove faces without area, and duplicate faces                  cleanup
-//      drop      parts that exist twice with different triangles                 cleanup
+//      drop      parts that exist twice with different triangles                 doubled_parts
 //      join      cracks: open vertices near others or near open edges            crack_stitching
 //   3. orient    along edges of two faces; remove hidden sheets                  orientation
 //   4. leave out open parts that enclose nothing                                 sheet_removal
@@ -21,6 +21,7 @@
 
 #include "core/repair/cleanup.h"
 #include "core/repair/crack_stitching.h"
+#include "core/repair/doubled_parts.h"
 #include "core/repair/edge_faces.h"
 #include "core/repair/hole_filling.h"
 #include "core/repair/mask_transfer.h"

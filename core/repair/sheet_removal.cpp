@@ -2,8 +2,8 @@
 
 #include "core/repair/edge_faces.h"
 #include "core/repair/hole_filling.h"
-#include "core/repair/rectangle_around.h"
 
+#include "core/geometry/rectangle_around.h"
 #include "core/geometry/winding_number.h"
 #include "core/util/disjoint_sets.h"
 

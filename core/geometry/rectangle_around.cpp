@@ -1,4 +1,4 @@
-#include "core/repair/rectangle_around.h"
+#include "core/geometry/rectangle_around.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-namespace core::repair
+namespace core
 {
 namespace
 {
@@ -72,4 +72,4 @@ Rectangle rectangleAround(std::span<const Vec3> points)
     }
     return least;
 }
-} // namespace core::repair
+} // namespace core

@@ -4,7 +4,7 @@
 
 #include <span>
 
-namespace core::repair
+namespace core
 {
 struct Rectangle
 {
@@ -14,4 +14,4 @@ struct Rectangle
 /// Returns the rectangle of least area around the points, projected onto the plane nearest to them. Among equal
 /// rectangles, the shortest. Cost: one sort, and the square of the number of convex hull corners.
 Rectangle rectangleAround(std::span<const Vec3> points);
-} // namespace core::repair
+} // namespace core
