@@ -16,6 +16,7 @@
 #include "core/repair/repair.h"
 
 #include "core/analysis/nesting.h"
+#include "core/analysis/single_sheets.h"
 #include "core/geometry/face_geometry.h"
 #include "core/geometry/lattice_placement.h"
 
@@ -184,13 +185,22 @@ bool takeClosed(TriangleSoup& surface, RepairReport& report)
 }
 
 /// Returns whether the two faces of each edge of two run along it in opposite directions.
-bool runsOneWay(const TriangleSoup& surface)
+bool runsOneWay(std::span<const Triangle> triangles)
 {
     bool doRun = true;
-    repair::forEachEdge(surface.triangles, [&](std::span<const repair::EdgeFace> around) {
+    repair::forEachEdge(triangles, [&](std::span<const repair::EdgeFace> around) {
         doRun = doRun && (around.size() != 2 || around[0].forward != around[1].forward);
     });
     return doRun;
+}
+
+/// Returns whether any edge has more than two faces.
+bool hasSharedEdges(std::span<const Triangle> triangles)
+{
+    bool isAnyShared = false;
+    repair::forEachEdge(
+        triangles, [&](std::span<const repair::EdgeFace> around) { isAnyShared = isAnyShared || around.size() > 2; });
+    return isAnyShared;
 }
 
 /// Drops faces that have the same corners as any of these.
@@ -229,7 +239,7 @@ ClosedSurface stitchAndFill(TriangleSoup& surface, double unit, const RepairOpti
     progress.begin(RepairStep::Orient);
     ClosedSurface result;
     result.whole = surface;
-    result.isFileOriented = runsOneWay(surface);
+    result.isFileOriented = runsOneWay(surface.triangles);
     const repair::OrientationResult oriented = repair::orient(surface);
     report.turnedFaces = oriented.turned;
     report.membraneFaces = oriented.membranes.size();
@@ -284,6 +294,35 @@ ClosedSurface closeSurface(TriangleSoup& surface, double unit, const RepairOptio
     return result;
 }
 
+/// Returns the least area that the holes of an oriented surface can have, as a share of the surface's area.
+double shareOfHoles(const TriangleMesh& mesh)
+{
+    double area = 0;
+    Vec3 sum = Vec3::Zero(); // area vectors of a closed surface add up to zero
+    for (Slot f = 0; f < mesh.triangles.size(); ++f) {
+        const auto& [a, b, c] = cornersOf(mesh, f);
+        const Vec3 doubleArea = (b - a).cross(c - a);
+        area += doubleArea.norm();
+        sum += doubleArea;
+    }
+    return area > 0 ? sum.norm() / area : 1;
+}
+
+/// Returns the faces of a file, each sheet once, if any sheets can coincide. Returns nothing if they do not tell what
+/// they enclose: the file's faces do not run one way, or over 1/6 of the area is missing, such as where a loose sheet
+/// faces another one.
+std::optional<TriangleMesh> sheetsOf(TriangleSoup file, const Lattice& lattice, const RepairReport& report)
+{
+    constexpr double nearby = 16;         // lattice units, as in doubled_parts.h
+    constexpr double mostHoles = 1.0 / 6; // share of the area
+    TriangleMesh all = meshOf(std::move(file), lattice);
+    const bool isAnyDropped = report.duplicateFaces + report.membraneFaces > 0;
+    if (!(isAnyDropped || hasSharedEdges(all.triangles)) || !runsOneWay(all.triangles))
+        return std::nullopt;
+    TriangleMesh single = singleSheets(all, nearby * lattice.unit());
+    return shareOfHoles(single) > mostHoles ? std::nullopt : std::optional(std::move(single));
+}
+
 /// A valid surface, and its distance from the original.
 struct Outcome
 {
@@ -294,7 +333,8 @@ struct Outcome
     /// or volume.
     double loss() const
     {
-        return std::abs(1 - report.keptVolume()) + report.lost / report.size + report.space.lost + report.space.gained;
+        return std::abs(1 - report.keptVolume()) + report.lost / report.size + report.space.lost + report.space.gained +
+               report.singleSpace.lost + report.singleSpace.gained;
     }
 };
 
@@ -319,20 +359,32 @@ void measure(RepairReport& report, const TriangleMesh& old, const TriangleMesh& 
         report.lost = meanDistanceOutside(old, mesh, near * report.size, {control.stop, {}});
 }
 
+double total(const SpaceDifference& difference)
+{
+    return difference.lost + difference.gained;
+}
+
+/// The surfaces with which the result is compared.
+struct Originals
+{
+    TriangleMesh old;
+    std::optional<TriangleMesh> sheets; ///< the file's faces, each sheet once
+};
+
 /// Performs steps 6 to 8.
 class Solidification
 {
 public:
-    /// `old`: the surface with which the result is compared. `report`: report of steps 1 to 5. Keeps references, except
-    /// to the report.
+    /// `report`: report of steps 1 to 5. Keeps references, except to the report.
     Solidification(const TriangleSoup& surface, const ClosedSurface& closed, const Lattice& lattice,
-                   const TriangleMesh& old, const RepairReport& report)
+                   const Originals& originals, const RepairReport& report)
         : m_surface(surface)
         , m_closed(closed)
         , m_lattice(lattice)
-        , m_old(old)
+        , m_originals(originals)
         , m_report(report)
     {
+        const TriangleMesh& old = originals.old;
         m_report.before.parts = edgeComponents(old.triangles);
         for (const Triangle& t : old.triangles) {
             const Vec3 a = old.points[t[0]].cast<double>(), b = old.points[t[1]].cast<double>(),
@@ -445,7 +497,8 @@ private:
         if (!measures.printReady() || progress.control.isCancelled())
             return;
         progress.begin(RepairStep::Measure);
-        measure(outcome.report, m_old, outcome.mesh, measures, progress.control.part(afterCheck, afterMeasuring));
+        measure(outcome.report, m_originals.old, outcome.mesh, measures,
+                progress.control.part(afterCheck, afterMeasuring));
         constexpr double afterComparing = (1 + afterMeasuring) / 2;
         if (m_closed.whole)
             outcome.report.space = spaceDifference(meshOf(*m_closed.whole, m_lattice), WoundAround::EitherWay,
@@ -454,14 +507,31 @@ private:
             outcome.report.otherSpace =
                 spaceDifference(meshOf(*m_closed.otherReading, m_lattice), WoundAround::Outwards, outcome.mesh,
                                 progress.control.part(afterComparing, 1));
+        if (m_originals.sheets)
+            outcome.report.singleSpace = differenceFromSheets(outcome.mesh, progress.control);
         if (!progress.control.isCancelled() && (!m_best || outcome.loss() < m_best->loss()))
             m_best = std::move(outcome);
+    }
+
+    /// Returns the lesser difference: parts that face inwards may be cavities, or turned parts. Returns no difference
+    /// if the two spaces have nothing in common: the body itself has cancelled, as one of two copies faces inwards.
+    SpaceDifference differenceFromSheets(const TriangleMesh& solid, const JobControl& control) const
+    {
+        constexpr double nearlyAll = 0.99;
+        const SpaceDifference eitherWay =
+            spaceDifference(*m_originals.sheets, WoundAround::EitherWay, solid, {control.stop, {}});
+        if (total(eitherWay) <= RepairReport::mostSingleSpace)
+            return eitherWay;
+        const SpaceDifference outwards =
+            spaceDifference(*m_originals.sheets, WoundAround::Outwards, solid, {control.stop, {}});
+        const SpaceDifference least = total(outwards) < total(eitherWay) ? outwards : eitherWay;
+        return total(least) < nearlyAll ? least : SpaceDifference{};
     }
 
     const TriangleSoup& m_surface;
     const ClosedSurface& m_closed;
     const Lattice& m_lattice;
-    const TriangleMesh& m_old;
+    const Originals& m_originals;
     RepairReport m_report;
     repair::Resolution m_resolution;
     double m_volume = 0; ///< volume that the surface winds around, in the model's unit
@@ -473,7 +543,8 @@ bool RepairReport::isFaithful() const
 {
     return !remeshedAt && keptVolume() >= leastVolume && keptVolume() <= mostVolume && lost <= mostLost * size &&
            space.lost <= mostSpaceLost && space.gained <= mostSpaceGained &&
-           otherSpace.lost + otherSpace.gained <= mostOtherSpace;
+           otherSpace.lost + otherSpace.gained <= mostOtherSpace &&
+           singleSpace.lost + singleSpace.gained <= mostSingleSpace;
 }
 
 RepairResult repairMesh(const TriangleMesh& mesh, const RepairOptions& options, const JobControl& control,
@@ -496,8 +567,11 @@ RepairResult repairMesh(const TriangleMesh& mesh, const RepairOptions& options, 
         result.refusal = RepairRefusal::LargeHoles;
     if (closed.isRefused || closed.unfilled.triangles.empty() || control.isCancelled())
         return result;
-    TriangleMesh old = report.sheets > 0 ? meshOf(closed.unfilled, placement.lattice) : movedBy(placement.moved, mesh);
-    Solidification solid(surface, closed, placement.lattice, old, report);
+    Originals originals;
+    originals.old = report.sheets > 0 ? meshOf(closed.unfilled, placement.lattice) : movedBy(placement.moved, mesh);
+    if (!closed.isLoose)
+        originals.sheets = sheetsOf(surfaceOf(mesh, placement), placement.lattice, report);
+    Solidification solid(surface, closed, placement.lattice, originals, report);
     solid.resolve(progress.part(afterClosing, afterResolving));
     control.reportProgress(afterResolving);
     if (options.canWrap && !solid.isFaithful() && !control.isCancelled())
@@ -512,7 +586,7 @@ RepairResult repairMesh(const TriangleMesh& mesh, const RepairOptions& options, 
     report = std::move(solid.best().report);
     result.mesh = std::move(solid.best().mesh);
     report.unmasked = repair::transferMasks(mesh, placement, *result.mesh);
-    result.old = std::move(old);
+    result.old = std::move(originals.old);
     control.reportProgress(1);
     return result;
 }

@@ -67,7 +67,7 @@ struct RepairReport
     SurfaceDistance fromNew; ///< distances of the new surface from the old one: what was added or moved
     double hausdorff() const { return std::max(fromOld.largest, fromNew.largest); }
     static constexpr double leastVolume = 0.98, mostVolume = 1.02, mostLost = 0.005, mostSpaceLost = 0.02,
-                            mostSpaceGained = 0.1, mostOtherSpace = 0.02;
+                            mostSpaceGained = 0.1, mostOtherSpace = 0.02, mostSingleSpace = 0.02;
     /// Mean distance of the old surface from the new one, where the old one is not inside the new one.
     double lost = 0;
     /// Compares the enclosed space with that of the old surface, if the old surface was open. Uses the faces of the
@@ -75,10 +75,14 @@ struct RepairReport
     SpaceDifference space;
     /// Compares the enclosed space with the one that results if doubtful parts are taken for cavities instead.
     SpaceDifference otherSpace;
+    /// Compares the enclosed space with that of the file's faces, each sheet once (single_sheets.h), if sheets may have
+    /// coincided and the file's faces run one way.
+    SpaceDifference singleSpace;
     double keptVolume() const { return before.volume > 0 ? after.volume / before.volume : 1; }
     /// Returns whether the result is still the same model: it was not remeshed, its volume is the same within 2 %, and
     /// `lost` is at most 0.5 % of its size. Of the space that the old and the new surface enclose together, at most 2 %
-    /// were lost and 10 % gained; at most 2 % differ in the alternative reading.
+    /// were lost and 10 % gained. At most 2 % differ in the alternative reading, and at most 2 % from the space of each
+    /// sheet once.
     bool isFaithful() const;
 };
 

@@ -4,6 +4,7 @@
 
 #include <QLocale>
 
+#include <algorithm>
 #include <cmath>
 
 namespace ui
@@ -97,7 +98,8 @@ QString RepairMessages::doubt(const QString& file, const core::RepairReport& rep
     if (!isLost && isOfOtherVolume)
         return tr("%1 was repaired, but now has %2 % of its volume.")
             .arg(file, QLocale().toString(percent * kept, 'f', 1));
-    const double space = report.space.lost + report.space.gained,
+    const double space = std::max(report.space.lost + report.space.gained,
+                                  report.singleSpace.lost + report.singleSpace.gained),
                  otherSpace = report.otherSpace.lost + report.otherSpace.gained;
     if (!isLost && otherSpace > core::RepairReport::mostOtherSpace)
         return tr("%1 was repaired, but parts that could be holes were treated as parts that face the wrong way: %2 % "
