@@ -37,7 +37,7 @@ public:
     /// Returns one sentence if the frames cannot be written: the folder or a free file name is missing. Returns an
     /// empty string otherwise.
     static QString obstacle(const QString& folder, const QStringList& frames);
-    /// Writes the frames. Consumes the mesh of `history`.
+    /// Writes the frames. Undoes steps in `history.mesh`, which must not be used afterwards.
     static TimeLapseOutcome run(const TimeLapseRequest& request, const ModelHistory& history,
                                 const core::JobControl& control);
 };

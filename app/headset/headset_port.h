@@ -15,7 +15,7 @@
 
 namespace app
 {
-/// Messages from a visit to the gui thread, collected until they are taken.
+/// Messages that a headset visit sends to the gui thread, collected until they are taken.
 struct HeadsetMessages
 {
     std::deque<vr::DocumentRequest> requests;

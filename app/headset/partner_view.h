@@ -74,7 +74,7 @@ private:
     std::optional<vr::PointedPlace> m_pointed;
     std::optional<core::Sphere> m_teacher;
     std::optional<vr::LessonPanel> m_lesson;
-    core::StrokeSettings m_knownBrush; ///< brush that was last announced or chosen in the headset
+    core::StrokeSettings m_knownBrush; ///< the window's brush as last announced to the headset, or as last chosen there
     QString m_undoText, m_redoText;    ///< names sent with the last update; they still include the step being undone
     quint64 m_radiusModel = 0;         ///< model to which m_radiusShare belongs
     double m_radiusShare = 0;          ///< radius share of the window's brush at the last update

@@ -78,7 +78,8 @@ bool isReal(const FbxValue& value)
     return value.type == 'F' || value.type == 'D' || value.type == 'T';
 }
 
-/// Returns three real numbers; nothing if one of them is an integer or missing, since Assimp ignores such vectors.
+/// Returns three finite real numbers; nothing if one of them is missing, not finite or an integer, since Assimp ignores
+/// such vectors.
 std::optional<Vector3d> vectorOf(const FbxRecord* property)
 {
     Vector3d vector;

@@ -135,7 +135,8 @@ QString LessonMessages::wrongType(const std::string& key)
                          : tr("\"%1\" must be a number, or bounds, as in {\"least\": 1, \"most\": 2}").arg(shown);
 }
 
-/// Returns the reason for an error in a file that lesson.json refers to; empty for other errors.
+/// Returns the reason for an error outside the text of lesson.json: a missing or bad file, or a command that would
+/// break the model; empty for other errors.
 QString LessonMessages::files(const core::LessonError& error)
 {
     switch (error.kind) {

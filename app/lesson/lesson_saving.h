@@ -39,7 +39,7 @@ public:
     /// Returns one sentence about a missing part; empty if the draft is complete and can be checked.
     static QString missing(const core::LessonDraft& draft);
     /// Checks the draft: reads the bytes to be written with the strict reader, and plays the lesson. `hash`: expected
-    /// hash of the final model; nothing: any.
+    /// hash of the final model; nullopt: not compared.
     static CheckedLesson check(const core::LessonDraft& draft, const std::filesystem::path& path,
                                const std::optional<std::uint64_t>& hash, const core::JobControl& control);
     /// Returns an empty string, or one sentence about the error; nothing has then changed on disk.

@@ -33,8 +33,8 @@ namespace app
 /// A model that may be sculpted, or the reason why not.
 struct LoadedModel
 {
-    std::shared_ptr<core::Sculptor> sculptor;    ///< null: refused
-    std::shared_ptr<const core::Snapshot> start; ///< snapshot of the sculptor's mesh; null: refused
+    std::shared_ptr<core::Sculptor> sculptor;    ///< null: refused or cancelled
+    std::shared_ptr<const core::Snapshot> start; ///< snapshot of the sculptor's mesh; null if `sculptor` is
     QString problem;                             ///< if refused: one sentence with file, place or counts, and reason
     bool isRepairable = false;                   ///< if refused: loadRepaired() may help
     QStringList repairs;                         ///< sentences about repairs that were done; empty: none

@@ -5,8 +5,8 @@
 namespace app
 {
 /// Restricts this process for reading files from untrusted sources. It gets `memory` bytes beyond its present use (at
-/// most the machine's memory) and `seconds` of CPU time. It cannot write files and leaves no core file. On Linux it
-/// also ends with its parent, starts no other program, opens no connection, and keeps only standard input, output and
-/// error open.
+/// most the machine's memory) and `seconds` of CPU time. It cannot write data to files and leaves no core file. On
+/// Linux it also ends with its parent, starts no other program, opens no connection, and keeps only standard input,
+/// output and error open.
 void limitOwnProcess(std::uint64_t memory, std::uint64_t seconds);
 } // namespace app

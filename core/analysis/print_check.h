@@ -84,8 +84,8 @@ PrintReport checkForPrint(const PrintMeasures& measures, const PrintLimits& limi
 /// too.
 enum class UnitDoubt { None, Inches, Metres };
 UnitDoubt unitDoubtOf(double volume);
-/// Returns the likely unit of a model that is too small for slicers if its unit is mm, or whose longest side is below
-/// PrintLimits::inchSide. Below metreSide, metres are likelier than inches.
+/// Returns a likelier unit than mm for a small model. None unless unitDoubtOf() doubts the volume or the longest side
+/// is below PrintLimits::inchSide; then Metres if that side is below metreSide, else Inches.
 UnitDoubt guessedUnit(double volume, double longestSide);
 
 enum class PrintPicture { Thickness, Overhang };

@@ -24,8 +24,8 @@ constexpr double straight = 0.99, pointLike = 0.05;
 /// Largest number of pairs of pieces that are tested for two ridges.
 constexpr int maxPairs = 256;
 constexpr std::size_t ridgesAtOnce = 16;
-/// evenRidge: ratio of the thicknesses along a piece below which the piece is divided. shortPiece: length, in
-/// thicknesses, up to which a piece is not divided.
+/// evenRidge: a piece is divided if its thinnest place is below this share of the thickness at one of its ends or its
+/// middle. shortPiece: length, in thicknesses, up to which a piece is not divided.
 constexpr double evenRidge = 0.8, shortPiece = 0.5;
 constexpr int maxHalvings = 7;
 /// A ridge is reported only if it is thinner than this share of the thickness at its faces. The margin exceeds the

@@ -76,8 +76,8 @@ struct WriteOptions
 {
     std::optional<UpAxis> up = {}; ///< up axis of the file; missing: usualUp()
     bool ascii = false;            ///< writes STL and PLY as text; OBJ and OFF are always text, GLB and 3MF never
-    /// Data stored in addition to the surface, as far as the format can. GLB stores all of it, in an extension that
-    /// other programs ignore. PLY, OBJ, OFF and 3MF store the palette in a comment.
+    /// Data stored in addition to the surface, as far as the format can hold it. GLB stores all of it, in an extension
+    /// that other programs ignore. PLY, OBJ, OFF and 3MF store the palette in a comment.
     DocumentMetadata metadata = {};
 };
 

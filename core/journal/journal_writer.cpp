@@ -14,7 +14,7 @@ namespace core
 namespace
 {
 constexpr int oftenLate = 3;       ///< number of late syncs in a row that are reported: one alone may be a busy moment
-constexpr double muchTooLate = 25; ///< a single sync is reported if it takes more than this multiple of promisedMs
+constexpr double muchTooLate = 25; ///< a single sync is reported if its time exceeds this multiple of promisedMs
 
 std::int64_t nowNs()
 {
@@ -315,7 +315,8 @@ void JournalWriter::syncStart()
     }
 }
 
-/// Returns whether a sync of this duration is to be reported as late. Thread: the syncing thread.
+/// Returns whether it must now be reported that syncs are late. `ms`: time from add() of the oldest record to the end
+/// of its sync. Thread: the syncing thread.
 bool JournalWriter::isTooLate(double ms)
 {
     if (m_isLateReported)

@@ -30,7 +30,8 @@ struct JournalLimits
 struct JournalCallbacks
 {
     std::function<void(const FileError&)> broken; ///< called once, when recording has stopped
-    /// Called once, when the disk is slower than promisedMs; `ms` is the time that the sync took.
+    /// Called once, when several syncs in a row were late or one was very late. `ms`: time from add() of the oldest
+    /// record of the last sync to the end of this sync; promisedMs is exceeded.
     std::function<void(double ms)> late;
     /// Called by a deferred journal when its base is on disk; from then on the journal contains the whole document.
     std::function<void()> begun;
@@ -43,8 +44,8 @@ struct JournalStats
     double packMs = 0, writeMs = 0; ///< sums over all records, measured on the writing thread
     double worstWrittenMs = 0;      ///< longest time from add() until the record survives the end of the process
     double worstSyncedMs = 0;       ///< longest time from add() until the record survives a power cut
-    std::uint64_t late = 0;         ///< number of syncs that took longer than promisedMs
-    bool isCompacting = false;      ///< a base is being made at this moment
+    std::uint64_t late = 0;    ///< number of syncs that ended later than promisedMs after add() of their oldest record
+    bool isCompacting = false; ///< a base is being made at this moment
 };
 
 /// Appends records to a journal's folder, with three threads of its own. The first writes added records at once, the

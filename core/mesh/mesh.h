@@ -46,7 +46,8 @@ public:
 
     const MeshFrame& frame() const { return m_frame; }
     const Lattice& lattice() const { return m_frame.lattice; }
-    /// Returns d_detail of the uniform topology, mm. A new mesh has 4/3 of its mean edge (Botsch and Kobbelt 2004).
+    /// Returns d_detail of Topology::Uniform, the length above which it splits edges, mm. Initially 4/3 of the mean
+    /// edge length (Botsch and Kobbelt 2004).
     double uniformDetail() const { return m_frame.uniformDetail; }
 
     // --- queries

@@ -25,8 +25,8 @@ constexpr double usualShare = 0.125;
 /// surface is rough rather than sharp.
 constexpr double creaseCosine = 0.7;
 constexpr std::size_t maxCreases = 4;
-/// Number of rounds of projecting onto the sides of a crease in turn, which converges. On flat sides the first rounds
-/// suffice.
+/// Number of rounds in which a point on a crease is projected onto each of its sides in turn. On flat sides the first
+/// rounds suffice.
 constexpr int projections = 3;
 /// Largest distance by which a vertex is raised, in d.
 constexpr double maxRaise = 0.25;

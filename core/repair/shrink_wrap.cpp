@@ -35,8 +35,8 @@ Node corner(const Node& cube, unsigned i)
     return cube + Node(static_cast<int>(i & 1), static_cast<int>(i >> 1 & 1), static_cast<int>(i >> 2 & 1));
 }
 
-/// Corners of the six tetrahedra: paths along edges from corner 0 to 7, in the six orders of the axes, all with the
-/// same orientation.
+/// Corners of the six tetrahedra, one for each path along edges from corner 0 to 7. In three of them the middle corners
+/// are swapped, so that all have the same orientation.
 constexpr std::array<std::array<unsigned, 4>, 6> tetrahedra{
     {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7}, {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}}};
 

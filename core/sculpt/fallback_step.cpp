@@ -11,7 +11,8 @@ namespace
 /// maxTightenRounds: rounds of tightening the motion limits. After every roundsPerRing rounds, the vertices limited
 /// around the bad faces extend by one more ring.
 constexpr int maxTightenRounds = 64, roundsPerRing = 4;
-/// Rounds of optimising in one transaction, before the remaining operations are done one by one.
+/// Largest number of attempts to optimise in one transaction, each without operations near the bad faces of those
+/// before. Then the remaining operations are done one by one.
 constexpr int maxFreezeRounds = 16;
 /// Work units (WorkBudget) per moved vertex when the whole motion is verified.
 constexpr double verifiedMoveWork = 16;

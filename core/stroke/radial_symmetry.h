@@ -28,8 +28,9 @@ struct Turn
 Dab operator*(const Turn& turn, Dab dab);
 
 /// Returns the dabs of all `settings.radial` sectors, starting with the given dab. Where the dabs or their mirror
-/// images overlap, each is weakened; if all are centred on the axis, together they are as strong as one dab. Dabs of
-/// Layer keep their strength, because Layer limits its own height.
+/// images overlap, each is weakened; if all are centred on the axis, together they are as strong as one dab, once the
+/// caller has left out those that only repeat another (isAmong()). Dabs of Layer keep their strength, because Layer
+/// limits its own height.
 std::vector<Dab> sectorDabs(const StrokeSettings& settings, const Dab& dab);
 
 /// Returns whether the dab has the same effect as one of the others or, with a plane of symmetry, as the mirror image

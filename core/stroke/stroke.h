@@ -40,7 +40,7 @@ struct StrokeSettings
     int radial = 1;
     double radius = info(Parameter::Radius).defaultValue;
     double strength = info(Parameter::Strength).defaultValue;
-    /// exponent n of the weight b(x); 0: all vertices have weight 1
+    /// exponent n of the falloff weight, see falloff(); 0: all vertices have weight 1
     int falloff = static_cast<int>(info(Parameter::Falloff).defaultValue);
     double detail = info(Parameter::Detail).defaultValue; ///< factor of d_detail
     /// d_detail of Topology::Uniform, mm; 0: 4/3 of the model's mean edge length when it was opened

@@ -40,8 +40,8 @@ inline core::TriangleMesh gridBox(const core::Vec3& half, int cuts)
     return mesh;
 }
 
-/// Returns the solid that a line makes when it revolves about the y axis. The line is (radius, y) points, upwards; the
-/// first and the last have radius 0.
+/// Returns the solid of revolution of a profile about the y axis. `line`: the profile's (radius, y) points from bottom
+/// to top; the first and the last have radius 0.
 inline core::TriangleMesh turned(const std::vector<std::pair<double, double>>& line, int sectors)
 {
     core::TriangleMesh mesh;

@@ -9,7 +9,7 @@ namespace ui
 {
 class Actions;
 
-/// A page of the guide, from resources/help/<language>/<id>.md. The table is in reading order.
+/// A page of the guide, from resources/help/<language>/<id>.md.
 struct HelpPage
 {
     const char* id;
@@ -17,6 +17,7 @@ struct HelpPage
     const char* command = ""; ///< id of the action that the page is about; the page is left out while it is hidden
     bool isLesson() const { return *picture; }
 };
+/// Returns the pages in reading order.
 std::span<const HelpPage> helpPages();
 
 /// Returns the folder of the pages in the locale's best available language; English if none is available.

@@ -67,7 +67,8 @@ public:
 
     /// Sets the lessons that are listed while no lesson is open.
     void setLessons(const QList<LessonCard>& lessons);
-    /// Shows a page. `marks`: the conditions of the step; on the page after the last step, the results.
+    /// Shows a page. `marks`: the conditions of the step; on the page after the last step, how many conditions of each
+    /// step were met.
     void showPage(const LessonPage& page, const QList<LessonMark>& marks);
     void showLessons();
     /// Removes everything that leads to files and to other lessons.

@@ -5,7 +5,7 @@ namespace ui
 core::Shading shadingOf(Material material)
 {
     switch (material) {
-    case Material::Clay: // sRGB 194, 150, 126
+    case Material::Clay: // makes an unpainted model sRGB 194, 150, 126
         return {.tint = {0.93F, 0.527F, 0.361F}};
     case Material::Grey:
         return {.tint = {0.62F, 0.63F, 0.66F}, .wrap = 0.10F, .gloss = 0.16F, .sharpness = 22};

@@ -26,7 +26,7 @@ core::StrokeSettings firstStroke()
     return stroke;
 }
 
-/// Returns the legal falloff n nearest to `value`: 0, or 3 to 16.
+/// Returns the legal falloff n nearest to `value`: 0, or 3 to 16. Precondition: `value` is at most 16.
 int legalFalloff(double value)
 {
     const int n = static_cast<int>(std::lround(value));

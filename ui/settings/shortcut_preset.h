@@ -27,8 +27,8 @@ struct ShortcutSettings
 struct MouseModifiers
 {
     Qt::KeyboardModifier invert = Qt::ControlModifier;
-    /// The right button orbits, with Alt pans, with Ctrl zooms. Alt with the left button pans beside the model and
-    /// inverts the brush on it.
+    /// The right button orbits; with Alt it pans, with Ctrl it zooms. Alt with the left button off the model pans. Alt
+    /// has these effects only if InputPreferences::altMovesView is set.
     bool rightOrbits = false;
 
     bool operator==(const MouseModifiers&) const = default;

@@ -11,8 +11,8 @@ namespace vr
 class Instance;
 
 /// The reference spaces of a session. Room space is STAGE or else LOCAL_FLOOR, whose floor is the real one. If the
-/// runtime has neither, room space is LOCAL, with the floor assumed 1.5 m below the eyes. Throws XrError from all
-/// members.
+/// runtime has neither, room space is LOCAL, with the floor assumed 1.5 m below the eyes. The constructor, head() and
+/// advance() throw XrError.
 class Spaces
 {
 public:

@@ -34,7 +34,7 @@ struct MeshAppearance
 
 namespace
 {
-/// Least horizontal part of the head's sideways axis with which the head can be levelled.
+/// Shortest horizontal projection of the head's right axis (a unit vector) from which the head's yaw is computed.
 constexpr double minLevel = 0.2;
 constexpr double shadeReach = 0.9; ///< metres; a model that is higher hardly shades the floor
 constexpr float strongestShade = 0.5F;

@@ -31,7 +31,7 @@ struct PointedPlace
 /// State of the document and of the window that the headset needs. A newer update replaces all older ones.
 struct DocumentUpdate
 {
-    quint64 model = 0; ///< number of models opened so far; when it changes, the new model is placed before the head
+    quint64 model = 0; ///< number of models opened so far; a new model is placed in front of the head
     core::Box box;     ///< bounding box of the model, mm
     core::Shading shading;
     bool isFlat = false;    ///< flat shading: each triangle has one shade

@@ -17,7 +17,8 @@ std::string hexOf(const Rgb& color);
 /// Returns the colour of a text of exactly six hexadecimal digits; nothing for any other text.
 std::optional<Rgb> colorOf(std::string_view word);
 
-/// Returns for example "fettle palette c86e50 8a5a3c", to be written as a comment near the start of a file.
+/// Returns the palette as text, for example "fettle palette c86e50 8a5a3c", to be written as a comment near the start
+/// of a file.
 std::string paletteWords(std::span<const Rgb> palette);
 /// Returns the palette in such a comment near the start of a file. Empty if there is none or it does not have the form
 /// of paletteWords().

@@ -8,7 +8,7 @@
 namespace core
 {
 /// A mesh together with data that follows its changes: the octree and the ranges to be redrawn. The verifier checks
-/// each change before these are updated.
+/// each change before these are updated, except the changes of commitUnverified() and follow().
 class VerifiedMesh
 {
 public:

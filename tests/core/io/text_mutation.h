@@ -4,8 +4,9 @@
 #include <span>
 #include <string>
 
-/// Returns the text with one to three random changes: a character replaced, up to eight erased, or a word inserted.
-/// Precondition: the text is not empty.
+/// Returns the text with one to three random changes: a byte replaced by a random one, up to eight erased, or a word
+/// inserted. Precondition: the text is longer than 16 bytes, so that two changes cannot empty it, and `words` is not
+/// empty.
 inline std::string mutated(std::string text, std::span<const std::string> words, std::mt19937& engine)
 {
     for (auto edits = 1 + engine() % 3; edits != 0; --edits) {

@@ -49,7 +49,8 @@ TriangleMesh withStrayFace(TriangleMesh mesh, const Vec3f& corner)
     return mesh;
 }
 
-/// Adds a needle, 0.0005 wide, in the middle of the first face.
+/// Replaces the first face by one with a thin spike in its middle. The corners of the spike's foot are 0.0005 from its
+/// axis.
 TriangleMesh withNeedle(TriangleMesh mesh, double length = 2)
 {
     const Triangle face = mesh.triangles[0];

@@ -384,7 +384,7 @@ void TestRepair::nothingEnclosed_isRefused()
     }
 }
 
-/// The model is a cube 1 mm above an open floor.
+/// A cube cut by an open floor, 1 mm below the cube's centre.
 void TestRepair::openSheets_areLeftOutAndNamed()
 {
     TriangleMesh floor{{{-50, -1, -50}, {150, -1, -50}, {150, -1, 100}, {-50, -1, 100}}, {}, {{0, 1, 2}, {0, 2, 3}}};

@@ -48,7 +48,8 @@ private Q_SLOTS:
             QTest::newRow(row.key) << row.value;
     }
 
-    /// Each command keeps the keys of the preset, and each action with a key in the table has a key.
+    /// Checks that every action has, without custom keys, exactly the keys of its preset: at most maxKeys, and none
+    /// that is not allowed. An action with a key in the table has at least one.
     void eachPresetIsWhole()
     {
         QFETCH(ShortcutPreset, preset);

@@ -182,7 +182,7 @@ private Q_SLOTS:
 
     void theRadiusFollowsThePointer_data()
     {
-        QTest::addColumn<int>("end"); // a key or a mouse button
+        QTest::addColumn<int>("end"); // the key or mouse button that ends the adjustment
         QTest::addColumn<bool>("isKey");
         QTest::addColumn<bool>("keeps");
         QTest::newRow("click") << int(Qt::LeftButton) << false << true;

@@ -8,7 +8,7 @@
 
 class QTranslator;
 
-/// Installs a translation while it exists.
+/// A translation that is installed for the lifetime of this object.
 class TestTranslation
 {
 public:
