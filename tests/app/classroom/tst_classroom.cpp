@@ -1013,7 +1013,7 @@ void TestClassroom::theGuide_leadsNowhereElse()
                     links << part.fragment().charFormat().anchorHref();
     }
     QVERIFY(!links.isEmpty() && pages.contains(links));
-    for (const char* title : {"A class in turns", "Record a lesson", "Class report"})
+    for (const char* title : {"Taking turns in class", "Record a lesson", "Class report"})
         QVERIFY2(contents->findItems(QLatin1StringView(title), Qt::MatchFixedString).isEmpty(), title);
     const int shown = contents->currentRow();
     for (const char* link : {"https://example.org/", "file:///etc/hostname", "/etc/hostname", "edit.preferences",
