@@ -181,7 +181,7 @@
         <translation>zwei Flächen an jeder Kante</translation>
     </message>
     <message>
-        <source>faces turned alike</source>
+        <source>consistently oriented faces</source>
         <translation>Flächen einheitlich orientiert</translation>
     </message>
     <message>
@@ -492,8 +492,8 @@
         <translation>Die Arbeit wird gespeichert: %1</translation>
     </message>
     <message>
-        <source>Not yet: other work on the model is still running.</source>
-        <translation>Noch nicht: Am Modell läuft noch ein anderer Vorgang.</translation>
+        <source>Please wait: another operation on the model is still running.</source>
+        <translation>Bitte warten: Am Modell läuft noch ein anderer Vorgang.</translation>
     </message>
     <message>
         <source>%1 The work of %2 stays open; nothing is lost.</source>
@@ -604,9 +604,9 @@
         <source>Fettle sculpts closed models that stay ready to print.
 
   fettle [--vr] [FILE]             open the window, with a model or with a ball of clay; --vr enters VR with it
-  fettle --vr-simulator [FILE]     the same without a headset: a window shows what it would, mouse and keys are head and controllers
+  fettle --vr-simulator [FILE]     the same without a headset: a window stands in for it; mouse and keyboard move head and controllers
   fettle [--vr] --classroom CLASS.fettleclass
-                                   begin a class in turns, as its teacher set it up (Edit &gt; Classroom)
+                                   start a class session, as its teacher set it up (Edit &gt; Classroom)
 </source>
         <translation>Fettle formt geschlossene Modelle, die druckfertig bleiben.
 
@@ -768,15 +768,15 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
 <context>
     <name>app::HeadsetRequests</name>
     <message>
-        <source>The model was not restored: other work on it is still running.</source>
+        <source>The model was not restored: another operation on it is still running.</source>
         <translation>Das Modell wurde nicht zurückgesetzt: Daran läuft noch ein anderer Vorgang.</translation>
     </message>
     <message>
-        <source>The model was not saved: other work on it is still running.</source>
+        <source>The model was not saved: another operation on it is still running.</source>
         <translation>Das Modell wurde nicht gespeichert: Daran läuft noch ein anderer Vorgang.</translation>
     </message>
     <message>
-        <source>%1 was not opened: other work on the model is still running.</source>
+        <source>%1 was not opened: another operation on the model is still running.</source>
         <translation>%1 wurde nicht geöffnet: Am Modell läuft noch ein anderer Vorgang.</translation>
     </message>
     <message>
@@ -792,11 +792,11 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>In einer Klasse speichert „Nächstes Kind“ am Fenster die Arbeit.</translation>
     </message>
     <message>
-        <source>%1 was not opened: a class has its own models to begin with.</source>
-        <translation>%1 wurde nicht geöffnet: Eine Klasse beginnt mit eigenen Modellen.</translation>
+        <source>%1 was not opened: during a class, only its starting models can be used.</source>
+        <translation>%1 wurde nicht geöffnet: In einer Klasse sind nur ihre Ausgangsformen verfügbar.</translation>
     </message>
     <message>
-        <source>The mask was not changed: other work on the model is still running.</source>
+        <source>The mask was not changed: another operation on the model is still running.</source>
         <translation>Die Maske wurde nicht geändert: Am Modell läuft noch ein anderer Vorgang.</translation>
     </message>
 </context>
@@ -827,7 +827,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Die Aufzeichnung von %1 ist beschädigt und lässt sich nicht öffnen. Sie liegt in %2.</translation>
     </message>
     <message>
-        <source>A part of the recording of %1 is damaged: its last steps may be missing. It is in %2.</source>
+        <source>Part of the recording of %1 is damaged: its last steps may be missing. It is in %2.</source>
         <translation>Ein Teil der Aufzeichnung von %1 ist beschädigt: Die letzten Schritte können fehlen. Er liegt in %2.</translation>
     </message>
     <message>
@@ -886,8 +886,8 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>%1: Dieses Bild kann nicht geschrieben werden.</translation>
     </message>
     <message>
-        <source>lesson: there is no step %1: the lesson has %2.</source>
-        <translation>lesson: Es gibt keinen Schritt %1: Die Lektion hat %2.</translation>
+        <source>lesson: there is no step %1: the last one is %2.</source>
+        <translation>lesson: Es gibt keinen Schritt %1: Der letzte ist %2.</translation>
     </message>
     <message>
         <source>lesson: step %1 has no checkpoint.</source>
@@ -984,8 +984,8 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Die Lektion wird vorbereitet</translation>
     </message>
     <message>
-        <source>Not yet: other work on the model is still running.</source>
-        <translation>Noch nicht: Am Modell läuft noch ein anderer Vorgang.</translation>
+        <source>Please wait: another operation on the model is still running.</source>
+        <translation>Bitte warten: Am Modell läuft noch ein anderer Vorgang.</translation>
     </message>
     <message>
         <source>Playing the lesson to its end</source>
@@ -1088,7 +1088,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>%1, %2 mm</translation>
     </message>
     <message>
-        <source>Played again, the lesson does not end with the model in the window.</source>
+        <source>When replayed, the lesson does not end with the model in the window.</source>
         <translation>Beim erneuten Abspielen endet die Lektion nicht mit dem Modell im Fenster.</translation>
     </message>
     <message>
@@ -1191,11 +1191,11 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>„%1“ muss true sein</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; must be a whole number, or bounds, as in {&quot;least&quot;: 1, &quot;most&quot;: 2}</source>
+        <source>&quot;%1&quot; must be a whole number or a range, such as {&quot;least&quot;: 1, &quot;most&quot;: 2}</source>
         <translation>„%1“ muss eine ganze Zahl sein, oder Grenzen, wie in {&quot;least&quot;: 1, &quot;most&quot;: 2}</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; must be a number, or bounds, as in {&quot;least&quot;: 1, &quot;most&quot;: 2}</source>
+        <source>&quot;%1&quot; must be a number or a range, such as {&quot;least&quot;: 1, &quot;most&quot;: 2}</source>
         <translation>„%1“ muss eine Zahl sein, oder Grenzen, wie in {&quot;least&quot;: 1, &quot;most&quot;: 2}</translation>
     </message>
     <message>
@@ -1400,8 +1400,8 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>%1 wurde gespeichert.</translation>
     </message>
     <message>
-        <source>Not yet: other work on the model is still running.</source>
-        <translation>Noch nicht: Am Modell läuft noch ein anderer Vorgang.</translation>
+        <source>Please wait: another operation on the model is still running.</source>
+        <translation>Bitte warten: Am Modell läuft noch ein anderer Vorgang.</translation>
     </message>
     <message>
         <source>Playing the lesson to its end</source>
@@ -1794,7 +1794,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Am Fenster gewählt: Stärke %1 %.</translation>
     </message>
     <message>
-        <source>Your partner sculpts now.</source>
+        <source>Your partner is sculpting now.</source>
         <translation>Jetzt wird am Fenster geformt.</translation>
     </message>
     <message>
@@ -1933,7 +1933,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Modelle oder Ordner mit Modellen; oder -.</translation>
     </message>
     <message>
-        <source>Colours under the lines.</source>
+        <source>Draws colours under the lines.</source>
         <translation>Farben unter den Linien.</translation>
     </message>
 </context>
@@ -1959,8 +1959,12 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>PrusaSlicer brauchte länger als drei Minuten und wurde abgebrochen.</translation>
     </message>
     <message>
-        <source>PrusaSlicer does not slice it: %1</source>
+        <source>PrusaSlicer cannot slice it: %1</source>
         <translation>PrusaSlicer kann es nicht slicen: %1</translation>
+    </message>
+    <message>
+        <source>The sliced file cannot be read: %1</source>
+        <translation>Die Ausgabe von PrusaSlicer kann nicht gelesen werden: %1</translation>
     </message>
     <message>
         <source>PrusaSlicer slices it: layers %1, time %2.</source>
@@ -3383,15 +3387,15 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
 <context>
     <name>ui::BrushFiles</name>
     <message>
-        <source>%1 is too flat for a brush&apos;s shape.</source>
+        <source>%1 is too flat for a brush shape.</source>
         <translation>%1 ist zu flach für eine Pinselform.</translation>
     </message>
     <message>
-        <source>%1 is too small for a brush&apos;s shape.</source>
+        <source>%1 is too small for a brush shape.</source>
         <translation>%1 ist zu klein für eine Pinselform.</translation>
     </message>
     <message>
-        <source>%1 has too many triangles for a brush&apos;s shape: at most %2 are allowed. Export it with fewer triangles first.</source>
+        <source>%1 has too many triangles for a brush shape: at most %2 are allowed. Export it with fewer triangles first.</source>
         <translation>%1 hat zu viele Dreiecke für eine Pinselform: Höchstens %2 sind erlaubt. Exportieren Sie es zuerst mit weniger Dreiecken.</translation>
     </message>
     <message>
@@ -3569,7 +3573,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Ein Radius für alle Werkzeuge</translation>
     </message>
     <message>
-        <source>Keeps the radius when you change the tool. When off, each tool has its own radius, as it has its own strength.</source>
+        <source>Keeps the radius when you change the tool. When off, each tool has its own radius, just as it has its own strength.</source>
         <translation>Behält den Radius, wenn Sie das Werkzeug wechseln. Sonst hat jedes Werkzeug seinen eigenen Radius, so wie seine eigene Stärke.</translation>
     </message>
 </context>
@@ -3819,7 +3823,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Sp&amp;rache:</translation>
     </message>
     <message>
-        <source>Needed to leave the class. Stored as a hash, not as you type it.</source>
+        <source>Needed to leave the class. Stored as a hash, not as plain text.</source>
         <translation>Zum Verlassen der Klasse nötig. Gespeichert wird nur ein Hash, nicht die PIN selbst.</translation>
     </message>
     <message>
@@ -3890,7 +3894,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Andere &amp;Namen erlauben</translation>
     </message>
     <message>
-        <source>For guests, and for names that are not in the list.</source>
+        <source>For guests, and for names that are not on the list.</source>
         <translation>Für Gäste und für Namen, die nicht in der Liste stehen.</translation>
     </message>
     <message>
@@ -4106,7 +4110,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Höchstzahl der Dreiecke</translation>
     </message>
     <message>
-        <source>Maximum number of triangles in the file. A notice appears if holes and parts need more.</source>
+        <source>Maximum number of triangles in the file. A notice appears if the model&apos;s holes and parts require more.</source>
         <translation>Höchstzahl der Dreiecke in der Datei. Brauchen Löcher und Teile mehr, erscheint ein Hinweis.</translation>
     </message>
     <message>
@@ -4147,7 +4151,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
 <context>
     <name>ui::FalloffCurve</name>
     <message>
-        <source>How the brush fades from its centre to its rim. Drag to bend it.</source>
+        <source>How the brush fades from its centre to its rim. Drag to change the curve.</source>
         <translation>Wie der Pinsel von der Mitte zum Rand abnimmt. Ziehen Sie, um die Kurve zu biegen.</translation>
     </message>
 </context>
@@ -4464,7 +4468,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Gesuchte Wörter</translation>
     </message>
     <message>
-        <source>Shows only pages with these words. Return finds the next place.</source>
+        <source>Shows only pages with these words. Return jumps to the next match.</source>
         <translation>Zeigt nur Seiten mit diesen Wörtern. Die Eingabetaste geht zur nächsten Stelle.</translation>
     </message>
     <message>
@@ -4806,7 +4810,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Oder eine vorhandene Lektion ändern:</translation>
     </message>
     <message>
-        <source>Lessons of the program</source>
+        <source>Built-in lessons</source>
         <translation>Mitgelieferte Lektionen</translation>
     </message>
     <message>
@@ -4882,7 +4886,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Speichern …</translation>
     </message>
     <message>
-        <source>Plays the lesson to its end, checks each step, and writes it as one file or a folder.</source>
+        <source>Plays the lesson to its end, checks each step, and saves it as a file or a folder.</source>
         <translation>Spielt die Lektion bis zum Ende ab, prüft jeden Schritt und schreibt sie als eine Datei oder einen Ordner.</translation>
     </message>
     <message>
@@ -5231,7 +5235,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Werkzeugoptionen</translation>
     </message>
     <message>
-        <source>Stamp has %1 as it is now.</source>
+        <source>Stamp now uses the current shape of %1.</source>
         <translation>Der Stempel verwendet jetzt %1, wie es gerade ist.</translation>
     </message>
 </context>
@@ -5428,7 +5432,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1 wird repariert: Änderungen messen</translation>
     </message>
     <message>
-        <source>Masked points removed, with their mask: %1</source>
+        <source>Masked points lost in the repair: %1</source>
         <translation>Entfernte maskierte Punkte, samt ihrer Maske: %1</translation>
     </message>
     <message>
@@ -5690,7 +5694,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Das Modell ist hier nicht symmetrisch: Beide Seiten wurden geändert, sind aber keine genauen Spiegelbilder.</translation>
     </message>
     <message>
-        <source>%1: drawings are written as PDF, SVG or PNG; the ending says which.</source>
+        <source>%1: drawings are written as PDF, SVG or PNG; the file extension decides which.</source>
         <translation>%1: Zeichnungen werden als PDF, SVG oder PNG geschrieben; die Endung bestimmt das Format.</translation>
     </message>
     <message>
@@ -5819,7 +5823,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Die Sektoren treffen hier aufeinander, oder das Modell ist nicht in allen gleich: Sie wurden nacheinander geändert und sind keine genauen Kopien.</translation>
     </message>
     <message>
-        <source>%1: class reports are written as HTML or PDF; the ending says which.</source>
+        <source>%1: class reports are written as HTML or PDF; the file extension decides which.</source>
         <translation>%1: Klassenberichte werden als HTML oder PDF geschrieben; die Endung bestimmt das Format.</translation>
     </message>
     <message>
@@ -5883,7 +5887,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>die Unterteilung von Flächen (%1)</translation>
     </message>
     <message>
-        <source>surfaces that are not read (%1)</source>
+        <source>unsupported surfaces (%1)</source>
         <translation>Flächen, die nicht gelesen werden (%1)</translation>
     </message>
 </context>
@@ -5895,11 +5899,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>„%1“</translation>
     </message>
     <message>
-        <source>%1: %2 is expected here, but nothing is there.</source>
+        <source>%1: expected %2, found nothing.</source>
         <translation>%1: Hier wird %2 erwartet, aber es steht nichts da.</translation>
     </message>
     <message>
-        <source>%1: %2 is expected here, but &quot;%3&quot; is there.</source>
+        <source>%1: expected %2, found &quot;%3&quot;.</source>
         <translation>%1: Hier wird %2 erwartet, aber es steht „%3“ da.</translation>
     </message>
     <message>
@@ -5923,7 +5927,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>eine Anzahl, die nicht negativ ist und hierher passt,</translation>
     </message>
     <message>
-        <source>a vertex of 3 or 4 numbers, with 3 more for a colour or none,</source>
+        <source>a vertex of 3 or 4 numbers, with 3 more for a colour or none</source>
         <translation>ein Eckpunkt aus 3 oder 4 Zahlen, mit 3 weiteren für eine Farbe oder ohne,</translation>
     </message>
     <message>
@@ -5939,7 +5943,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>ein Typ wie float oder int</translation>
     </message>
     <message>
-        <source>a type of whole numbers, such as uchar or int,</source>
+        <source>a type of whole numbers, such as uchar or int</source>
         <translation>ein Typ ganzer Zahlen, etwa uchar oder int,</translation>
     </message>
     <message>
@@ -6202,7 +6206,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Längste Kante</translation>
     </message>
     <message>
-        <source>Edges from %1 to %2 mm; about %3 triangles, now there are %4.</source>
+        <source>Edges from %1 to %2 mm; about %3 triangles, currently %4.</source>
         <translation>Kanten von %1 bis %2 mm; etwa %3 Dreiecke, jetzt sind es %4.</translation>
     </message>
     <message>
@@ -6278,7 +6282,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Seine Einheit</translation>
     </message>
     <message>
-        <source>As the file says, or millimetres</source>
+        <source>As stated in the file, otherwise mm</source>
         <translation>Wie die Datei sagt, sonst Millimeter</translation>
     </message>
 </context>
@@ -6763,7 +6767,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Maße</translation>
     </message>
     <message>
-        <source>Writes the model&apos;s measures beside it.</source>
+        <source>Shows the model&apos;s dimensions beside it.</source>
         <translation>Schreibt die Maße des Modells daneben.</translation>
     </message>
     <message>
@@ -6821,7 +6825,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Getrennte Teile der Oberfläche; geschlossene Hohlräume zählen mit.</translation>
     </message>
     <message>
-        <source>%1 × %2 × %3 mm wide, deep and high.</source>
+        <source>%1 mm wide, %2 mm deep, %3 mm high.</source>
         <translation>%1 × %2 × %3 mm breit, tief und hoch.</translation>
     </message>
     <message>
@@ -6992,7 +6996,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>gut</translation>
     </message>
     <message>
-        <source>take care</source>
+        <source>warning</source>
         <translation>Vorsicht</translation>
     </message>
     <message>
@@ -8244,7 +8248,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>VR wurde im Programm der VR-Brille beendet.</translation>
     </message>
     <message>
-        <source>The headset&apos;s program does not support windows of the kind “%1”. Start Fettle with QT_QPA_PLATFORM=xcb and QT_XCB_GL_INTEGRATION=xcb_glx, then enter VR again.</source>
+        <source>The headset&apos;s program does not support the window system “%1”. Start Fettle with QT_QPA_PLATFORM=xcb and QT_XCB_GL_INTEGRATION=xcb_glx, then enter VR again.</source>
         <extracomment>%1: a window system, such as wayland</extracomment>
         <translation>Das Programm der VR-Brille unterstützt Fenster der Art „%1“ nicht. Bitte Fettle mit QT_QPA_PLATFORM=xcb und QT_XCB_GL_INTEGRATION=xcb_glx starten und VR erneut betreten.</translation>
     </message>
@@ -8951,7 +8955,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Polieren</translation>
     </message>
     <message>
-        <source>Takes off bumps and keeps hollows.</source>
+        <source>Removes bumps and keeps hollows.</source>
         <translation>Trägt Buckel ab und lässt Mulden stehen.</translation>
     </message>
     <message>
@@ -8983,7 +8987,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Poren</translation>
     </message>
     <message>
-        <source>Prints the pores of skin.</source>
+        <source>Stamps skin pores.</source>
         <translation>Prägt die Poren von Haut ein.</translation>
     </message>
     <message>
@@ -8991,7 +8995,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Schuppen</translation>
     </message>
     <message>
-        <source>Prints scales along the stroke.</source>
+        <source>Stamps scales along the stroke.</source>
         <translation>Prägt Schuppen entlang des Strichs ein.</translation>
     </message>
     <message>
@@ -8999,7 +9003,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Risse</translation>
     </message>
     <message>
-        <source>Prints the cracks of dry earth.</source>
+        <source>Stamps the cracks of dry earth.</source>
         <translation>Prägt die Risse trockener Erde ein.</translation>
     </message>
     <message>
@@ -9007,7 +9011,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Gewebe</translation>
     </message>
     <message>
-        <source>Prints woven cloth along the stroke.</source>
+        <source>Stamps woven cloth along the stroke.</source>
         <translation>Prägt gewebtes Tuch entlang des Strichs ein.</translation>
     </message>
     <message>

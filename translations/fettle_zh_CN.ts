@@ -180,7 +180,7 @@
         <translation>每条边有两个面</translation>
     </message>
     <message>
-        <source>faces turned alike</source>
+        <source>consistently oriented faces</source>
         <translation>面的朝向一致</translation>
     </message>
     <message>
@@ -486,7 +486,7 @@
         <translation>正在保存 %1 的作品</translation>
     </message>
     <message>
-        <source>Not yet: other work on the model is still running.</source>
+        <source>Please wait: another operation on the model is still running.</source>
         <translation>请稍候：模型正在进行其他操作。</translation>
     </message>
     <message>
@@ -596,9 +596,9 @@
         <source>Fettle sculpts closed models that stay ready to print.
 
   fettle [--vr] [FILE]             open the window, with a model or with a ball of clay; --vr enters VR with it
-  fettle --vr-simulator [FILE]     the same without a headset: a window shows what it would, mouse and keys are head and controllers
+  fettle --vr-simulator [FILE]     the same without a headset: a window stands in for it; mouse and keyboard move head and controllers
   fettle [--vr] --classroom CLASS.fettleclass
-                                   begin a class in turns, as its teacher set it up (Edit &gt; Classroom)
+                                   start a class session, as its teacher set it up (Edit &gt; Classroom)
 </source>
         <translation>Fettle 用于雕刻封闭模型，并使其始终可以打印。
 
@@ -759,15 +759,15 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
 <context>
     <name>app::HeadsetRequests</name>
     <message>
-        <source>The model was not restored: other work on it is still running.</source>
+        <source>The model was not restored: another operation on it is still running.</source>
         <translation>模型未重置：模型正在进行其他操作。</translation>
     </message>
     <message>
-        <source>The model was not saved: other work on it is still running.</source>
+        <source>The model was not saved: another operation on it is still running.</source>
         <translation>模型未保存：模型正在进行其他操作。</translation>
     </message>
     <message>
-        <source>%1 was not opened: other work on the model is still running.</source>
+        <source>%1 was not opened: another operation on the model is still running.</source>
         <translation>未打开 %1：模型正在进行其他操作。</translation>
     </message>
     <message>
@@ -783,11 +783,11 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>在课堂中，请在窗口里按“下一位”保存作品。</translation>
     </message>
     <message>
-        <source>%1 was not opened: a class has its own models to begin with.</source>
-        <translation>未打开 %1：课堂有自己的起始模型。</translation>
+        <source>%1 was not opened: during a class, only its starting models can be used.</source>
+        <translation>未打开 %1：上课时只能使用课堂的起始模型。</translation>
     </message>
     <message>
-        <source>The mask was not changed: other work on the model is still running.</source>
+        <source>The mask was not changed: another operation on the model is still running.</source>
         <translation>遮罩未更改：模型正在进行其他操作。</translation>
     </message>
 </context>
@@ -818,7 +818,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>%1 的记录已损坏，无法打开。它位于 %2。</translation>
     </message>
     <message>
-        <source>A part of the recording of %1 is damaged: its last steps may be missing. It is in %2.</source>
+        <source>Part of the recording of %1 is damaged: its last steps may be missing. It is in %2.</source>
         <translation>%1 的部分记录已损坏，最后几步可能缺失。它位于 %2。</translation>
     </message>
     <message>
@@ -877,8 +877,8 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>%1：无法写入这张图片。</translation>
     </message>
     <message>
-        <source>lesson: there is no step %1: the lesson has %2.</source>
-        <translation>lesson：没有第 %1 步：该课程有 %2 步。</translation>
+        <source>lesson: there is no step %1: the last one is %2.</source>
+        <translation>lesson：没有第 %1 步：最后一步是第 %2 步。</translation>
     </message>
     <message>
         <source>lesson: step %1 has no checkpoint.</source>
@@ -975,7 +975,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>正在准备课程</translation>
     </message>
     <message>
-        <source>Not yet: other work on the model is still running.</source>
+        <source>Please wait: another operation on the model is still running.</source>
         <translation>请稍候：模型正在进行其他操作。</translation>
     </message>
     <message>
@@ -1078,7 +1078,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>%1，%2 mm</translation>
     </message>
     <message>
-        <source>Played again, the lesson does not end with the model in the window.</source>
+        <source>When replayed, the lesson does not end with the model in the window.</source>
         <translation>重新播放后，课程的结果与窗口中的模型不同。</translation>
     </message>
     <message>
@@ -1181,11 +1181,11 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>“%1”必须是 true</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; must be a whole number, or bounds, as in {&quot;least&quot;: 1, &quot;most&quot;: 2}</source>
+        <source>&quot;%1&quot; must be a whole number or a range, such as {&quot;least&quot;: 1, &quot;most&quot;: 2}</source>
         <translation>“%1”必须是整数，或范围，例如 {&quot;least&quot;: 1, &quot;most&quot;: 2}</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; must be a number, or bounds, as in {&quot;least&quot;: 1, &quot;most&quot;: 2}</source>
+        <source>&quot;%1&quot; must be a number or a range, such as {&quot;least&quot;: 1, &quot;most&quot;: 2}</source>
         <translation>“%1”必须是一个数，或范围，例如 {&quot;least&quot;: 1, &quot;most&quot;: 2}</translation>
     </message>
     <message>
@@ -1389,7 +1389,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>已保存 %1。</translation>
     </message>
     <message>
-        <source>Not yet: other work on the model is still running.</source>
+        <source>Please wait: another operation on the model is still running.</source>
         <translation>请稍候：模型正在进行其他操作。</translation>
     </message>
     <message>
@@ -1783,7 +1783,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>您的搭档选择了强度 %1 %。</translation>
     </message>
     <message>
-        <source>Your partner sculpts now.</source>
+        <source>Your partner is sculpting now.</source>
         <translation>现在由您的搭档雕刻。</translation>
     </message>
     <message>
@@ -1921,7 +1921,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>模型或存放模型的文件夹；或 -。</translation>
     </message>
     <message>
-        <source>Colours under the lines.</source>
+        <source>Draws colours under the lines.</source>
         <translation>在线条下显示颜色。</translation>
     </message>
 </context>
@@ -1947,8 +1947,12 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>PrusaSlicer 用时超过三分钟，已停止。</translation>
     </message>
     <message>
-        <source>PrusaSlicer does not slice it: %1</source>
+        <source>PrusaSlicer cannot slice it: %1</source>
         <translation>PrusaSlicer 无法切片：%1</translation>
+    </message>
+    <message>
+        <source>The sliced file cannot be read: %1</source>
+        <translation>无法读取切片结果：%1</translation>
     </message>
     <message>
         <source>PrusaSlicer slices it: layers %1, time %2.</source>
@@ -3370,15 +3374,15 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
 <context>
     <name>ui::BrushFiles</name>
     <message>
-        <source>%1 is too flat for a brush&apos;s shape.</source>
+        <source>%1 is too flat for a brush shape.</source>
         <translation>%1 太扁，不能用作笔刷形状。</translation>
     </message>
     <message>
-        <source>%1 is too small for a brush&apos;s shape.</source>
+        <source>%1 is too small for a brush shape.</source>
         <translation>%1 太小，不能用作笔刷形状。</translation>
     </message>
     <message>
-        <source>%1 has too many triangles for a brush&apos;s shape: at most %2 are allowed. Export it with fewer triangles first.</source>
+        <source>%1 has too many triangles for a brush shape: at most %2 are allowed. Export it with fewer triangles first.</source>
         <translation>%1 的三角形太多，不能用作笔刷形状：最多允许 %2 个。请先以较少的三角形导出。</translation>
     </message>
     <message>
@@ -3556,7 +3560,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>所有工具共用半径</translation>
     </message>
     <message>
-        <source>Keeps the radius when you change the tool. When off, each tool has its own radius, as it has its own strength.</source>
+        <source>Keeps the radius when you change the tool. When off, each tool has its own radius, just as it has its own strength.</source>
         <translation>切换工具时半径不变。关闭后，每个工具有各自的半径，正如有各自的强度。</translation>
     </message>
 </context>
@@ -3803,7 +3807,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>语言(&amp;L)：</translation>
     </message>
     <message>
-        <source>Needed to leave the class. Stored as a hash, not as you type it.</source>
+        <source>Needed to leave the class. Stored as a hash, not as plain text.</source>
         <translation>离开课堂时需要。保存的是哈希值，而不是您输入的 PIN。</translation>
     </message>
     <message>
@@ -3873,7 +3877,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>允许其他名字(&amp;N)</translation>
     </message>
     <message>
-        <source>For guests, and for names that are not in the list.</source>
+        <source>For guests, and for names that are not on the list.</source>
         <translation>用于来访者，以及名单中没有的名字。</translation>
     </message>
     <message>
@@ -4089,7 +4093,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>三角形上限</translation>
     </message>
     <message>
-        <source>Maximum number of triangles in the file. A notice appears if holes and parts need more.</source>
+        <source>Maximum number of triangles in the file. A notice appears if the model&apos;s holes and parts require more.</source>
         <translation>文件中三角形的最大数量。如果孔洞和部件需要更多，会有提示。</translation>
     </message>
     <message>
@@ -4129,7 +4133,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
 <context>
     <name>ui::FalloffCurve</name>
     <message>
-        <source>How the brush fades from its centre to its rim. Drag to bend it.</source>
+        <source>How the brush fades from its centre to its rim. Drag to change the curve.</source>
         <translation>笔刷从中心到边缘的衰减。拖动可弯曲曲线。</translation>
     </message>
 </context>
@@ -4443,7 +4447,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>要搜索的词</translation>
     </message>
     <message>
-        <source>Shows only pages with these words. Return finds the next place.</source>
+        <source>Shows only pages with these words. Return jumps to the next match.</source>
         <translation>只显示含有这些词的页面。按回车转到下一处。</translation>
     </message>
     <message>
@@ -4783,7 +4787,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>或修改已有的课程：</translation>
     </message>
     <message>
-        <source>Lessons of the program</source>
+        <source>Built-in lessons</source>
         <translation>程序自带的课程</translation>
     </message>
     <message>
@@ -4859,7 +4863,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>保存…</translation>
     </message>
     <message>
-        <source>Plays the lesson to its end, checks each step, and writes it as one file or a folder.</source>
+        <source>Plays the lesson to its end, checks each step, and saves it as a file or a folder.</source>
         <translation>把课程播放到底，检查每一步，然后保存为一个文件或文件夹。</translation>
     </message>
     <message>
@@ -5208,7 +5212,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>工具选项</translation>
     </message>
     <message>
-        <source>Stamp has %1 as it is now.</source>
+        <source>Stamp now uses the current shape of %1.</source>
         <translation>图章现在使用 %1 当前的样子。</translation>
     </message>
 </context>
@@ -5405,7 +5409,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>正在修复 %1：测量变化</translation>
     </message>
     <message>
-        <source>Masked points removed, with their mask: %1</source>
+        <source>Masked points lost in the repair: %1</source>
         <translation>移除的带遮罩的点，连同其遮罩：%1</translation>
     </message>
     <message>
@@ -5665,7 +5669,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>模型在此处并不对称：两侧都已更改，但并非精确的镜像。</translation>
     </message>
     <message>
-        <source>%1: drawings are written as PDF, SVG or PNG; the ending says which.</source>
+        <source>%1: drawings are written as PDF, SVG or PNG; the file extension decides which.</source>
         <translation>%1：图纸可写为 PDF、SVG 或 PNG，由扩展名决定。</translation>
     </message>
     <message>
@@ -5793,7 +5797,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>各扇区在这里相接，或模型的各扇区不同：它们已依次更改，并非精确的副本。</translation>
     </message>
     <message>
-        <source>%1: class reports are written as HTML or PDF; the ending says which.</source>
+        <source>%1: class reports are written as HTML or PDF; the file extension decides which.</source>
         <translation>%1：班级报告写为 HTML 或 PDF，由扩展名决定。</translation>
     </message>
     <message>
@@ -5857,7 +5861,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>曲面细分（%1）</translation>
     </message>
     <message>
-        <source>surfaces that are not read (%1)</source>
+        <source>unsupported surfaces (%1)</source>
         <translation>未读取的曲面（%1）</translation>
     </message>
 </context>
@@ -5869,11 +5873,11 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>“%1”</translation>
     </message>
     <message>
-        <source>%1: %2 is expected here, but nothing is there.</source>
+        <source>%1: expected %2, found nothing.</source>
         <translation>%1：此处应为%2，但什么也没有。</translation>
     </message>
     <message>
-        <source>%1: %2 is expected here, but &quot;%3&quot; is there.</source>
+        <source>%1: expected %2, found &quot;%3&quot;.</source>
         <translation>%1：此处应为%2，却是“%3”。</translation>
     </message>
     <message>
@@ -5897,7 +5901,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>一个非负且合适的个数</translation>
     </message>
     <message>
-        <source>a vertex of 3 or 4 numbers, with 3 more for a colour or none,</source>
+        <source>a vertex of 3 or 4 numbers, with 3 more for a colour or none</source>
         <translation>由 3 或 4 个数组成的顶点（可另加 3 个颜色值）</translation>
     </message>
     <message>
@@ -5913,7 +5917,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>类型，例如 float 或 int</translation>
     </message>
     <message>
-        <source>a type of whole numbers, such as uchar or int,</source>
+        <source>a type of whole numbers, such as uchar or int</source>
         <translation>整数类型，例如 uchar 或 int</translation>
     </message>
     <message>
@@ -6176,7 +6180,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>最长边</translation>
     </message>
     <message>
-        <source>Edges from %1 to %2 mm; about %3 triangles, now there are %4.</source>
+        <source>Edges from %1 to %2 mm; about %3 triangles, currently %4.</source>
         <translation>边长 %1 至 %2 mm；约 %3 个三角形，现有 %4 个。</translation>
     </message>
     <message>
@@ -6252,7 +6256,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>它的单位</translation>
     </message>
     <message>
-        <source>As the file says, or millimetres</source>
+        <source>As stated in the file, otherwise mm</source>
         <translation>按文件所述，否则为毫米</translation>
     </message>
 </context>
@@ -6736,7 +6740,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>尺寸</translation>
     </message>
     <message>
-        <source>Writes the model&apos;s measures beside it.</source>
+        <source>Shows the model&apos;s dimensions beside it.</source>
         <translation>在旁边标注模型的尺寸。</translation>
     </message>
     <message>
@@ -6793,7 +6797,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>表面的独立部件；封闭的空腔也算部件。</translation>
     </message>
     <message>
-        <source>%1 × %2 × %3 mm wide, deep and high.</source>
+        <source>%1 mm wide, %2 mm deep, %3 mm high.</source>
         <translation>宽、深、高 %1 × %2 × %3 mm。</translation>
     </message>
     <message>
@@ -6964,7 +6968,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>良好</translation>
     </message>
     <message>
-        <source>take care</source>
+        <source>warning</source>
         <translation>注意</translation>
     </message>
     <message>
@@ -8213,7 +8217,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>VR 已在头显程序中结束。</translation>
     </message>
     <message>
-        <source>The headset&apos;s program does not support windows of the kind “%1”. Start Fettle with QT_QPA_PLATFORM=xcb and QT_XCB_GL_INTEGRATION=xcb_glx, then enter VR again.</source>
+        <source>The headset&apos;s program does not support the window system “%1”. Start Fettle with QT_QPA_PLATFORM=xcb and QT_XCB_GL_INTEGRATION=xcb_glx, then enter VR again.</source>
         <extracomment>%1: a window system, such as wayland</extracomment>
         <translation>头显程序不支持“%1”类型的窗口。请用 QT_QPA_PLATFORM=xcb 和 QT_XCB_GL_INTEGRATION=xcb_glx 启动 Fettle，然后重新进入 VR。</translation>
     </message>
@@ -8919,7 +8923,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>抛光</translation>
     </message>
     <message>
-        <source>Takes off bumps and keeps hollows.</source>
+        <source>Removes bumps and keeps hollows.</source>
         <translation>磨去凸起，保留凹处。</translation>
     </message>
     <message>
@@ -8951,7 +8955,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>毛孔</translation>
     </message>
     <message>
-        <source>Prints the pores of skin.</source>
+        <source>Stamps skin pores.</source>
         <translation>印出皮肤的毛孔。</translation>
     </message>
     <message>
@@ -8959,7 +8963,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>鳞片</translation>
     </message>
     <message>
-        <source>Prints scales along the stroke.</source>
+        <source>Stamps scales along the stroke.</source>
         <translation>沿笔画印出鳞片。</translation>
     </message>
     <message>
@@ -8967,7 +8971,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>裂纹</translation>
     </message>
     <message>
-        <source>Prints the cracks of dry earth.</source>
+        <source>Stamps the cracks of dry earth.</source>
         <translation>印出干土的裂纹。</translation>
     </message>
     <message>
@@ -8975,7 +8979,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>编织</translation>
     </message>
     <message>
-        <source>Prints woven cloth along the stroke.</source>
+        <source>Stamps woven cloth along the stroke.</source>
         <translation>沿笔画印出织物纹理。</translation>
     </message>
     <message>

@@ -295,7 +295,7 @@ void ClassroomMode::saveThen(ClassTurn turn, std::function<void()> then)
         return;
     }
     m_canLeave = false;
-    Q_EMIT noticed(tr("Not yet: other work on the model is still running."));
+    Q_EMIT noticed(tr("Please wait: another operation on the model is still running."));
 }
 
 void ClassroomMode::onSaved(const EndedTurn& ended, const QString& problem, const std::function<void()>& then)

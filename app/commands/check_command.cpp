@@ -233,7 +233,7 @@ QString labelOf(const std::string& key)
         {"faces", QT_TRANSLATE_NOOP("app::CheckCommand", "triangles")},
         {"closed", QT_TRANSLATE_NOOP("app::CheckCommand", "closed")},
         {"manifold", QT_TRANSLATE_NOOP("app::CheckCommand", "two faces at each edge")},
-        {"oriented", QT_TRANSLATE_NOOP("app::CheckCommand", "faces turned alike")},
+        {"oriented", QT_TRANSLATE_NOOP("app::CheckCommand", "consistently oriented faces")},
         {"bounds_solid", QT_TRANSLATE_NOOP("app::CheckCommand", "bounds a solid")},
         {"self_intersections", QT_TRANSLATE_NOOP("app::CheckCommand", "self-intersections")},
         {"components", QT_TRANSLATE_NOOP("app::CheckCommand", "parts")},

@@ -300,10 +300,10 @@ QString CommandLine::help()
            "\n"
            "  fettle [--vr] [FILE]             open the window, with a model or with a ball of clay; --vr enters "
            "VR with it\n"
-           "  fettle --vr-simulator [FILE]     the same without a headset: a window shows what it would, mouse "
-           "and keys are head and controllers\n"
+           "  fettle --vr-simulator [FILE]     the same without a headset: a window stands in for it; mouse "
+           "and keyboard move head and controllers\n"
            "  fettle [--vr] --classroom CLASS.fettleclass\n"
-           "                                   begin a class in turns, as its teacher set it up (Edit > "
+           "                                   start a class session, as its teacher set it up (Edit > "
            "Classroom)\n");
     for (const CommandRow& row : commandTable)
         text += QStringLiteral("  fettle %1  %2\n")

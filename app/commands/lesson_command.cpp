@@ -301,7 +301,7 @@ void goToJudgedStep(Session& session)
     const core::Lesson& lesson = session.lesson;
     const std::size_t step = session.options.step.value_or(lesson.steps.size() - 1);
     if (step >= lesson.steps.size())
-        CommandLine::fail(LessonCommandMessages::tr("lesson: there is no step %1: the lesson has %2.")
+        CommandLine::fail(LessonCommandMessages::tr("lesson: there is no step %1: the last one is %2.")
                               .arg(step + 1)
                               .arg(lesson.steps.size()));
     if (lesson.steps[step].checkpoint.asksNothing())

@@ -45,7 +45,7 @@ std::optional<SheetOptions> parseSheetOptions(const QStringList& arguments)
     parser.addPositionalArgument(QStringLiteral("FILE..."), SheetMessages::tr("Models, or folders of models; or -."));
     CommandOptions::addOutput(parser, QStringLiteral("OUT.pdf"));
     CommandUnit::addTo(parser);
-    parser.addOption({shaded, SheetMessages::tr("Colours under the lines.")});
+    parser.addOption({shaded, SheetMessages::tr("Draws colours under the lines.")});
     StandardFiles::addFrom(parser);
     CommandOptions::addNoClobber(parser);
     const CommandOptions given(parser, QStringLiteral("sheet"), arguments);

@@ -120,13 +120,13 @@ void HeadsetRequests::handle(const vr::Redo&)
 
 void HeadsetRequests::handle(const vr::RestoreModel&)
 {
-    if (!isBusy(tr("The model was not restored: other work on it is still running.")))
+    if (!isBusy(tr("The model was not restored: another operation on it is still running.")))
         m_document->changer().apply(core::Reset());
 }
 
 void HeadsetRequests::handle(const core::MaskOperation& change)
 {
-    if (!isBusy(tr("The mask was not changed: other work on the model is still running.")))
+    if (!isBusy(tr("The mask was not changed: another operation on the model is still running.")))
         m_document->changer().apply(change);
 }
 
@@ -135,7 +135,7 @@ void HeadsetRequests::handle(const vr::SaveModel&)
     if (m_window->classroom())
         return Q_EMIT refused(tr("In a class, Next Pupil saves the work, in the window."));
     const ui::ModelInfo& info = m_document->modelInfo();
-    if (!isBusy(tr("The model was not saved: other work on it is still running.")))
+    if (!isBusy(tr("The model was not saved: another operation on it is still running.")))
         m_document->saver().saveNumbered(QDir(HeadsetFiles::folderOf(info.path)).filePath(info.name));
 }
 
@@ -143,8 +143,8 @@ void HeadsetRequests::handle(const vr::OpenModel& request)
 {
     const QString name = QFileInfo(request.path).fileName();
     if (m_window->classroom())
-        return Q_EMIT refused(tr("%1 was not opened: a class has its own models to begin with.").arg(name));
-    if (isBusy(tr("%1 was not opened: other work on the model is still running.").arg(name)))
+        return Q_EMIT refused(tr("%1 was not opened: during a class, only its starting models can be used.").arg(name));
+    if (isBusy(tr("%1 was not opened: another operation on the model is still running.").arg(name)))
         return;
     if (request.discardsChanges)
         return m_document->opener().openDiscardingChanges(request.path);

@@ -143,12 +143,12 @@ void PartnerView::setTakenOver(bool isTakenOver)
         return;
     m_isTakenOver = isTakenOver;
     Q_EMIT takenOver(isTakenOver);
-    Q_EMIT noticed(isTakenOver ? tr("Your partner sculpts now.") : tr("It is your turn again."));
+    Q_EMIT noticed(isTakenOver ? tr("Your partner is sculpting now.") : tr("It is your turn again."));
 }
 
 void PartnerView::refuse()
 {
-    Q_EMIT noticed(tr("Your partner sculpts now."));
+    Q_EMIT noticed(tr("Your partner is sculpting now."));
     Q_EMIT brushRefused();
 }
 

@@ -172,7 +172,7 @@ void LessonEditorController::startFromModel()
         openAtEnd(true, m_document->savedState().isModified());
     };
     if (!m_document->saver().saveExternally(tr("Preparing the lesson"), save, done))
-        m_window->showNotice(tr("Not yet: other work on the model is still running."));
+        m_window->showNotice(tr("Please wait: another operation on the model is still running."));
 }
 
 void LessonEditorController::read(const QString& pathOrName)

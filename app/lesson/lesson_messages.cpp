@@ -131,8 +131,9 @@ QString LessonMessages::wrongType(const std::string& key)
                                 : tr("\"%1\" must be a number").arg(shown);
     if (fact == &core::info(core::Fact::PrintReady))
         return tr("\"%1\" must be true").arg(shown);
-    return fact->isWhole ? tr("\"%1\" must be a whole number, or bounds, as in {\"least\": 1, \"most\": 2}").arg(shown)
-                         : tr("\"%1\" must be a number, or bounds, as in {\"least\": 1, \"most\": 2}").arg(shown);
+    return fact->isWhole
+               ? tr("\"%1\" must be a whole number or a range, such as {\"least\": 1, \"most\": 2}").arg(shown)
+               : tr("\"%1\" must be a number or a range, such as {\"least\": 1, \"most\": 2}").arg(shown);
 }
 
 /// Returns the reason for an error outside the text of lesson.json: a missing or bad file, or a command that would

@@ -145,7 +145,7 @@ CheckedLesson LessonSaving::check(const core::LessonDraft& draft, const std::fil
         for (std::size_t i = 0; i < checks.size(); ++i)
             checked.remarks << remarksOn(draft.step(i), i, checks[i]);
         if (hash && playback.mesh().meshHash() != *hash)
-            checked.remarks << tr("Played again, the lesson does not end with the model in the window.");
+            checked.remarks << tr("When replayed, the lesson does not end with the model in the window.");
         auto lesson = std::make_shared<const core::Lesson>(draft.complete(pictures));
         readAsWritten(*lesson, path); // throws if the lesson is too large with its pictures
         checked.lesson = std::move(lesson);

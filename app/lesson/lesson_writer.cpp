@@ -57,7 +57,8 @@ void LessonWriter::check(const QString& path, const core::LessonDraft& draft, co
 {
     BackgroundJob& job = m_document->job();
     if (job.isBusy())
-        return m_window ? m_window->showNotice(tr("Not yet: other work on the model is still running.")) : void();
+        return m_window ? m_window->showNotice(tr("Please wait: another operation on the model is still running."))
+                        : void();
     const core::JobControl control = job.beginCancellable(tr("Playing the lesson to its end"));
     job.run([draft, path, hash, control] { return LessonSaving::check(draft, toPath(path), hash, control); },
             [this, path, revision = draft.revision()](const CheckedLesson& checked) {
@@ -100,7 +101,7 @@ void LessonWriter::write(const QString& path, const std::shared_ptr<const core::
 {
     BackgroundJob& job = m_document->job();
     if (job.isBusy())
-        return m_window->showNotice(tr("Not yet: other work on the model is still running."));
+        return m_window->showNotice(tr("Please wait: another operation on the model is still running."));
     job.begin(tr("Saving %1").arg(QFileInfo(path).fileName()));
     job.run([path, lesson] { return LessonSaving::write(*lesson, toPath(path)); },
             [this, path, revision](const QString& problem) {

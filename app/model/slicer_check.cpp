@@ -44,7 +44,7 @@ QString SlicerCheck::run(const QString& model, const core::JobControl& control)
                                      : tr("PrusaSlicer took longer than three minutes and was stopped.");
     }
     if (slicer.exitStatus() != QProcess::NormalExit || slicer.exitCode() != 0 || !QFile::exists(gcode))
-        return tr("PrusaSlicer does not slice it: %1").arg(lastLineOf(slicer.readAll()));
+        return tr("PrusaSlicer cannot slice it: %1").arg(lastLineOf(slicer.readAll()));
     return resultIn(gcode);
 }
 
@@ -52,7 +52,7 @@ QString SlicerCheck::resultIn(const QString& gcode)
 {
     QFile file(gcode);
     if (!file.open(QIODevice::ReadOnly))
-        return tr("PrusaSlicer does not slice it: %1").arg(file.errorString());
+        return tr("The sliced file cannot be read: %1").arg(file.errorString());
     static const QByteArray timeMark = "; estimated printing time (normal mode) = ";
     int layers = 0;
     QString time;

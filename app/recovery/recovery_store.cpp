@@ -322,9 +322,8 @@ LoadedModel RecoveryStore::recover(quint64 offer, const core::JobControl& contro
             model.metadata = document->document.metadata;
             model.start = document->start;
             if (document->isDamaged)
-                model.notice =
-                    tr("A part of the recording of %1 is damaged: its last steps may be missing. It is in %2.")
-                        .arg(model.name, text(damagedRoot(m_root)));
+                model.notice = tr("Part of the recording of %1 is damaged: its last steps may be missing. It is in %2.")
+                                   .arg(model.name, text(damagedRoot(m_root)));
             model.sculptor = std::make_shared<core::Sculptor>(std::move(document->mesh));
             model.recovered = std::make_shared<core::RecoveredDocument>(std::move(*document));
             model.offer = offer;

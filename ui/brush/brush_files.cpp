@@ -67,11 +67,11 @@ QString faultOf(const QString& path, const core::BrushModel::Made& made)
     case Fault::Unsound:
         return ErrorMessages::brushRefusal(path, made.report);
     case Fault::TooFlat:
-        return BrushFiles::tr("%1 is too flat for a brush's shape.").arg(path);
+        return BrushFiles::tr("%1 is too flat for a brush shape.").arg(path);
     case Fault::TooSmall:
-        return BrushFiles::tr("%1 is too small for a brush's shape.").arg(path);
+        return BrushFiles::tr("%1 is too small for a brush shape.").arg(path);
     case Fault::TooManyFaces:
-        return BrushFiles::tr("%1 has too many triangles for a brush's shape: at most %2 are allowed. Export it with "
+        return BrushFiles::tr("%1 has too many triangles for a brush shape: at most %2 are allowed. Export it with "
                               "fewer triangles first.")
             .arg(path, QLocale().toString(static_cast<qulonglong>(core::BrushModel::maxFaces)));
     }

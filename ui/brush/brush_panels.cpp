@@ -137,7 +137,7 @@ public:
     {
         auto* check = named(new QCheckBox(BrushPanels::tr("Same radius for all tools")), "sharesRadius",
                             BrushPanels::tr("Keeps the radius when you change the tool. When off, each tool has its "
-                                            "own radius, as it has its own strength."));
+                                            "own radius, just as it has its own strength."));
         check->setChecked(m_brush->tools()->sharesRadius());
         QObject::connect(check, &QCheckBox::clicked, m_brush->tools(), &ToolMemory::setSharesRadius);
         QObject::connect(m_brush->tools(), &ToolMemory::sharesRadiusChanged, check, &QCheckBox::setChecked);

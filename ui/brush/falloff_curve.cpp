@@ -16,7 +16,7 @@ FalloffCurve::FalloffCurve(BrushSettings* brush, QWidget* parent) : CurveWidget(
 {
     setObjectName(QStringLiteral("falloffCurve"));
     setAccessibleName(ErrorMessages::name(core::Parameter::Falloff));
-    setToolTip(tr("How the brush fades from its centre to its rim. Drag to bend it."));
+    setToolTip(tr("How the brush fades from its centre to its rim. Drag to change the curve."));
     connect(brush, &BrushSettings::changed, this, qOverload<>(&QWidget::update));
 }
 

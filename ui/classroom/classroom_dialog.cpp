@@ -256,7 +256,7 @@ void ClassroomDialog::addPupils(QFormLayout* form)
 {
     m_names = new NamesField;
     m_others = named(new QCheckBox(tr("Allow other &names")), "classOthers",
-                     tr("For guests, and for names that are not in the list."));
+                     tr("For guests, and for names that are not on the list."));
     m_others->setChecked(true);
     form->addRow(tr("&Pupils' names:"), m_names);
     form->addRow({}, m_others);
@@ -294,7 +294,7 @@ void ClassroomDialog::addTimes(QFormLayout* form)
 
 void ClassroomDialog::addPin(QFormLayout* form)
 {
-    const QString tip = tr("Needed to leave the class. Stored as a hash, not as you type it.");
+    const QString tip = tr("Needed to leave the class. Stored as a hash, not as plain text.");
     m_pin = named(new QLineEdit, "classPin", tip);
     m_pinRepeated = named(new QLineEdit, "classPinAgain", tip);
     for (QLineEdit* field : {m_pin, m_pinRepeated}) {

@@ -90,7 +90,7 @@ QBoxLayout* PreviewPanel::controls(QAction* exporting)
         choiceBox(QStringLiteral("preview.style"), tr("Drawn as"), tr("Shows the lines only, or colours under them."),
                   {tr("Lines"), tr("Shaded")}, m_options.shaded ? 1 : 0);
     m_dimensions = panelButton(QStringLiteral("preview.dimensions"), QStringLiteral("dimensions"), tr("Dimensions"),
-                               tr("Writes the model's measures beside it."));
+                               tr("Shows the model's dimensions beside it."));
     m_dimensions->setCheckable(true);
     m_dimensions->setChecked(m_options.dimensions);
     connect(m_dimensions, &QToolButton::toggled, this, &PreviewPanel::choose);

@@ -92,7 +92,8 @@ private:
             new QCheckBox(tr("&Limit triangles to:")), "limits",
             tr("Removes triangles where shape and colours change least. The model in the window stays as it is."));
         m_max = named(new QSpinBox, "most",
-                      tr("Maximum number of triangles in the file. A notice appears if holes and parts need more."),
+                      tr("Maximum number of triangles in the file. A notice appears if the model's holes and parts "
+                         "require more."),
                       tr("Most triangles"));
         m_max->setRange(minExportTriangles, maxExportTriangles);
         m_max->setGroupSeparatorShown(true);

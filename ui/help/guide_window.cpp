@@ -77,7 +77,7 @@ GuideWindow::GuideWindow(const Actions& actions, QWidget* parent)
     m_words->setObjectName(QStringLiteral("guideWords"));
     m_words->setPlaceholderText(tr("Search the guide"));
     m_words->setAccessibleName(tr("Words to search for"));
-    m_words->setToolTip(tr("Shows only pages with these words. Return finds the next place."));
+    m_words->setToolTip(tr("Shows only pages with these words. Return jumps to the next match."));
     m_words->setClearButtonEnabled(true);
     m_words->installEventFilter(this);
     named(m_contents, "guideContents", tr("The pages of the guide."), tr("Contents"));

@@ -110,7 +110,7 @@ void LessonEditor::addStarts(const Actions& actions)
     rows->addWidget(record);
     rows->addSpacing(2 * gap);
     rows->addWidget(head(tr("Or change an existing lesson:")));
-    m_library = named(new QComboBox, "lessonShelf", {}, tr("Lessons of the program"));
+    m_library = named(new QComboBox, "lessonShelf", {}, tr("Built-in lessons"));
     auto* change =
         named(new QPushButton(tr("Edit")), "lessonEdit", tr("Opens it here; you save it under a name of your own."));
     auto* file = named(new QPushButton(tr("Open a Lesson…")), "lessonEditFile",
@@ -196,7 +196,7 @@ void LessonEditor::addRecorder(QVBoxLayout* rows)
     m_record = named(new QPushButton, "lessonRecord",
                      tr("Plays the lesson to its end and records from there. Press again to stop."));
     auto* save = named(new QPushButton(tr("Save…")), "lessonSave",
-                       tr("Plays the lesson to its end, checks each step, and writes it as one file or a folder."));
+                       tr("Plays the lesson to its end, checks each step, and saves it as a file or a folder."));
     auto* close =
         named(new QPushButton(tr("Close")), "lessonClose", tr("Closes this lesson. The model stays as it is."));
     rows->addWidget(m_state);

@@ -235,7 +235,7 @@ void askForRemesh(QWidget* parent, const ModelInfo& modelInfo, const CommandCall
     auto* outcome = dialog->addText({});
     outcome->setObjectName(QStringLiteral("outcome"));
     const auto show = [outcome, modelInfo](double mm) {
-        outcome->setText(ModelDialogs::tr("Edges from %1 to %2 mm; about %3 triangles, now there are %4.")
+        outcome->setText(ModelDialogs::tr("Edges from %1 to %2 mm; about %3 triangles, currently %4.")
                              .arg(length(mm / 2), length(mm), formatted(core::uniformFaces(modelInfo.area, mm)),
                                   QLocale().toString(static_cast<qulonglong>(modelInfo.faces))));
     };
@@ -274,7 +274,7 @@ void askForPlace(QWidget* parent, const QString& path,
                      [centre, places] { centre.setEnabled(places->checkedId() == 2); });
     const auto* units =
         dialog->addList("unit", ModelDialogs::tr("Its unit"),
-                        {ModelDialogs::tr("As the file says, or millimetres"), ModelDialogs::tr("Centimetres"),
+                        {ModelDialogs::tr("As stated in the file, otherwise mm"), ModelDialogs::tr("Centimetres"),
                          ModelDialogs::tr("Metres"), ModelDialogs::tr("Inches")});
     dialog->openFor(ModelDialogs::tr("Insert"), callback, [path, places, centre, units] {
         constexpr core::Insert::Place all[] = {core::Insert::Place::Beside, core::Insert::Place::AsItIs,

@@ -46,7 +46,7 @@ PrintFinding parts(const core::MeshReport& mesh)
 
 PrintFinding bed(const core::MeshReport& mesh, const core::PrintReport& print, const QString& printer)
 {
-    const QString size = PrintText::tr("%1 × %2 × %3 mm wide, deep and high.")
+    const QString size = PrintText::tr("%1 mm wide, %2 mm deep, %3 mm high.")
                              .arg(millimetres(mesh.size.x()), millimetres(mesh.size.z()), millimetres(mesh.size.y()));
     switch (print.fit) {
     case core::BedFit::AsItStands:

@@ -225,7 +225,7 @@ void PrintPanel::setProgress(double share)
 /// Adds a row for a finding and an indented row for each of its places.
 void PrintPanel::addRow(const PrintFinding& finding)
 {
-    static const char* const verdicts[] = {QT_TR_NOOP("good"), QT_TR_NOOP("take care"), QT_TR_NOOP("to fix")};
+    static const char* const verdicts[] = {QT_TR_NOOP("good"), QT_TR_NOOP("warning"), QT_TR_NOOP("to fix")};
     const int number = static_cast<int>(&finding - m_findings.constData());
     const auto add = [&](const QString& text, int place) {
         auto* item = new QListWidgetItem(text, m_list);

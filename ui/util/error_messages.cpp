@@ -59,7 +59,7 @@ QStringList leftOut(const core::ReadRemarks& remarks)
     if (remarks.subdivisions > 0)
         left << ErrorMessages::tr("the subdivision of surfaces (%1)").arg(number(remarks.subdivisions));
     if (remarks.unreadNodes > 0)
-        left << ErrorMessages::tr("surfaces that are not read (%1)").arg(number(remarks.unreadNodes));
+        left << ErrorMessages::tr("unsupported surfaces (%1)").arg(number(remarks.unreadNodes));
     return left;
 }
 
@@ -205,13 +205,13 @@ QString ErrorMessages::sequentialSectors()
 
 QString ErrorMessages::notADrawing(const QString& path)
 {
-    return tr("%1: drawings are written as PDF, SVG or PNG; the ending says which.")
+    return tr("%1: drawings are written as PDF, SVG or PNG; the file extension decides which.")
         .arg(QDir::toNativeSeparators(path));
 }
 
 QString ErrorMessages::notAReport(const QString& path)
 {
-    return tr("%1: class reports are written as HTML or PDF; the ending says which.")
+    return tr("%1: class reports are written as HTML or PDF; the file extension decides which.")
         .arg(QDir::toNativeSeparators(path));
 }
 

@@ -7,9 +7,9 @@ using core::FileFault;
 QString FileFaultMessages::sentence(const core::FileError& error, const QString& where)
 {
     if (const QString thing = expected(error); !thing.isEmpty())
-        return error.token.empty() ? tr("%1: %2 is expected here, but nothing is there.").arg(where, thing)
-                                   : tr("%1: %2 is expected here, but \"%3\" is there.")
-                                         .arg(where, thing, QString::fromLatin1(error.token));
+        return error.token.empty()
+                   ? tr("%1: expected %2, found nothing.").arg(where, thing)
+                   : tr("%1: expected %2, found \"%3\".").arg(where, thing, QString::fromLatin1(error.token));
     for (const QString& words : {ofModel(error, where), ofGltf(error, where), ofPackage(error, where)})
         if (!words.isEmpty())
             return words;
@@ -30,7 +30,7 @@ QString FileFaultMessages::expected(const core::FileError& error)
     case FileFault::Count:
         return tr("a count that is not negative and fits here");
     case FileFault::VertexNumbers:
-        return tr("a vertex of 3 or 4 numbers, with 3 more for a colour or none,");
+        return tr("a vertex of 3 or 4 numbers, with 3 more for a colour or none");
     case FileFault::VertexIndex:
         return tr("the number of a vertex");
     case FileFault::PlyEncoding:
@@ -38,7 +38,7 @@ QString FileFaultMessages::expected(const core::FileError& error)
     case FileFault::NumberType:
         return tr("a type such as float or int");
     case FileFault::WholeNumberType:
-        return tr("a type of whole numbers, such as uchar or int,");
+        return tr("a type of whole numbers, such as uchar or int");
     case FileFault::Name:
         return tr("a name");
     case FileFault::ElementFirst:

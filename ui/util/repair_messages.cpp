@@ -50,7 +50,7 @@ QStringList RepairMessages::steps(const core::RepairReport& report)
         steps << tr("Tangles that could not be resolved, covered by small solids: %1, the widest %2 mm")
                      .arg(number(report.knots), shortMillimetres(report.widestKnot));
     add(report.crumbs, tr("Tiny thin parts left out: %1"));
-    add(report.unmasked, tr("Masked points removed, with their mask: %1"));
+    add(report.unmasked, tr("Masked points lost in the repair: %1"));
     if (report.remeshedAt)
         steps << tr("The surface was rebuilt, with edges of about %1 mm.").arg(shortMillimetres(*report.remeshedAt));
     return steps;

@@ -479,7 +479,7 @@ void MainWindow::setBrushModel(const QString& path)
 {
     m_state->shapes->chooseModel(path);
     m_state->brush.setTool(core::Tool::Stamp);
-    showNotice(tr("Stamp has %1 as it is now.").arg(QFileInfo(path).completeBaseName()));
+    showNotice(tr("Stamp now uses the current shape of %1.").arg(QFileInfo(path).completeBaseName()));
 }
 
 void MainWindow::setHeadset(HeadsetState state, const QString& sentence)

@@ -39,7 +39,7 @@ QString HeadsetReport::textOf(HeadsetEnd end, const QString& detail)
         return detail;
     case HeadsetEnd::NoBinding:
         //: %1: a window system, such as wayland
-        return tr("The headset's program does not support windows of the kind “%1”. Start Fettle with "
+        return tr("The headset's program does not support the window system “%1”. Start Fettle with "
                   "QT_QPA_PLATFORM=xcb and QT_XCB_GL_INTEGRATION=xcb_glx, then enter VR again.")
             .arg(detail);
     case HeadsetEnd::CannotRender:

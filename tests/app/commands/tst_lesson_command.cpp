@@ -253,8 +253,8 @@ private Q_SLOTS:
         wrong("\"picture\": \"step-2.png\"", "\"picture\": 2",
               "step 2 (steps[1]): \"picture\" must be a name in quotation marks");
         wrong("\"components\": 1", "\"components\": 1.5",
-              "\"components\" must be a whole number, or bounds, as in {\"least\": 1, \"most\": 2}");
-        wrong("\"least\": 125", "\"least\": \"tall\"", "\"height_mm\" must be a number, or bounds");
+              "\"components\" must be a whole number or a range, such as {\"least\": 1, \"most\": 2}");
+        wrong("\"least\": 125", "\"least\": \"tall\"", "\"height_mm\" must be a number or a range");
         wrong("\"print_ready\": true", "\"print_ready\": 1", "\"print_ready\" must be true");
         wrong("\"tools\": [\n    \"push\"\n   ]", "\"tools\": \"push\"", "\"tools\" must be a list of tools");
     }

@@ -398,7 +398,7 @@ void TestHeadsetPartner::takingOver_isTold()
 {
     Listener listener;
     listener.controller.partner().setTakenOver(true);
-    QCOMPARE(listener.update().notice, QStringLiteral("Your partner sculpts now."));
+    QCOMPARE(listener.update().notice, QStringLiteral("Your partner is sculpting now."));
     const quint64 first = listener.last.noticeCount;
     QVERIFY(!listener.port->beginStroke({}));
     listener.port->show({});

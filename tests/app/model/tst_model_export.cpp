@@ -353,8 +353,8 @@ void TestModelExport::slicer_tellsWhatItSays_data()
     QTest::newRow("complains") << QByteArray(
                                       "echo first; echo 'All objects are outside of the print volume.' >&2; exit 1")
                                << QStringLiteral("All objects are outside of the print volume.");
-    QTest::newRow("writes nothing") << QByteArray("echo done") << QStringLiteral("does not slice it: done");
-    QTest::newRow("crashes") << QByteArray("echo ouch; kill -SEGV $$") << QStringLiteral("does not slice it: ouch");
+    QTest::newRow("writes nothing") << QByteArray("echo done") << QStringLiteral("cannot slice it: done");
+    QTest::newRow("crashes") << QByteArray("echo ouch; kill -SEGV $$") << QStringLiteral("cannot slice it: ouch");
 }
 
 /// The script on the PATH has the name of the slicer.

@@ -76,8 +76,7 @@ private Q_SLOTS:
         e.fault = core::FileFault::Keyword;
         e.wanted = "outer";
         e.token = "lop";
-        QVERIFY(ui::ErrorMessages::sentence(e).endsWith(
-            QStringLiteral(": \"outer\" is expected here, but \"lop\" is there.")));
+        QVERIFY(ui::ErrorMessages::sentence(e).endsWith(QStringLiteral(": expected \"outer\", found \"lop\".")));
     }
 
     void missingDataLeavesWholeSentences()
