@@ -22,7 +22,8 @@ public:
 
     const QUndoStack& stack() const { return m_stack; }
     HistoryStore& store() { return m_store; }
-    /// Returns whether the last step can be undone: there is one, and its change has not expired.
+    /// Returns whether undo() has an effect: a stroke is open or not reported yet, or there is a step whose change has
+    /// not expired.
     bool canUndo() const;
     bool canRedo() const;
     QString undoText() const; ///< empty if nothing can be undone

@@ -63,7 +63,8 @@ public:
 
     /// Stores the change of step `index`, and forgets the undone changes from `index` on.
     void add(int index, std::shared_ptr<core::MeshDelta> delta);
-    /// Undoes or redoes the change at `index`. Does nothing if that change is not stored.
+    /// Undoes or redoes the change at `index`. Does nothing if no such change was added. Precondition: it has not
+    /// expired.
     void swap(int index);
     /// Returns the change at `index`. Precondition: it has not expired.
     std::shared_ptr<StoredDelta> at(int index) const { return m_entries.at(static_cast<std::size_t>(index)).delta; }
@@ -86,7 +87,7 @@ public:
 Q_SIGNALS:
     /// Emitted when a change has expired, so that canUndo() or canRedo() may have changed.
     void expired();
-    /// Emitted when bytesInMemory() has changed.
+    /// Emitted after an undo or redo, which may have changed bytesInMemory().
     void bytesChanged();
     /// Emitted when a change on disk could not be read: the undo stack is unusable now. The present model is intact.
     void lost();

@@ -23,13 +23,14 @@ public:
         int index = 0;
         std::optional<quint64> saving; ///< SavedState::count() if the model is unmodified; nothing otherwise
     };
-    /// A callback that receives the report of the new stroke; nothing if the stroke is no longer the last step or
-    /// another source is sculpting.
+    /// A callback that receives the report of the new stroke; nothing if the stroke is no longer the last step, another
+    /// source is sculpting, or another model is being opened.
     using Done = std::function<void(const std::optional<StrokeReport>& report)>;
 
     explicit LastStroke(Document* document) : m_document(document) {}
 
-    /// Returns the last step; nothing if it is not a stroke, was made before the model was opened, or is undone.
+    /// Returns the last step; nothing if it is not a stroke, was made before the model was opened, is undone, or its
+    /// change has expired.
     std::optional<Step> step() const;
     /// Replaces the last stroke, or its earlier replacement, by another stroke, still as one step. If the new stroke
     /// changes nothing, the step stays undone. If `stroke` is null or the replacement is stopped, the last stroke is

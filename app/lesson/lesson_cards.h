@@ -5,7 +5,7 @@
 
 namespace app
 {
-/// Returns the lesson's picture with this name; null if there is none.
+/// Returns the lesson's picture with this name; null if there is none that can be read.
 QImage pictureOf(const core::Lesson& lesson, const std::string& picture);
 /// Returns the card shown when choosing a lesson: texts in the user's language, and the picture of the last step.
 ui::LessonCard cardOf(const QString& name, const core::Lesson& lesson);

@@ -46,7 +46,7 @@ public:
     /// A callback that gets the name of each stage at its beginning.
     using OnStage = std::function<void(const QString& what)>;
 
-    /// Exports the copy, which is consumed. Cancelling before the file is written leaves no file.
+    /// Exports the copy, which is consumed. Cancelling while triangles are reduced leaves no file.
     static ExportOutcome run(ExportRequest request, const OnStage& onStage, const core::JobControl& control);
 
 private:

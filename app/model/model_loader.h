@@ -34,7 +34,7 @@ namespace app
 struct LoadedModel
 {
     std::shared_ptr<core::Sculptor> sculptor;    ///< null: refused or cancelled
-    std::shared_ptr<const core::Snapshot> start; ///< snapshot of the sculptor's mesh; null if `sculptor` is
+    std::shared_ptr<const core::Snapshot> start; ///< snapshot of the sculptor's mesh; valid only with a sculptor
     QString problem;                             ///< if refused: one sentence with file, place or counts, and reason
     bool isRepairable = false;                   ///< if refused: loadRepaired() may help
     QStringList repairs;                         ///< sentences about repairs that were done; empty: none
@@ -84,8 +84,8 @@ public:
     static bool holdsColors(const QString& path);
     /// Returns whether the format for this file name defines a unit of length.
     static bool holdsUnit(const QString& path);
-    /// Returns a sentence about a model that was inserted, if it is so small that its unit may be larger than the
-    /// millimetre; otherwise an empty string. `volume`: mm3.
+    /// Returns a sentence about a model that was inserted in millimetres from a file without a unit, if it is so small
+    /// that its unit may be larger; otherwise an empty string. `volume`: mm3.
     static QString insertedUnitNotice(const ui::InsertRequest& insertion, double volume);
 
 private:

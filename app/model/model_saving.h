@@ -11,7 +11,7 @@ namespace app
 /// Result of saving a model.
 struct SavedFile
 {
-    QString path;    ///< path of the written file
+    QString path;    ///< path of the file that was or should have been written
     QString problem; ///< reason why no file was written, one sentence; empty if it was written
     QString notice;  ///< message for the user after saving; may be empty
 };

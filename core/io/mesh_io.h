@@ -46,7 +46,7 @@ struct ReadRemarks
     bool materials = false, textures = false;
     /// The file has skins or morph targets; the mesh has the pose in which the file shows it.
     bool poses = false;
-    std::size_t repeatedCorners = 0; ///< corners skipped because a polygon names them twice in a row
+    std::size_t repeatedCorners = 0; ///< corners of polygons skipped: repeated, or part of a slit
     std::size_t facesOfFewer = 0;    ///< faces skipped because they have fewer than three different corners
     bool unannounced = false;        ///< values were skipped that the file's header does not declare
     std::uint64_t bytesBehind = 0;   ///< bytes after the end of a binary model, skipped
@@ -84,11 +84,10 @@ struct WriteOptions
 /// Reads a model of any supported format. Throws FileError. The result has at least one face, indices in range, finite
 /// points, and three different corners in each face. Nothing more is guaranteed: faces may have no area, vertices may
 /// be unused. Vertices with equal bits (-0 = 0) are merged in every format, because STL stores no shared vertices and
-/// other files split vertices along seams. Vertices and faces keep their order. Polygons are triangulated, and a corner
-/// named twice in a row counts once. Numbers in text are rounded to the nearest float32. If the file is too short for
-/// what its header declares, only the header is read. Units are the file's; glTF's metres and the units named in 3MF
-/// and AMF files are converted to mm. Files that a .gltf references must be in its folder after resolving symbolic
-/// links.
+/// other files split vertices along seams. Vertices and faces keep their order. Polygons are triangulated, without
+/// repeated corners and slits. Numbers in text are rounded to the nearest float32. If a binary STL is too short for
+/// what its header declares, only its start is read. Units are the file's; glTF's metres and the units named in 3MF and
+/// AMF files are converted to mm. Files that a .gltf references must be in its folder after resolving symbolic links.
 ReadResult readModel(const std::filesystem::path& path, const ReadOptions& options = {});
 /// Returns only the mesh of readModel().
 TriangleMesh readMesh(const std::filesystem::path& path, const ReadOptions& options = {});
@@ -102,7 +101,7 @@ TriangleMesh parseMesh(const std::filesystem::path& name, std::string_view bytes
 DocumentMetadata readMetadata(const std::filesystem::path& path);
 
 /// Writes the mesh. Throws FileError; the previous file is then unchanged. Points and colours are bit-identical when
-/// read back, with these exceptions. STL keeps no colours, unused vertices or -0; 3MF keeps no colours of unused
-/// vertices.
+/// read back, with these exceptions. STL keeps no colours and no unused vertices; 3MF keeps no colours of unused
+/// vertices. STL, and any format if Z is up, keeps no -0. Reading merges equal points.
 void writeMesh(const std::filesystem::path& path, const TriangleMesh& mesh, const WriteOptions& options = {});
 } // namespace core

@@ -6,7 +6,7 @@
 namespace core
 {
 /// A file that is only appended to. Appended bytes survive the end of the process; synced bytes survive a power cut.
-/// Every member throws FileError. Thread: append() and sync() may run concurrently.
+/// The constructor, append() and sync() throw FileError. Thread: append() and sync() may run concurrently.
 class AppendFile
 {
 public:

@@ -19,8 +19,8 @@ public:
     static std::unique_ptr<JournalFolder> makeHidden(const std::filesystem::path& root);
     ~JournalFolder();
     JournalFolder(JournalFolder&&) = default;
-    /// Returns all folders that no process has locked, and locks them. The most recently changed is first. Never throws
-    /// FileError.
+    /// Returns all visible folders that no process has locked, and locks them. The most recently changed is first.
+    /// Removes hidden folders that an ended process left more than an hour ago. Never throws FileError.
     static std::vector<std::unique_ptr<JournalFolder>> abandoned(const std::filesystem::path& root);
 
     const std::filesystem::path& path() const { return m_path; }

@@ -18,7 +18,7 @@ struct RecoveredDocument
     /// redo can go only as far as the first null on each side of the present.
     std::vector<std::shared_ptr<MeshDelta>> deltas;
     std::unique_ptr<Mesh> mesh; ///< null if RecoveryOptions::mesh is false
-    /// The model as it was opened; null if neither the start nor the mesh was read.
+    /// The model as it was opened (but see isDamaged); null if neither the start nor the mesh was read.
     std::shared_ptr<const Snapshot> start;
     std::uint64_t nextRecord = 0; ///< number of the next record to be written
     unsigned nextSegment = 0;

@@ -16,7 +16,7 @@ namespace core
 {
 struct JournalLimits
 {
-    std::size_t segmentBytes = std::size_t(16) << 20; ///< size in bytes at which the next segment is begun
+    std::size_t segmentBytes = std::size_t(16) << 20; ///< largest size in bytes of a segment with more than one record
     /// Largest total size of the segments in bytes. Beyond it a new base replaces the oldest segments, so that about
     /// half of this size is left.
     std::size_t logBytes = std::size_t(256) << 20;
@@ -26,7 +26,7 @@ struct JournalLimits
     double promisedMs = 200; ///< time in ms from a change until it survives a power cut
 };
 
-/// Callbacks of a journal, called on one of its threads.
+/// Callbacks of a journal, called on one of its threads; `broken` also by add(), if too many records are waiting.
 struct JournalCallbacks
 {
     std::function<void(const FileError&)> broken; ///< called once, when recording has stopped
@@ -64,7 +64,7 @@ public:
     /// Starts the threads, and syncs the start file in the background. Precondition: the folder has a start file,
     /// unless `place.waits`.
     JournalWriter(std::filesystem::path folder, Place place, JournalCallbacks callbacks, JournalLimits limits = {});
-    /// Waits until all added records are written and synced, or recording has stopped.
+    /// Flushes like flush(), then ends the threads.
     ~JournalWriter();
     JournalWriter(const JournalWriter&) = delete;
     JournalWriter& operator=(const JournalWriter&) = delete;
@@ -77,7 +77,8 @@ public:
     /// made in order, by the caller or the writing thread. If the journal waits for begin(), `run` is called
     /// immediately.
     void after(std::function<void()> run);
-    /// Waits until all added records survive the end of the process, or recording has stopped.
+    /// Waits until all added records survive the end of the process, or recording has stopped. Records that wait for
+    /// begin() do not count, here and in flush().
     void drain();
     /// Waits until all added records are synced, or recording has stopped.
     void flush();

@@ -71,7 +71,7 @@ struct MaskOperation
 /// Remeshes so that all edges are between d and d_detail = 2 d, as far as shape and mask allow.
 struct RemeshUniformly
 {
-    double detailLength = 0; ///< d_detail; 0: 4/3 of the mean edge length
+    double detailLength = 0; ///< d_detail, mm; 0: the mesh's own, Mesh::uniformDetail()
 };
 
 enum class Half { Positive, Negative };

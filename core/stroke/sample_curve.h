@@ -13,14 +13,15 @@ struct PlacedSample
 
 /// Interpolates between two samples. Position and direction follow a parabola through these two and a third,
 /// neighbouring sample, so that a few samples of a curve give a curve. All other values are interpolated linearly, the
-/// rotation too (and normalised); the up vector is the later sample's.
+/// rotation too (and normalised). The up vector is the later sample's, as are radius and strength unless both samples
+/// have their own.
 class SampleCurve
 {
 public:
     SampleCurve() = default;
     /// `before`, `after`: the samples before `from` and after `to`, or null. `before` is used if both are given.
-    /// Without either, or if the path turns by more than 60 degrees at the shared sample (a corner), the interpolation
-    /// is linear.
+    /// The interpolation is linear without either, if the path turns by more than 60 degrees at the shared sample (a
+    /// corner), and if its two parts there differ more than eightfold in length.
     SampleCurve(const PlacedSample& from, const PlacedSample& to, const PlacedSample* before,
                 const PlacedSample* after);
 

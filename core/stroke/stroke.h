@@ -43,7 +43,7 @@ struct StrokeSettings
     /// exponent n of the falloff weight, see falloff(); 0: all vertices have weight 1
     int falloff = static_cast<int>(info(Parameter::Falloff).defaultValue);
     double detail = info(Parameter::Detail).defaultValue; ///< factor of d_detail
-    /// d_detail of Topology::Uniform, mm; 0: 4/3 of the model's mean edge length when it was opened
+    /// d_detail of Topology::Uniform, mm; 0: the mesh's own, Mesh::uniformDetail()
     double detailLength = 0;
     /// Distance between dabs, in radii; at least 2 for Stamp. 0: each sample makes exactly one dab.
     double spacing = info(Parameter::Spacing).defaultValue;
@@ -120,8 +120,8 @@ struct StrokeSample
     Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
     std::optional<double> radius;   ///< brush radius for this sample only, mm
     std::optional<double> strength; ///< strength for this sample only
-    /// Up vector of the hand that holds the brush, in world space, of any length. Orients alphas and Stamp's model,
-    /// even in empty space. Nothing: the world's up.
+    /// Up vector of the hand that holds the brush, in world space, of any length above minDirection. Orients alphas and
+    /// Stamp's model, even in empty space. Nothing: the world's up.
     std::optional<Vec3> up;
 };
 
@@ -215,8 +215,8 @@ struct DabReport
 
     /// Returns whether the dab reached at least 95 % of the displacement asked. Users do not notice the rest.
     bool isWhole() const { return reached >= 0.95 * asked; }
-    /// Combines the reports of a dab done in several parts. Costs are added. Of parts that did something, the worse
-    /// outcome and the smaller share reached count.
+    /// Combines the reports of a dab done in several parts. Costs are added, except verifyMs and totalMs, which are
+    /// measured for the whole dab. Of parts that did something, the worse outcome and the smaller share reached count.
     DabReport& operator+=(const DabReport& second);
 };
 

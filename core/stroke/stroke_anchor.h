@@ -18,8 +18,8 @@ public:
     /// instead of the surface.
     bool isSet() const { return m_anchor.has_value() && isDragTool(m_settings.tool); }
     /// Returns the point that a sample's position and direction, in model space, lead to. A ray is intersected with the
-    /// plane through the anchor perpendicular to the first ray; returns nothing if it does not meet that plane. Without
-    /// rays, returns the position plus a constant offset.
+    /// plane through the anchor perpendicular to the first ray; returns nothing if it does not meet that plane, or only
+    /// at a very small angle. Without rays, returns the position plus a constant offset.
     std::optional<Vec3> placeOf(const Vec3& position, const Vec3& direction) const;
 
     /// Sets the dab's motion, turn and position; on entry its position is the pointer's. Tools that keep their

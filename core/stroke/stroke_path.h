@@ -41,7 +41,7 @@ public:
     void finish() { m_isFinished = true; }
     /// Returns the next dab that is due; nothing until the next sample. To be called again after each dab, because the
     /// dab may have moved the surface, and after finish(). Dabs between the first two samples of a path wait for the
-    /// third sample, which determines the curve.
+    /// third sample, which determines the curve, except those of Stamp.
     std::optional<Due> next(const CenterOf& centerOf);
 
 private:

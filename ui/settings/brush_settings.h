@@ -41,7 +41,8 @@ public:
         }
     }
     void setTool(core::Tool tool) { set(&core::StrokeSettings::tool, tool); }
-    /// Restricts the choice of tools to these and selects the first. Initially, all tools can be chosen.
+    /// Restricts the choice of tools to these and selects the first. An empty list, as initially, offers all and
+    /// selects none.
     void offerTools(const QList<core::Tool>& tools);
     const QList<core::Tool>& offeredTools() const { return m_offered; }
     bool isOffered(core::Tool tool) const { return m_offered.isEmpty() || m_offered.contains(tool); }
@@ -62,8 +63,8 @@ public:
     /// range. Falloff is rounded to a legal n.
     void setValue(core::Parameter parameter, double value);
     void scaleRadius(double factor);
-    /// Sets everything in a stroke that the user can choose; the radius is clamped to the model's range. If `stroke`
-    /// has no alpha, an alpha from a file is kept.
+    /// Sets everything in a stroke that the user can choose, except the airbrush, the brush model and a tool that is
+    /// not offered; the radius is clamped to the model's range. If `stroke` has no alpha, an alpha from a file is kept.
     void apply(const core::StrokeSettings& stroke);
     /// Resets all settings, including the values of all tools, to those of a new user. Keeps the radius, which depends
     /// on the model. Selects the first of the offered tools.
@@ -89,7 +90,8 @@ public:
     /// Returns the radius as a fraction of the longest side of the model given to fitTo().
     double radiusShare() const;
     void setRadiusShare(double share) { setValue(core::Parameter::Radius, share * m_modelSize); }
-    /// Returns true if the model is about as large as the one given to fitTo(): within a factor of 2.
+    /// Returns true if the model is about as large as the one given to fitTo(): within a factor of 2. True for a size
+    /// of 0, too.
     bool fits(const ModelInfo& modelInfo) const;
     double minOf(core::Parameter parameter) const;
     double maxOf(core::Parameter parameter) const;

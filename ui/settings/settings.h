@@ -53,8 +53,8 @@ public:
     /// Returns the recent files, latest first.
     QStringList recentFiles() const;
     void addRecentFile(const QString& path);
-    /// Returns the folder of the last file opened or exported, or the user's home if there is none or it no longer
-    /// exists.
+    /// Returns the folder of the last file opened or exported, or the user's home if there is none, or it no longer
+    /// exists or does not answer within half a second.
     QString lastFolder() const;
     /// Returns the settings of the files panel, with lastFolder() in place of a folder that no longer exists.
     FileBrowserSettings files() const;

@@ -15,7 +15,7 @@ namespace vr
 inline constexpr float squeezePress = 0.7F, squeezeRelease = 0.5F;
 
 /// Reads the poses and buttons of the wands, and sends haptic pulses to them. Precondition: made once for each session,
-/// before the session begins. Throws XrError from all members.
+/// before the session begins. All members except refusedProfiles() throw XrError.
 class Actions
 {
     Q_DECLARE_TR_FUNCTIONS(vr::Actions)
@@ -24,7 +24,7 @@ public:
     Actions(const Instance& instance, XrSession session);
 
     /// Returns the wands at `time` in the space `room`. Without the focus the buttons count as released, and the
-    /// runtime is not asked. A pose that is not known keeps its last value.
+    /// runtime is not asked for them. A pose that is not known keeps its last value.
     Wands read(XrSpace room, XrTime time, bool hasFocus);
 
     /// Starts a vibration. Precondition: the session has the focus; otherwise nothing is felt.

@@ -29,7 +29,8 @@ inline constexpr float wantedRefreshRate = 90;
 QVersionNumber leastOpenGl(const Instance& instance);
 
 /// A session with one headset, and the sizes and formats of the images that the runtime wants. Precondition: the
-/// context described by the binding is current at every call. Throws XrError from all members.
+/// context described by the binding is current at every call. All members except those that only return a value throw
+/// XrError.
 class Session
 {
 public:

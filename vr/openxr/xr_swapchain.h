@@ -32,7 +32,7 @@ struct ImageSize
 };
 
 /// The images that one eye is shown in turn: GL_TEXTURE_2D, one sample per pixel, one mip level. Precondition: the
-/// session's context is current. Throws XrError from all members.
+/// session's context is current. The constructor, acquire() and release() throw XrError.
 class Swapchain
 {
 public:

@@ -8,8 +8,8 @@
 
 namespace vr
 {
-/// The pictures of the eyes: one eye, or two, left before right. Precondition: the session's context is current. Throws
-/// XrError from all members.
+/// The pictures of the eyes: one eye, or two, left before right. Precondition: the session's context is current. The
+/// constructor, locate() and draw() throw XrError.
 class Views
 {
 public:

@@ -7,7 +7,7 @@
 namespace core::io
 {
 /// Returns the content of a buffer's uri: base64 data in the uri itself, or `bytes` bytes of a file beside `file`.
-/// Throws FileError. OutsideFolder: the uri, after decoding percent signs and resolving dots and links, leaves the
-/// file's folder. CutOff: there are fewer bytes. Errors in reading the other file are thrown, too.
+/// Throws FileError. OutsideFolder: the uri is not a relative path, or leaves the file's folder after decoding percent
+/// signs and resolving dots and links. CutOff: there are fewer bytes. Errors in reading the other file are thrown, too.
 std::string gltfBuffer(const FileBytes& file, std::string_view uri, std::uint64_t bytes);
 } // namespace core::io

@@ -26,7 +26,8 @@ public:
     /// if the stream is damaged or contradicts the JSON, Malformed with NeedsExtension if there is no decoder, or
     /// UnpacksTooLarge.
     const DracoMesh* meshOf(const GltfDocument::Json& primitive);
-    /// Returns the primitive's attribute in its decoded mesh; null if the extension does not list it.
+    /// Returns the primitive's attribute in its decoded mesh; null if the extension does not list it. Throws FileError
+    /// if it is listed and the mesh lacks it.
     const DracoMesh::Attribute* attributeOf(const GltfDocument::Json& primitive, const DracoMesh& mesh,
                                             const char* name) const;
 

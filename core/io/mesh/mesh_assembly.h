@@ -20,7 +20,7 @@ public:
 
     /// Adds a copy of the mesh. `transform` applies to column vectors. A mirrored copy has its triangles reversed, so
     /// that its outside stays outside. Precondition: the indices of `mesh` are in range; it has one colour for each
-    /// point, or none. Throws FileError: TooManyElements, or NotANumber if a point is not finite.
+    /// point, or none. Throws ReadingCancelled, and FileError: TooManyElements, or NotANumber if a point is not finite.
     void add(const TriangleMesh& mesh, const Eigen::Matrix4d& transform);
     /// Returns the mesh and leaves this object empty. If some vertices have colours, the others get the default colour.
     TriangleMesh take();

@@ -29,7 +29,8 @@ public:
     /// is none.
     float number(std::string_view name) const;
     std::uint32_t whole(std::string_view name) const;
-    /// Returns the attribute's number; nothing if there is none.
+    /// Returns the attribute's number; nothing if there is none. Throws FileError: NotANumber if it is not a whole
+    /// number of 32 bits without sign.
     std::optional<std::uint32_t> wholeIfAny(std::string_view name) const;
 
     /// Returns the namespace that a prefix has at this element; empty if none.

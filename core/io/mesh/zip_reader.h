@@ -31,8 +31,9 @@ public:
     /// Returns the name that `part` has in the package: it may differ in case, slashes and percent encoding.
     std::optional<std::string> find(const std::string& part) const;
 
-    /// Passes the part to `take` piece by piece; the last piece is empty. Throws FileError: Malformed with the part's
-    /// name if it does not exist, is encrypted, or is packed in an unsupported way; CutOff if its data are damaged.
+    /// Passes the part to `take` piece by piece; the last piece is empty. Throws ReadingCancelled, and FileError:
+    /// UnpacksTooLarge; Malformed with the part's name if it does not exist, is encrypted, or is packed in an
+    /// unsupported way; CutOff if its data are damaged.
     using Take = std::function<void(std::string_view piece)>;
     void read(const std::string& part, const Take& take);
 

@@ -26,8 +26,9 @@ namespace core
 ///
 /// Required keys: format, version and strokes; in a stroke: tool, radius and samples; in a sample: position, and with
 /// "place":"ray" also direction. The other keys default to the values shown above (t: 0; a sample's radius and
-/// strength: the stroke's). Optional keys of a stroke are also "airbrush", "join" and "anchored": see the members of
-/// StrokeSettings with those names. "topology" is refine, adaptive, keep or uniform (core::Topology).
+/// strength: the stroke's). Optional keys of a stroke are also "airbrush", "join", "anchored", "invert" and
+/// "detail_length": see StrokeSettings::airbrush, join, anchored, inverted and detailLength. "topology" is refine,
+/// adaptive, keep or uniform (core::Topology).
 ///
 /// More optional keys of a stroke: "alpha", a name in builtInAlphas() or an image's path; "alpha_follows": true;
 /// "model", a model's path. A path is absolute or relative to the stroke file's folder. Recordings also have
@@ -40,10 +41,12 @@ namespace core
 ///     {"command":"scale","factor":2}                      {"command":"recentre"}
 ///     {"command":"fill","color":[200,120,80]}             {"command":"remesh","detail_length":0.1}
 ///     {"command":"insert","file":"a.stl","where":"centre","centre":[0,3,0]}
+///     {"command":"reset"}                                 {"command":"place_on_bed"}
+///     {"command":"flatten_base","height":2}               {"command":"mask","how":"invert"}
 ///
-/// "keep" is positive (the default) or negative. "detail_length" defaults to 4/3 of the mean edge length. "where" is
-/// beside (the default), as_it_is or centre; only centre needs the key "centre". "recenter" and "center" are accepted,
-/// too.
+/// "keep" is positive (the default) or negative. "detail_length" defaults to the mesh's own, Mesh::uniformDetail().
+/// "how" is one of maskChangeNames (stroke_keys.h); only color needs the key "color". "where" is beside (the default),
+/// as_it_is or centre; only centre needs the key "centre". "recenter" and "center" are accepted, too.
 struct StrokeFileError : std::runtime_error
 {
     enum class Kind {
@@ -106,10 +109,11 @@ std::vector<FileEntry> readStrokes(const std::string& path);
 /// Returns the bytes of a file or pipe. Throws StrokeFileError: CannotRead or TooLarge.
 std::string readStrokeText(const std::string& path, std::size_t maxBytes);
 
-/// Checks that the lattice can represent the stroke's radii and that its positions are within the working volume.
-/// Samples of a ray may start anywhere. Throws StrokeFileError::OutOfRange with the index of the sample. `offset` is
-/// the document's origin in the file's coordinates; the error's range is given in those. With a non-zero `offset` the
-/// error's key names the first coordinate that is out of range, for example position[0].
+/// Checks that the lattice can represent the stroke's radii and detail_length, and that its positions are within the
+/// working volume. Samples of a ray may start anywhere. Throws StrokeFileError::OutOfRange, with the index of the
+/// sample if a sample is at fault. `offset` is the document's origin in the file's coordinates; the error's range is
+/// given in those. With a non-zero `offset` the error's key names the first coordinate that is out of range, for
+/// example position[0].
 void requireFit(const Stroke& stroke, const Lattice& lattice, const Vec3& offset = Vec3::Zero());
 
 /// Writes every key, and numbers with enough digits that reading returns bit-identical values.
