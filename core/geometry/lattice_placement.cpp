@@ -9,8 +9,8 @@ namespace core
 namespace
 {
 constexpr double farthestInSizes = 4;
-/// Largest difference of exponents at which a lattice is kept. An import leaves room for 8 times the model; a kept
-/// lattice has room for 2 to 32 times.
+/// A lattice is kept if its exponent differs by at most this from the exponent that an import would choose. An import
+/// leaves room for at least 8 times the model; a kept lattice has a quarter to four times that room.
 constexpr int maxStepsOff = 2;
 constexpr double leastStepsPerEdge = 32;
 

@@ -15,7 +15,7 @@ struct Footprint
 
     /// Selected vertices; a vertex selected by several symmetric images of the dab is repeated.
     std::vector<Slot> slots;
-    /// Falloff weight b(x) x 255 of each vertex in `slots`, at least 1.
+    /// Weight of each vertex in `slots`, from 1 (no effect) to 255 (full effect). Falloff, alpha and mask reduce it.
     std::vector<std::uint8_t> weights;
 };
 } // namespace core

@@ -15,8 +15,8 @@ struct DrawVertex
     Vec3f position;
     std::array<std::int8_t, 4> normal; ///< unit normal x 127; [3]: half of the mask (see Mesh::mask)
     std::array<std::uint8_t, 4> color; ///< sRGB; [3]: curvature, from 1 (sharp valley) to 255 (sharp ridge)
-    /// Unit direction x 127 of the sharp edge through the vertex, in either sense; zero where sharp edges meet or turn.
-    /// [3]: sharpness, from 0 (smooth) to 127 (45 degrees or more).
+    /// Direction x 127 of the sharp edge through the vertex, in either sense. Of unit length, less if a third sharp
+    /// edge meets the vertex; zero where the edge turns. [3]: sharpness, from 0 (smooth) to 127 (45 degrees or more).
     std::array<std::int8_t, 4> crease{};
 };
 static_assert(sizeof(DrawVertex) == 24);

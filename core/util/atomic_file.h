@@ -11,8 +11,8 @@ namespace core
 {
 /// Replaces a file atomically: even after a power cut, the path has either the whole old content or the whole new one.
 /// The new content is invisible until commit(); destruction without commit() discards it. A symbolic link is followed:
-/// its target is replaced, or created if missing. Permissions of an existing file are kept. Throws FileError from each
-/// member.
+/// its target is replaced, or created if missing. Permissions of an existing file are kept. The constructor, write(),
+/// sync() and commit() throw FileError.
 class AtomicFile
 {
 public:

@@ -10,7 +10,8 @@ namespace core
 class NumberedBackup
 {
 public:
-    /// Saves the content of a file that AtomicFile is about to replace. A missing file is ignored. Throws FileError.
+    /// Saves the content of a file that AtomicFile is about to replace. A missing file is ignored. `versions`: number
+    /// of backups to keep; 0: none. Throws FileError.
     NumberedBackup(const std::filesystem::path& file, int versions);
     ~NumberedBackup();
     NumberedBackup(const NumberedBackup&) = delete;

@@ -15,7 +15,7 @@ struct VerifyResult
 {
     VerifyTier tier = VerifyTier::Patch;
     /// Faulty faces, in ascending order and complete: all faces of intersecting pairs, all degenerate or wrongly linked
-    /// faces, and all faces of shells that were turned over or enclosed.
+    /// faces, and all faces of shells that face the wrong way at their nesting depth.
     std::vector<Slot> badFaces;
 
     bool ok() const { return badFaces.empty(); }
