@@ -5,13 +5,13 @@ namespace core
 namespace
 {
 constexpr int boxesPerStrip = 3; ///< height of a strip, in median box heights
-/// Largest mean number of strips per box; strips are enlarged until it is met.
+/// Strips are enlarged until a box overlaps at most this number of strips on average.
 constexpr std::int64_t entriesPerBox = 4;
 constexpr std::size_t heightSamples = 1 << 8; ///< number of boxes sampled for the median height
 } // namespace
 
-/// Returns the axes by decreasing extent of the boxes. A patch that is flat across an axis would fill few strips along
-/// it.
+/// Returns the axes by decreasing extent of all boxes together. Along the axis of least extent, strips would be too few
+/// to separate the boxes of a flat patch.
 std::array<int, 3> BoxPairs::axesByExtent() const
 {
     LatticeBox all;

@@ -30,7 +30,7 @@ public:
     double halfVolume() const { return m_unit * limit; }
     double minDetail() const { return m_unit * minDetailUnits; }
 
-    /// Converts a point to lattice units. Precondition: p is on the lattice, and then the result is exact.
+    /// Converts a point to lattice units. Precondition: p is on the lattice. The result is exact.
     LatticePoint toLattice(const Vec3f& p) const { return (p * static_cast<float>(m_perUnit)).cast<int>(); }
     Vec3f toPoint(const LatticePoint& p) const { return p.cast<float>() * static_cast<float>(m_unit); }
 

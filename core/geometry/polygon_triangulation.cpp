@@ -157,7 +157,7 @@ private:
     bool clip(const Loop& loop)
     {
         const auto count = static_cast<Slot>(loop.size());
-        /// bent: non-convex corners; some may have become convex since
+        /// bent: corners that were not convex at the start; some may have become convex since
         std::vector<Slot> next(count), prev(count), bent;
         for (Slot i = 0; i < count; ++i) {
             next[i] = (i + 1) % count;

@@ -9,9 +9,9 @@ namespace core
 {
 namespace
 {
-/// Target for the mean number of points per cell. If the mean is at least four times higher, cells are made smaller;
-/// the count is assumed to fall with the square of the side, as for points on a surface. Sides are at least 2 reaches /
-/// maxCellsPerSide.
+/// pointsPerCell: target for the mean number of points per cell. If the mean is at least four times higher, cells are
+/// made smaller; the count is assumed to fall with the square of the side, as for points on a surface.
+/// maxCellsPerSide: largest factor by which the side of a cell is reduced.
 constexpr double pointsPerCell = 16;
 constexpr double maxCellsPerSide = 8;
 } // namespace

@@ -66,7 +66,7 @@ NearestPair nearestOfSegments(const Vec3& a0, const Vec3& a1, const Vec3& b0, co
     const auto share = [](double part, double whole) { return whole > 0 ? std::clamp(part / whole, 0.0, 1.0) : 0; };
     double s = share(ab * cb - ca * bb, determinant);
     const double t = share(ab * s + cb, bb);
-    s = share(ab * t - ca, aa); // again: t may have been clamped to an end
+    s = share(ab * t - ca, aa); // computed again, because t may have been clamped to an end of its segment
     const Vec3 p = a0 + s * a, q = b0 + t * b;
     return {p, q, (p - q).squaredNorm()};
 }

@@ -16,8 +16,8 @@ namespace
 constexpr double smoothCosine = 0.7880107536067220, sharpCosine = 0.7071067811865476;
 /// Cosine of the largest turn, 40 degrees, at which two sharp edges at a vertex are one line.
 constexpr double straightCosine = 0.7660444431189780;
-/// Radius of curvature that is drawn as half of a sharp ridge, as a share of the largest coordinate that the lattice
-/// was made for.
+/// Radius of curvature for which the curvature byte is half way between flat and a sharp ridge, as a share of the
+/// largest coordinate that the lattice was made for.
 constexpr double ridgeRadius = 0.025;
 constexpr double latticeSteps = 1 << 20; ///< largest coordinate that the lattice was made for, lattice units
 
@@ -48,8 +48,8 @@ public:
     /// count: the surface continues around its end.
     double sharpness() const { return m_edges[1].sharpness; }
 
-    /// Returns the direction of the line through the two sharpest edges, or zero if they turn too much. Its length is
-    /// 1, and less the sharper the third edge is.
+    /// Returns the direction of the line through the two sharpest edges, or zero if they turn too much. Its length is 1
+    /// if the third edge is smooth, and falls to 0 as that edge becomes as sharp as the second.
     Vec3 line() const
     {
         const Vec3 there = m_edges[0].spoke.normalized(), back = m_edges[1].spoke.normalized();

@@ -9,7 +9,7 @@ namespace core
 {
 namespace
 {
-/// Least side of a cell as a multiple of the longest extent of a face in it.
+/// Smallest side of a cell, as a multiple of the longest extent of a face that is put in it.
 constexpr int cellPerFace = 2;
 constexpr int smallestUsefulCell = 64; ///< in lattice units; smaller cells do not make queries faster
 /// Largest factor by which a cell may exceed the best size for a face before the face is moved to another cell.

@@ -47,7 +47,7 @@ public:
         traverseNode(rootBox(), enter, visit);
     }
 
-    /// Returns the side of the smallest cell ever used, lattice units: a first radius for a nearest-point search.
+    /// Returns the side of the smallest cell ever used, lattice units; nearest-point searches start with it as radius.
     int smallestCell() const { return m_smallestCell; }
     /// Returns, for tests, whether every live face is in exactly one cell whose loose box contains it, and the counts
     /// are right. Queries then find what a rebuilt octree would find.

@@ -4,7 +4,8 @@
 
 namespace core
 {
-/// Ratio of the uniform d_detail to the mean edge at which remeshing keeps the mean edge (Botsch and Kobbelt 2004).
+/// Uniform d_detail, as a multiple of the mean edge, with which remeshing leaves the mean edge length as it is (Botsch
+/// and Kobbelt 2004).
 inline constexpr double detailPerMeanEdge = 4.0 / 3;
 
 /// Properties of a mesh as a whole.

@@ -53,7 +53,7 @@ MeshDelta Mesh::endStroke()
 {
     assert(m_strokeOpen);
     m_strokeOpen = false;
-    commit({0, 0, 0, {}, 0}); // merges the several images that edits after an open mark leave
+    commit({0, 0, 0, {}, 0}); // edits after a mark store an element again: keeps only its first image
     m_meshHash += hashChange(*this, m_journal);
     return std::move(m_journal);
 }

@@ -6,7 +6,7 @@ namespace core
 {
 namespace
 {
-/// Visits without a removed vertex, per vertex, after which the search ends.
+/// The search ends after this number of visits in a row, per vertex of the mesh, that removed nothing.
 constexpr std::size_t vainVisits = 400;
 /// Limit on the faces that all checks together visit, and the fixed cost of one check, counted in faces.
 constexpr std::size_t mostFacesVisited = 25'000'000, facesPerCheck = 10;

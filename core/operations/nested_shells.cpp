@@ -112,7 +112,7 @@ void NestedShells::reduce(Shell& shell, std::size_t faces)
     std::erase_if(shell.vertices, [&](Slot v) { return !m_mesh.isVertex(v); });
 }
 
-/// Scales the component about the mean of its vertices, far enough for the component around it to have faces as large.
+/// Scales the component down about the mean of its vertices, so far that faces as large as its own fit around it.
 /// Tries milder scales if that is not sound.
 void NestedShells::shrink(const Shell& shell)
 {

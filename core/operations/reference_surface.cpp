@@ -16,8 +16,8 @@ namespace core
 {
 namespace
 {
-/// Largest distance of a projection back onto the surface, in d_detail, and the smallest cosine between a face's normal
-/// and that of the sector.
+/// A point is projected onto a face at most `farthest` (in d_detail) away. The angle between the face's normal and the
+/// sector's must have at least the cosine sameSheetCosine.
 constexpr double farthest = 0.5, sameSheetCosine = 0.5;
 /// Fraction of `farthest` that is searched first; most faces are found within it.
 constexpr double usualShare = 0.125;

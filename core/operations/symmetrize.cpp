@@ -105,8 +105,8 @@ Surgery Symmetrizer::halfAndImage() const
     return surgery;
 }
 
-/// Replaces one half by the image of the other. Returns false if the result would not be a closed 2-manifold, as where
-/// the surface only touches the plane.
+/// Replaces one half by the image of the other. Returns false if the result would not be a closed 2-manifold, for
+/// example because the surface only touches the plane.
 bool Symmetrizer::mirror()
 {
     const Surgery surgery = halfAndImage();

@@ -29,14 +29,15 @@ namespace
 constexpr double verticesPerPatch = 1024;
 constexpr std::size_t minPerPatch = 8;
 constexpr int maxRounds = 48;
-/// Largest ratio of short edges after a round to those before that counts as progress.
+/// A round has made progress if it leaves less than this fraction of the edges that were too short before.
 constexpr double minProgress = 0.98;
-/// Factor on d_detail up to which a collapse may lengthen an edge. Halves of such an edge are still longer than d.
+/// Largest length, in d_detail, that an edge may have after a collapse. Edges longer than d_detail are split
+/// afterwards, into halves that are not shorter than d.
 constexpr double slack = 1.3;
-/// Mean edge length of a uniform mesh in d_detail, if all triangles were equilateral (measured).
+/// Edge length, in d_detail, of equilateral triangles as large as the mean triangle of a uniform mesh (measured).
 constexpr double typicalEdge = 0.7;
-/// Fraction of the remaining progress that a round takes, and progress after the rounds and after raising, 0 to 1. The
-/// final check takes the rest.
+/// Progress bar, 0 to 1: fraction of the distance to afterRounds that each round adds, and positions after all rounds
+/// and after raising. The final check fills the rest.
 constexpr double shareOfRound = 0.4, afterRounds = 0.7, afterRaising = 0.9;
 
 class UniformRemesher
@@ -156,7 +157,7 @@ void UniformRemesher::overPatches(const Pass& pass, const Step& step)
     m_done += pass.share;
 }
 
-/// Fills m_region with those of the vertices that still exist and their neighbours, so that every edge is within some
+/// Fills m_region with the given vertices, if they still exist, and their neighbours, so that every edge is within some
 /// patch.
 void UniformRemesher::fillRegion(std::span<const Slot> vertices)
 {

@@ -12,8 +12,8 @@ Selector selectorOf(const DabContext& context)
     return Selector(context.mesh(), context.surface.octree());
 }
 
-/// Returns whether the dab selects only the connected part of the surface that is nearest to it. SnakeHook does.
-/// Otherwise it would push away the surface that the tip approaches, and never meet it.
+/// Returns whether the dab selects only the connected part of the surface that is nearest to it. SnakeHook does;
+/// otherwise it would push away the surface that its tip approaches, and never meet it.
 bool selectsOnePart(const StrokeSettings& settings)
 {
     return settings.tool == Tool::SnakeHook && settings.brush == BrushShape::Sphere;

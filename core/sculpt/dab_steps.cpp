@@ -22,8 +22,8 @@ namespace
 constexpr double maxImageDistance = 4;
 /// Smallest depth of a stamp, in d_detail, at which its outline is cut into the mesh.
 constexpr double leastDepth = 0.05;
-/// Number of vertex pairs that fusion examines in the time of one unit of work (WorkBudget). A mesh far finer than the
-/// brush has many pairs within d_thickness.
+/// Number of vertex pairs examined by fusion that cost as much time as one unit of WorkBudget. Charged because a mesh
+/// far finer than the brush has many pairs within d_thickness.
 constexpr double visitsPerWork = 128;
 /// Largest number of rounds of cleaning a dab's joints. One round's merges may create joints next to other joints,
 /// which the next round merges.

@@ -8,8 +8,8 @@ namespace core
 {
 namespace
 {
-/// maxTightenRounds: rounds of tightening the motion limits. After every roundsPerRing rounds, the vertices limited
-/// around the bad faces extend by one more ring.
+/// maxTightenRounds: largest number of rounds of tightening the motion limits. Every roundsPerRing rounds, the limits
+/// are tightened in one more ring of vertices around the bad faces.
 constexpr int maxTightenRounds = 64, roundsPerRing = 4;
 /// Largest number of attempts to optimise in one transaction, each without operations near the bad faces of those
 /// before. Then the remaining operations are done one by one.

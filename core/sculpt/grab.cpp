@@ -9,7 +9,7 @@ namespace core
 {
 namespace
 {
-/// Cosine of the largest angle between the motions of two dabs that count as moving in the same direction.
+/// Two dabs move in the same direction if the cosine of the angle between their motions is at least this.
 constexpr double sameWay = 0.9;
 
 Vec3 wayOf(const Dab& dab)

@@ -15,7 +15,7 @@ struct GrabState
     /// sides
     bool isHalf = false;
     Vec3 axis = Vec3::Zero(); ///< mean normal of the region at the time of grabbing, of unit length, or zero
-    double detail = 0;        ///< d_detail, in mm, that keeps the mesh as fine as it was at the time of grabbing
+    double detail = 0;        ///< d_detail, mm, with which remeshing keeps the mesh as fine as it was when grabbed
     /// number of entries of Mesh::removedVertices() that have been dropped from the region already
     std::size_t known = 0;
     /// motion of the last dab; if the next dab moves in nearly this direction, `limits` are still valid

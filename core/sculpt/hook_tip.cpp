@@ -15,15 +15,15 @@ namespace core
 {
 namespace
 {
-/// Shortest distance from its start at which a tip may join, in radii. A closer tip would join the surface around its
-/// own root.
+/// Shortest distance, in radii, between a tip and the place where the stroke took hold for the tip to join. A closer
+/// tip would join the surface around its own root.
 constexpr double minWay = 1;
-/// Shortest distance between the tip and its mirror image for a join, in radii. If they are closer, the region holds
-/// only one half of the tip.
+/// A tip nearer than this (in radii) to its mirror image is not joined, because the region then contains only one half
+/// of the tip.
 constexpr double minApart = 2;
 /// Range of distances behind the tip, in radii, within which vertices are used to measure its cross-section.
 constexpr double sectionBegin = 0.05, sectionEnd = 0.35;
-/// Largest distance to a surface in reach, and largest gap straight ahead of the tip, both in radii of the section.
+/// Largest distance from the section's centre to a surface in reach, and along the heading, in radii of the section.
 /// reachDistance is more than 1, so that the union comes before the rim of the tip touches the surface.
 constexpr double reachDistance = 1.3, maxGap = 4;
 /// Smallest cosine of the angle between the heading and the direction to a surface in reach.
@@ -75,8 +75,8 @@ struct Reach
     double depth; ///< from the surface to the capsule's end, mm
 };
 
-/// Measures the path into the next surface ahead of the tip. Returns nothing if no surface is within reachDistance of
-/// the section's centre and within maxGap straight ahead.
+/// Measures the path into the next surface ahead of the tip. Returns nothing unless a surface is within reachDistance
+/// of the section's centre and the ray straight ahead meets one within maxGap.
 std::optional<Reach> reachOf(const DabContext& context, const Section& section)
 {
     const Mesh& mesh = context.mesh();

@@ -7,7 +7,8 @@ namespace core
 {
 namespace
 {
-constexpr std::size_t facesPerExcused = 100; ///< number of faces per face that may be worse than the 1st percentile
+/// One face in this number may have a smaller angle than SelectionQuality::smallestAngleSine (1st percentile).
+constexpr std::size_t facesPerExcused = 100;
 
 double edgeLength(const Mesh& mesh, Slot a, Slot b)
 {

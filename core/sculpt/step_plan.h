@@ -29,7 +29,7 @@ public:
     void advance();
 
     // --- after a transaction that failed -----------------------------------------------------------------------------
-    /// Halves the next transaction. Returns false if it does no more than one sub-step.
+    /// Halves the next transaction, to no less than one sub-step. Returns false if it does no more than one already.
     bool halveTransaction();
     void halveStep() { m_ticks = std::max(m_ticks / 2, 1u); }
     /// Limits all further transactions to one sub-step.

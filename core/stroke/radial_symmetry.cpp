@@ -52,7 +52,7 @@ Turn Turn::part(int k, int n)
 {
     constexpr Turn quarters[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
     const Turn whole = quarters[4 * k / n];
-    const int rest = 4 * k % n; // remainder of the angle, in units of 1/n of a quarter turn
+    const int rest = 4 * k % n; // angle beyond the last whole quarter turn, in units of 1/n of a quarter turn
     if (rest == 0)
         return whole;
     Turn within = by(quarter * std::min(rest, n - rest) / n);

@@ -13,8 +13,8 @@ public:
 
     /// Restarts the timing after a dab on the path. `hand`: the sample's position in model space, mm. `time`: seconds.
     void follow(const Dab& dab, const Vec3& hand, double time);
-    /// Returns whether the pointer is still where it was at the last dab. Returns false without an airbrush, and before
-    /// the first dab.
+    /// Returns whether the pointer is still where it was at the last dab. Returns false for a stroke without an
+    /// airbrush, and before the first dab.
     bool isAtRest(const Dab& dab, const Vec3& hand) const;
     /// Returns whether a dab is due at this time, in seconds. If so, counts it as done, and the next one is due later.
     bool takeDab(const Dab& dab, const Vec3& hand, double time);

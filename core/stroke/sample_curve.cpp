@@ -8,7 +8,8 @@ namespace
 {
 /// Cosine of the largest angle by which a curve may turn at a sample. A larger angle counts as a corner.
 constexpr double cornerCosine = 0.5;
-/// Largest ratio between the distances of the three samples. Beyond it the parabola would overshoot.
+/// Largest ratio of the longer to the shorter of the two distances between three successive samples. Beyond it the
+/// parabola would overshoot.
 constexpr double maxRatio = 8;
 
 /// Returns the bend, between p1 and p2, of the parabola through p0, p1 and p2, which are at t = -ratio, 0 and 1.
@@ -34,7 +35,7 @@ SampleCurve::SampleCurve(const PlacedSample& from, const PlacedSample& to, const
     const PlacedSample* const beside = before ? before : after;
     if (!beside)
         return;
-    // the order of the ends does not matter: the bend is the same in both directions
+    // `from` and `to` may be exchanged: the bend of the parabola is the same in both directions
     const PlacedSample &near = before ? from : to, &far = before ? to : from;
     const Vec3 first = near.center - beside->center, second = far.center - near.center;
     const double length = second.norm(), ratio = length > 0 ? first.norm() / length : 0;

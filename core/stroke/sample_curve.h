@@ -30,7 +30,7 @@ public:
 
 private:
     StrokeSample m_from, m_to;
-    /// the parabolas are: linear interpolation + t (1 - t) bend
+    /// bends of the parabolas for position and direction: linear interpolation + t (1 - t) bend
     Vec3 m_bend = Vec3::Zero(), m_directionBend = Vec3::Zero();
 };
 } // namespace core

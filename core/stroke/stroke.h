@@ -35,14 +35,14 @@ struct StrokeSettings
     Placement place = Placement::Point; ///< source of the dab centres of a spherical brush
     Topology topology = Topology::Adaptive;
     Symmetry symmetry = Symmetry::None;
-    /// Number of sectors about the document's Y axis in which each dab is repeated, 1 to maxRadial. With a symmetry
-    /// each of them is also mirrored.
+    /// Number of sectors about the document's Y axis in which each dab is repeated, 1 to maxRadial. With a plane of
+    /// symmetry, the dab of each sector is also mirrored.
     int radial = 1;
     double radius = info(Parameter::Radius).defaultValue;
     double strength = info(Parameter::Strength).defaultValue;
     /// exponent n of the falloff weight, see falloff(); 0: all vertices have weight 1
     int falloff = static_cast<int>(info(Parameter::Falloff).defaultValue);
-    double detail = info(Parameter::Detail).defaultValue; ///< factor of d_detail
+    double detail = info(Parameter::Detail).defaultValue; ///< factor on the d_detail that follows from the radius
     /// d_detail of Topology::Uniform, mm; 0: the mesh's own, Mesh::uniformDetail()
     double detailLength = 0;
     /// Distance between dabs, in radii; at least 2 for Stamp. 0: each sample makes exactly one dab.
@@ -64,7 +64,7 @@ struct StrokeSettings
     /// cross.
     bool join = false;
     Rgb color;                          ///< the colour that Paint applies
-    std::shared_ptr<const Alpha> alpha; ///< image for tools that use one (usesAlpha()); null: none
+    std::shared_ptr<const Alpha> alpha; ///< image for tools that use one (usesAlpha()); null: no alpha
     /// the up direction of the alpha, or of Stamp's model, follows the stroke; otherwise it stays upright
     bool alphaFollows = false;
     /// Makes the stroke a single dab at the first sample, for tools that allow it (canAnchor()). The displacement of
@@ -121,7 +121,7 @@ struct StrokeSample
     std::optional<double> radius;   ///< brush radius for this sample only, mm
     std::optional<double> strength; ///< strength for this sample only
     /// Up vector of the hand that holds the brush, in world space, of any length above minDirection. Orients alphas and
-    /// Stamp's model, even in empty space. Nothing: the world's up.
+    /// Stamp's model, even in empty space. nullopt: the world's up.
     std::optional<Vec3> up;
 };
 
@@ -140,7 +140,7 @@ bool isUsable(const StrokeSettings& settings, const StrokeSample& sample);
 struct StrokeNeed
 {
     std::string file;        ///< path; empty: no file is needed
-    std::string fingerprint; ///< fingerprint of the file when the stroke was recorded; empty: any
+    std::string fingerprint; ///< fingerprint of the file when the stroke was recorded; empty: not compared
 };
 
 struct Stroke

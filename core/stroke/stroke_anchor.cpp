@@ -10,8 +10,8 @@ namespace
 /// Largest turn of a Twist dab, in radians, because its vertices move along straight lines. A motion by one radius
 /// turns by one radian.
 constexpr double maxTurn = 1;
-/// Smallest cosine of the angle between a ray and the plane's normal. For a flatter ray, a small tremor would move the
-/// intersection by kilometres.
+/// A ray is intersected with the plane only if the cosine of its angle to the normal is larger. With a flatter ray, a
+/// small tremor would move the intersection by kilometres.
 constexpr double minAcross = 0.05;
 } // namespace
 

@@ -13,7 +13,7 @@ namespace
 /// Smallest spacing of Stamp's dabs, in radii. Overlapping stamps would press into each other's imprints and go ever
 /// deeper.
 constexpr double minStampSpacing = 2;
-/// Smallest squared length of the part of a unit direction perpendicular to `up`. Less may be a rounding error.
+/// If the part of a unit direction perpendicular to `up` has a smaller squared length, it may be a rounding error.
 constexpr double minAcross2 = 1e-12;
 
 /// Returns the unit direction of the part of `way` perpendicular to `up`; any perpendicular direction if `way` is

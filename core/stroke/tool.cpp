@@ -39,7 +39,7 @@ DabReport& DabReport::operator+=(const DabReport& second)
     touchedVertices += second.touchedVertices;
     touchedFaces += second.touchedFaces;
     substeps += second.substeps;
-    // reached / asked is smaller for the second dab
+    // keeps the smaller share reached / asked, here the second dab's
     if (second.reached * asked < reached * second.asked || asked == 0) {
         asked = second.asked;
         reached = second.reached;

@@ -74,7 +74,7 @@ enum class FileFault {
     BeyondItsData,   ///< the token needs more bytes than its data has
     WrongAccessor,   ///< the type or count of a glTF accessor does not fit the token that uses it
     TooDeep,         ///< nested too deeply, or contains itself
-    /// an extension that the shape depends on and that is not supported; expected: bytes of a file that needs Draco
+    /// an extension that the shape depends on and that is not supported; expected: file size in bytes, only for Draco
     NeedsExtension,
     OldGltf,         ///< glTF of a version before 2
     CompressedCut,   ///< compressed data that ends too early

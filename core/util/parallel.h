@@ -18,7 +18,8 @@ inline std::size_t chunksOf(std::size_t count, std::size_t chunkSize)
     return (count + chunkSize - 1) / chunkSize;
 }
 
-/// Smallest number of chunks that is shared among threads. Fewer are not worth waking another core: they run as one.
+/// Smallest number of chunks that is shared among threads. Fewer run as one chunk on the calling thread,
+/// because waking another core would cost more than it saves.
 constexpr std::size_t minChunks = 4;
 
 /// Calls work(chunk, begin, end) for each chunk of [0, count), on all cores and in any order. Chunk limits do not

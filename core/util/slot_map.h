@@ -8,8 +8,8 @@
 
 namespace core
 {
-/// The free slots of an element array. Has no other state: the place of the next element follows from the free slots
-/// and a hint alone. Restoring elements therefore restores the allocator bit for bit.
+/// The allocator of an element array's slots. Its only state is which slots are free: the slot of the next element
+/// follows from these and a hint. Restoring elements therefore restores the allocator bit for bit.
 class SlotMap
 {
 public:
@@ -18,8 +18,8 @@ public:
     Slot live() const { return m_size - m_free; }
     bool isFree(Slot slot) const { return (m_words[slot / 64] >> (slot % 64)) & 1; }
 
-    /// Takes a free slot: one near `hint` if there is one; else the lowest free slot, if an eighth of all slots is
-    /// free; else a new slot at the end, which makes size() grow by one.
+    /// Takes a free slot: one near `hint` if there is one; else the lowest free slot, if at least an eighth of all
+    /// slots is free; else a new slot at the end, which makes size() grow by one.
     Slot take(Slot hint);
     void setFree(Slot slot, bool free);
     /// Grows or shrinks the array. New slots are free.

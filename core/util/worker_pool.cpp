@@ -7,13 +7,13 @@ namespace core
 {
 namespace
 {
-/// Time that threads wait actively before they sleep. A dab submits more work this soon, and waking a thread costs
-/// about as much as the work itself.
+/// Time for which threads spin before they sleep. A dab usually submits its next work within this time, and waking a
+/// thread costs about as much as the work itself.
 constexpr std::chrono::microseconds staysAwake(300);
 
 thread_local bool insideOfWork = false;
 
-/// Waits actively until the condition is true, or at most for `staysAwake`.
+/// Spins until the condition is true, for at most `staysAwake`.
 template <typename Condition> void waitAwake(Condition isSo)
 {
     const auto end = std::chrono::steady_clock::now() + staysAwake;

@@ -11,7 +11,7 @@ namespace core
 {
 namespace
 {
-/// Margin around the vertical line searched, so that rounding it to float32 loses no face.
+/// Half width of the column searched around a vertical line, so that rounding the line to float32 misses no face.
 constexpr float columnSlack = 1e-6f;
 
 /// Returns the faces' boxes, all at height 0, so that the tree is queried by vertical lines.

@@ -24,7 +24,8 @@ public:
         TooManyFaces ///< it has more than `maxFaces` faces
     };
     static constexpr std::size_t maxFaces = 250'000;
-    static constexpr double minThickness = 1e-3, minLength = 1e-5; ///< minThickness: share of the length; minLength: mm
+    static constexpr double minThickness = 1e-3,
+                            minLength = 1e-5; ///< minThickness: ratio of thickness to length; minLength: mm
 
     struct Made
     {

@@ -6,8 +6,8 @@ namespace core
 {
 namespace
 {
-/// Squared sine of the smallest angle between a direction and the normal at which the direction is used as up in the
-/// plane.
+/// A direction is used for up only if the squared sine of its angle to the normal is larger. Otherwise its projection
+/// onto the plane would be too short to be reliable.
 constexpr double minUpright2 = 0.01;
 
 Vec3 alongPlane(const Vec3& v, const Vec3& normal)

@@ -19,8 +19,8 @@ namespace core
 namespace
 {
 constexpr std::size_t maxReached = 512;
-/// Largest number of cycles to try at a vertex, and of faces to visit on each side of a cycle. A guard only: the sides
-/// of a tunnel worth filling meet within fewer faces.
+/// Largest number of cycles to try at a vertex, and of faces to visit on each side of a cycle in isSeparating(). A
+/// guard only: the two sides of a tunnel worth filling meet within fewer faces.
 constexpr int maxTried = 8;
 constexpr std::size_t maxFaces = 8192;
 

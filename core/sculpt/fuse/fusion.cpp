@@ -17,8 +17,8 @@ namespace core
 {
 namespace
 {
-/// minTunnelDistance: smallest distance, in d_detail, between two tunnels that a stroke starts; the first one is to
-/// widen that far instead. endedTunnelDistance: distance, in d_detail, within which cutting a neck ends a tunnel.
+/// A stroke starts no tunnel nearer than minTunnelDistance (d_detail) to an earlier one: the earlier one is widened
+/// instead. Cutting a neck ends the tunnels nearer to it than endedTunnelDistance (d_detail).
 constexpr double minTunnelDistance = 4, endedTunnelDistance = 1;
 /// Largest lengths, in d_detail, of the cycle around a tunnel that is filled and around a strand that is cut between
 /// two joins. cycleGaps: gaps to try between the two sides of a cut, in d.

@@ -20,15 +20,15 @@ namespace core
 {
 namespace
 {
-/// Cosine of the angle, 135 degrees, beyond which two normals count as facing each other.
+/// Two vertices face each other if the cosine of the angle between their normals is below this: more than 135 degrees.
 constexpr double facingCosine = -0.7071;
 /// Cosine of the half-angle of a cone. If all normals are within such a cone around one direction, no two of them are
 /// more than 135 degrees apart.
 constexpr double coneCosine = 0.3827;   // cos 67.5 degrees
 constexpr double safeConeCosine = 0.39; // slightly narrower, so that rounding errors do not matter
-/// Share of a pair's gap that the next sub-step must close for the pair to count as meeting.
+/// A pair counts as meeting if the next sub-step closes at least this share of its gap.
 constexpr double closingShare = 1 / 1.5;
-/// Gap, in d_detail, below which a pair counts as meeting if its gap is closing at all.
+/// A pair whose gap is below this (d_detail) counts as meeting if the next sub-step closes any of the gap.
 constexpr double contactPerDetail = 0.05;
 /// Faces per parallel chunk.
 constexpr std::size_t facesPerChunk = 1024;

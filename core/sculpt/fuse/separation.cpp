@@ -17,8 +17,8 @@ constexpr double neckGaps[] = {0.5, 0.1};
 /// has fewer than fewFaces faces.
 constexpr double speckSize = 2, crumbSize = 4;
 constexpr std::size_t speckFaces = 64, fewFaces = 16;
-/// Largest number of faces of a shred, a small part that comes off at a neck during a drag; and the factor by which the
-/// remaining part must have more faces.
+/// maxShredFaces: largest number of faces of a shred, a small part that comes off at a neck during a drag.
+/// bodyPerShred: a shred is removed only if the remaining part has more than this many times its faces.
 constexpr std::size_t maxShredFaces = 2048, bodyPerShred = 10;
 /// Largest extent, in d of the brush, and largest number of faces of a void that is filled after a join has closed it
 /// off.
@@ -202,7 +202,7 @@ bool Separation::removeSpeck(VerifiedMesh& surface, Region& region, Slot vertex,
             found.add(mesh.face(h ^ 1));
             box.extend(mesh.latticePoint(mesh.to(h)));
         }
-        // and it cannot become one later: its size and its number of faces only grow
+        // the component is too large already, and grows with each face found
         if (!isSpeck() && !isShred() && !mayBeVoid())
             return false;
     }

@@ -11,9 +11,9 @@ namespace
 /// Sine of the smallest angle that a collapse may make, 5 degrees, unless the face had a smaller one before. A larger
 /// limit would block collapses that improve their surroundings.
 constexpr double collapsedAngleSine = 0.0872;
-/// Limits, in d, on the root of planeError() for a merged vertex where the shape is kept. Up to onPlanes a point counts
-/// as lying on the planes. A point may be used if its squared distance is at most littleLarger times the smallest one
-/// of all choices, plus the square of nearPlanes.
+/// Limits for the place of a merged vertex where the shape is kept. Its distance from the planes of the faces is the
+/// root of planeError(). Up to onPlanes (in d) it counts as zero. A place is allowed if its squared distance is at most
+/// littleLarger times that of the best place, plus nearPlanes squared (nearPlanes in d).
 constexpr double onPlanes = 0.02, nearPlanes = 0.03, littleLarger = 1.5;
 /// Share of its squared sine that an angle below collapsedAngleSine must keep in a collapse where the shape is kept.
 /// Slivers around the tip of a cone must narrow a little to become fewer; otherwise the tip would be lost.
@@ -91,7 +91,7 @@ std::optional<EdgeCollapse::Merged> EdgeCollapse::mergedEnds(Slot h) const
 }
 
 /// Sorts the choices by their distance from the planes of the surrounding faces. Returns how many of them are close
-/// enough.
+/// enough; 0 if the collapse would fold up a thin wall.
 std::size_t EdgeCollapse::keepShape(Slot h, Choices& choices) const
 {
     if (foldsUp(m_mesh, h))

@@ -6,8 +6,8 @@ namespace core
 {
 namespace
 {
-/// Smallest cosine of the angle between the two faces of an edge that may be flipped: about 25 degrees, and about 6
-/// where detail is to be kept. A flip is meant to change the triangulation and not the shape.
+/// An edge may be flipped only if the angle between its two faces has at least this cosine: angles up to about 25
+/// degrees, or 6 where detail is to be kept. A flip is meant to change the triangulation and not the shape.
 constexpr double flatCosine = 0.9, flatDetailCosine = 0.995;
 constexpr int flipPasses = 4;
 } // namespace

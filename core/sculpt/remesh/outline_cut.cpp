@@ -7,8 +7,8 @@ namespace core
 {
 namespace
 {
-/// Largest distance of an edge's end from the outline, as a share of the edge's length, at which the end is moved onto
-/// the outline.
+/// The end of an edge is moved onto the outline, instead of splitting the edge, if it is nearer to the crossing than
+/// this share of the edge's length.
 constexpr double nearShare = 0.35;
 /// Limits for moving a vertex onto the outline. Angles may shrink to 15 degrees; a smaller angle must keep half of its
 /// sine. An edge longer than d_detail may grow by the factor sqrt(2). These limits are loose, because a vertex left

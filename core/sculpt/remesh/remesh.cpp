@@ -27,8 +27,8 @@ namespace
 /// should leave no smaller angle.
 constexpr double relaxedAngleSine = 0.342;
 constexpr double relaxation = 0.5;
-constexpr double sharpCosine = 0.766; ///< cosine of 40 degrees, the angle between the normals of two faces
-constexpr double lineCosine = 0.5;    ///< cosine of 60 degrees, the angle between the normals of two faces
+constexpr double sharpCosine = 0.766; ///< cosine of 40 degrees; edges whose faces differ by more are sharp
+constexpr double lineCosine = 0.5;    ///< cosine of 60 degrees; edges whose faces differ by more form sharp lines
 
 /// Moves the vertex towards `place`, as far as its mask allows. Does nothing if its faces would not stay sound.
 void moveVertex(RemeshPass& pass, Slot v, const Vec3& place)
