@@ -26,7 +26,7 @@ constexpr double gapInSizes = 0.05;
 /// Largest distance of an inserted model's centre from the origin, in longest sides of the larger model, as for
 /// imports.
 constexpr double farthestInSizes = 4;
-/// Progress after each step of an insertion, 0 to 1.
+/// Progress after steps 1, 3 and 4 of an insertion, 0 to 1.
 constexpr double afterJudging = 0.3, afterTouching = 0.6, afterFitting = 0.9;
 
 double longest(const Box& box)

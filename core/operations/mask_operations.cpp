@@ -16,8 +16,8 @@ namespace
 constexpr std::uint8_t whole = 255;
 /// Number of times that a blur averages over the one-ring. Once is hardly visible.
 constexpr int blurRings = 2;
-/// Largest difference in any channel, 0 to 255: up to the first a colour is masked fully, from the second on not at
-/// all.
+/// Limits for masking by colour, on the largest difference in any channel (0 to 255): up to sameColor a vertex is
+/// masked fully, from otherColor on not at all.
 constexpr int sameColor = 24, otherColor = 64;
 
 /// Masks by vertex slot.
@@ -55,8 +55,8 @@ Masks blurred(const Mesh& mesh)
     return masks;
 }
 
-/// Returns the masks with each replaced by the maximum or minimum, as `choose` does, over the vertex and its
-/// neighbours.
+/// Returns the masks with each replaced by the maximum, or minimum, over the vertex and its neighbours. `choose`:
+/// returns the larger, or smaller, of two masks.
 template <class Choose> Masks spread(const Mesh& mesh, Choose choose)
 {
     return each(mesh, [&](Slot v) {
@@ -78,8 +78,8 @@ double hollowness(const Mesh& mesh, Slot v)
     return squared > 0 ? (neighbourMean(mesh, v) - p).dot(normal) / std::sqrt(squared) : 0;
 }
 
-/// Returns the masks plus cavities. A vertex is masked fully if its depth reaches the model's root mean square
-/// hollowness.
+/// Returns the masks with cavities added. A vertex is masked fully if its hollowness() reaches the model's root mean
+/// square.
 Masks hollows(const Mesh& mesh)
 {
     std::vector<double> depth(mesh.slots().vertices);

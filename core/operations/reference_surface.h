@@ -27,8 +27,8 @@ private:
         double distance;
         Vec3 way; ///< normal that found faces must roughly have, of any length
     };
-    /// Returns the point nearest to p, within reach.distance, on a face with a normal like reach.way. Of several the
-    /// one on the face with the lowest slot.
+    /// Returns the point nearest to p, within reach.distance, on a face with a normal like reach.way. If several are
+    /// equally near, returns the one on the face with the lowest slot. Returns nothing if there is none.
     std::optional<Vec3> nearest(const Vec3& p, const Reach& reach) const;
     std::optional<Vec3> nearestWithin(const Vec3& p, const Reach& reach) const;
 

@@ -44,7 +44,7 @@ constexpr int maxAttempts = 4 * 4096;
 /// Largest number of vertices in the warm-up dab. If the dab would select more, because the mesh is far finer there
 /// than elsewhere, the warm-up is skipped.
 constexpr Slot maxWarmUpVertices = 1024;
-/// Depth, in radii, beyond which a stamp that cannot be done in one sub-step is done as a solid. A shallower solid
+/// Depth, in radii, beyond which a stamp that one transaction cannot complete is done as a solid. A shallower solid
 /// would nearly coincide with the surface that an earlier stamp left, and cross it in many places.
 constexpr double deepStamp = 0.3;
 /// Largest number of fallback steps between two tries without motion limits.

@@ -281,7 +281,8 @@ Footprint Sculptor::Engine::footprint(const StrokeSettings& strokeSettings, cons
     return footprint;
 }
 
-/// Warms the pipeline up with a dab at the last vertex slot. Containers indexed by slot then have memory for all slots.
+/// Warms the pipeline up with a dab at the vertex of the highest slot, so that containers indexed by slot allocate
+/// memory for all slots.
 void Sculptor::Engine::warmUp()
 {
     const Mesh& mesh = surface.mesh();

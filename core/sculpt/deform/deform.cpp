@@ -171,8 +171,8 @@ Field follow(const FieldInput& d)
 }
 
 /// Returns the field of Snake Hook. Moves vertices by the dab's motion and turns them about the dab's centre as its
-/// heading turns, so that a tentacle stays round in a bend. The quaternion uses a share of tan(a/2) where a share of
-/// the angle a would be exact.
+/// heading turns, so that a tentacle stays round in a bend. A vertex that turns by a share of the angle a uses
+/// that share of tan(a/2), which is only approximate.
 Field hook(const FieldInput& d)
 {
     const Vec3 before = d.dab.heading, after = headingAfter(d.dab);

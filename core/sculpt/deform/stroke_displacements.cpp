@@ -6,8 +6,8 @@ namespace core
 {
 namespace
 {
-/// Largest difference between a tracked displacement and its estimate, as a share of the neighbours' mean. Beyond it
-/// the estimate is used.
+/// A doubtful displacement is replaced by its estimate if the two differ by more than this share of the length of the
+/// neighbours' mean displacement.
 constexpr double tolerance = 0.3;
 } // namespace
 
@@ -42,7 +42,7 @@ void StrokeDisplacements::meet(const Region& region, MirrorMap* mirror)
 
 void StrokeDisplacements::fill(const Region& region, const Mesh& mesh, MirrorMap* mirror)
 {
-    // set after the loop, so that every mean uses the old values whatever the order
+    // set only after this loop, so that every mean uses the old values, in whatever order vertices are visited
     std::vector<std::pair<Slot, Vec3>> all;
     region.forEach([&](Slot v) { all.emplace_back(v, believed(v, mesh)); });
     for (const auto& [v, displacement] : all)
@@ -157,8 +157,8 @@ Vec3 StrokeDisplacements::believed(Slot v, const Mesh& mesh) const
     return (estimated - *tracked).norm() > tolerance * mean.norm() ? estimated : *tracked;
 }
 
-/// Returns an estimate of v's displacement: along the mean of its neighbours' displacements, as long as v is above the
-/// neighbours' positions before the stroke.
+/// Returns an estimate of v's displacement: its offset from the mean of its neighbours' positions before the stroke,
+/// projected onto the mean of their displacements.
 Vec3 StrokeDisplacements::estimate(Slot v, const Mesh& mesh) const
 {
     const Vec3 mean = meanAround(v, mesh);

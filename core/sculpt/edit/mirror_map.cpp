@@ -72,7 +72,7 @@ Slot MirrorMap::imageOf(Slot v)
     return image;
 }
 
-/// Searches the image of v among the neighbours of its neighbours' cached images.
+/// Searches for the image of v among the neighbours of its neighbours' cached images.
 Slot MirrorMap::nextToNeighbour(Slot v) const
 {
     const Vec3f p = imageOf(m_mesh.point(v));

@@ -111,7 +111,7 @@ std::uint64_t TopologyFusion::joinPairs(VerifiedMesh& surface, Region& region, c
 void TopologyFusion::forgetDetail(const Mesh& mesh, RestLengths& rest, double reach) const
 {
     SlotSet seen;
-    std::vector<double> left; // rest of `reach` at each vertex, mm, by position in `seen`
+    std::vector<double> left; // part of `reach` that remains at each vertex, mm, by position in `seen`
     const auto visit = [&](Slot v, double reachThere) {
         if (reachThere < 0 || !seen.add(v))
             return;
@@ -257,10 +257,10 @@ std::uint64_t TopologyFusion::mergeJoins(VerifiedMesh& surface, Region& region, 
     return merged;
 }
 
-/// Fills a tunnel between two joins near the vertex. Cuts a strand between two joins instead if there are pushed holes
-/// here, or if the tunnel cannot be filled, for example because something passes through it. `around`: the vertices at
-/// this dab's joins. Only cycles of these are considered, because other cycles run around holes and handles of the
-/// model.
+/// Fills a tunnel between two joins near the vertex. Cuts a strand between two joins instead if the vertex is at a hole
+/// pushed through a wall, or if the tunnel cannot be filled, for example because something passes through it. `around`:
+/// the vertices at this dab's joins. Only cycles of these are considered, because other cycles run around holes and
+/// handles of the model.
 bool TopologyFusion::mergeJoinsAt(VerifiedMesh& surface, Region& region, Slot v, const SlotSet& around,
                                   const EdgeBounds& bounds)
 {

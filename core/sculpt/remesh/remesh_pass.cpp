@@ -7,8 +7,8 @@ namespace core
 {
 namespace
 {
-/// Limits on the operations of one remeshing: per vertex of the region, at least, and at most. A guard against endless
-/// work, not a tuning knob.
+/// One remeshing may do minOps operations, plus opsPerVertex for each vertex of the region, but at most maxOps. A guard
+/// against endless work, not a tuning knob.
 constexpr std::uint64_t opsPerVertex = 64, minOps = 4096, maxOps = 1 << 19;
 /// Cosine of the largest angle, about 78 degrees, by which an operation may turn a face (after the legality tests of El
 /// Topo: Brochu and Bridson 2009).

@@ -8,7 +8,7 @@ namespace core
 {
 namespace
 {
-/// Faces per parallel chunk: about ten microseconds of work. Small dabs then run on one core.
+/// Faces in a parallel chunk: about ten microseconds of work, so that small dabs run on one core.
 constexpr std::size_t facesPerRead = 512;
 } // namespace
 

@@ -23,7 +23,7 @@ namespace core
 {
 namespace
 {
-/// Faces, or stars, per parallel chunk: about ten microseconds of work. Small dabs then run on one core.
+/// Faces, or stars, in a parallel chunk: about ten microseconds of work, so that small dabs run on one core.
 constexpr std::size_t facesPerBoundary = 512, starsPerChunk = 128;
 
 void sortUniquely(std::vector<Slot>& faces)
