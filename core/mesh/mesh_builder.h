@@ -31,6 +31,6 @@ BuildResult buildMesh(const TriangleMesh& model, bool centre = false, const JobC
 TriangleMesh withoutUnusedVertices(const TriangleMesh& mesh);
 
 /// Returns the live surface without gaps: vertices and faces in the order of their slots. Has no colours if every
-/// vertex has the default colour.
+/// vertex has the default colour, and no masks if every mask is 0.
 TriangleMesh extractMesh(const Mesh& mesh);
 } // namespace core

@@ -46,7 +46,8 @@ struct Grab
     /// Returns a ball that contains the region.
     Sphere ball(const Mesh& mesh) const;
     /// Returns the edge bounds that keep the grabbed surface as fine as it was at the time of grabbing. Returns
-    /// `bounds` if nothing was grabbed, or if the grabbed surface was coarser than `bounds`.
+    /// `bounds` for tools that grab nothing, with Topology::Uniform, if no edge was grabbed, or if the grabbed surface
+    /// was coarser.
     EdgeBounds bounds(const StrokeSettings& settings, const Mesh& mesh, const EdgeBounds& bounds) const;
 
     /// Returns whether the motion limits of the previous dab are still valid: the dab moves in nearly the same

@@ -23,7 +23,8 @@ constexpr double minWay = 1;
 constexpr double minApart = 2;
 /// Range of distances behind the tip, in radii, within which vertices are used to measure its cross-section.
 constexpr double sectionBegin = 0.05, sectionEnd = 0.35;
-/// Largest distance from the section's centre to a surface in reach, and along the heading, in radii of the section.
+/// Largest distance from the section's centre to a surface in reach, and to the first surface straight ahead, both in
+/// radii of the section.
 /// reachDistance is more than 1, so that the union comes before the rim of the tip touches the surface.
 constexpr double reachDistance = 1.3, maxGap = 4;
 /// Smallest cosine of the angle between the heading and the direction to a surface in reach.
