@@ -89,8 +89,8 @@ UnitDoubt unitDoubtOf(double volume);
 UnitDoubt guessedUnit(double volume, double longestSide);
 
 enum class PrintPicture { Thickness, Overhang };
-/// Returns a value for each vertex, for a coloured picture. Thickness: the least of the vertex's faces in mm, infinity
-/// if not measured. Overhang: the largest angle from the vertical at which one of its faces leans out, degrees (90 for
-/// a ceiling, -90 for a floor and for faces on the bed).
+/// Returns a value for each vertex, for a coloured picture. Thickness: the least thickness of the vertex's faces, and
+/// of the parts and ridges nearest to the vertex, mm; infinity if not measured. Overhang: the largest angle from the
+/// vertical at which one of its faces leans out, degrees (90 for a ceiling, -90 for upward faces and those on the bed).
 std::vector<float> pictureOf(const PrintMeasures& measures, PrintPicture picture);
 } // namespace core

@@ -7,22 +7,24 @@ namespace core
 {
 namespace
 {
-/// Radius of a face, in thicknesses, up to which the thickness at its centre holds for the whole face. Where two faces
-/// meet at 60 degrees, the extreme for a thin place, thickness changes by the distance moved; elsewhere by little.
+/// The thickness at a face's centre holds for the whole face if the face's radius is at most this number of
+/// thicknesses. Where two faces meet at 60 degrees, the extreme for a thin place, the thickness changes by the distance
+/// moved; elsewhere it changes by little.
 constexpr double small = 0.05, smallOfMany = 0.35;
-/// Radius of such a face if the matter is thicker than the largest ball, where less accuracy is needed.
+/// Replaces `small` where the matter is thicker than the largest ball, because less accuracy is needed there.
 constexpr double thick = 0.25;
 /// The thickness at the centre holds for a face that is nowhere thinner than the share sameThickness of it. A part is
 /// divided if its least thickness is below the share evenThickness of its largest.
 constexpr double sameThickness = 0.97, evenThickness = 0.9, evenThicknessOfMany = 0.8;
-/// Radius of a face, in thicknesses, that is taken for one of many that approximate a round surface. Its corners are
-/// off its normal and would seem too thin: the thickness at its centre is used unless a ball of compactThickness finds
-/// something.
+/// A face whose radius is at most `compact` thicknesses is taken for one of many that approximate a round surface.
+/// Its corners are off its normal, so the matter there would seem too thin. The thickness at the centre is used for the
+/// whole face, unless a smaller ball, compactThickness times as large, touches an opposite face somewhere in the face.
 constexpr double compact = 0.1, compactOfMany = 0.5, compactThickness = 0.9;
 /// Factor from the size of the face, or of the ball at its centre, to the start diameter of balls elsewhere in the
 /// face.
 constexpr double many = 4;
-/// Thickness down to which parts are divided towards a sharp edge, mm: thinner than any printed wall.
+/// Parts are not divided further where the matter is thinner than this, in the model's unit, as towards a sharp edge.
+/// In mm this is thinner than any printed wall.
 constexpr double finest = 0.1;
 /// Barycentric weights of the places at which a part is measured: its middle, and near its corners.
 constexpr std::array<std::array<double, 3>, 4> places = {

@@ -49,7 +49,7 @@ struct WallRidge
 ///   - Faces are measured against faces, edges and corners. Edges and corners that jut into the matter are also
 ///     measured against each other; then the chord must be within 30 degrees of a normal at both ends.
 ///   - An edge sharper than 60 degrees is a thin place, and so is the tip of a sharp spike. The thickness falls towards
-///     it and is followed down to about 0.1.
+///     it and is followed down to about 0.1, in the model's unit.
 /// Infinity where nothing is opposite, and for a face without area.
 struct WallThickness
 {
@@ -61,7 +61,7 @@ struct WallThickness
     /// Parts of faces that are large for their thickness, so that the thickness at the centre is not enough. Sorted by
     /// face; together the parts of a face cover it. A face is divided where it is thinner than the largest ball.
     /// Division ends when the thickness within a part differs by less than a tenth (a fifth for more than 100,000
-    /// faces) or there are about 200,000 parts.
+    /// faces), or when the face has 200,000 / (number of faces) parts, at least 4 and at most 4096.
     std::vector<WallPart> parts;
     /// Ridges that are thinner than the faces at them and not thicker than the largest ball, sorted by face.
     std::vector<WallRidge> ridges;

@@ -50,7 +50,7 @@ struct CheckpointTarget
     static constexpr double nearShare = 0.95;
 
     std::string file;     ///< model file in the lesson; empty: the result of the step's own strokes
-    double tolerance = 0; ///< largest distance, mm, above 0
+    double tolerance = 0; ///< mm, above 0; nearShare of the area must be within this distance
 };
 
 /// The conditions for the pupil's model at the end of a step. Without facts and target every model passes.

@@ -31,8 +31,8 @@ public:
     void removeStep(std::size_t step);
     void moveStep(std::size_t from, std::size_t to);
 
-    /// Sets the tools that the pupil may use: each once, in the order of Tool. Naming all tools or none allows every
-    /// tool.
+    /// Sets the tools that the pupil may use, and sorts them. With all tools or none, every tool is allowed.
+    /// Precondition: no tool is listed twice.
     void setTools(std::size_t step, std::vector<Tool> tools);
     /// Replaces the bounds of this fact. Bounds that every model satisfies are removed.
     void setFact(std::size_t step, const FactBounds& bounds);

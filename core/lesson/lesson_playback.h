@@ -13,7 +13,7 @@ namespace core
 class LessonPlayback
 {
 public:
-    /// Starts at the beginning of the first step. `path`: of the lesson, for errors. Throws FileError, or
+    /// Starts at the beginning of the first step. `path`: path of the lesson, for errors. Throws FileError, or
     /// LessonError::Unsound if the start model cannot be sculpted. Cost: buildMesh().
     LessonPlayback(std::shared_ptr<const Lesson> lesson, std::filesystem::path path);
 

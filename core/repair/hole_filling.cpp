@@ -110,7 +110,7 @@ public:
 private:
     Vec3 at(Slot v) const { return m_surface.points[v].cast<double>(); }
 
-    /// Returns the area of a face, or a huge cost if the face would be degenerate.
+    /// Returns twice the area of a face, or a huge cost if the face would be degenerate.
     double cost(Slot a, Slot b, Slot c) const
     {
         const auto& p = m_surface.points;

@@ -103,7 +103,7 @@ bool standAroundSpace(const TriangleSoup& surface)
 struct ClosedSurface
 {
     bool isRefused = false; ///< there is a large hole that must not be filled
-    /// Nearly as much area was filled as was kept: the triangles are badly connected.
+    /// The filled area is more than 3/4 of the area before: the triangles are badly connected.
     bool isLoose = false;
     TriangleSoup unfilled; ///< the surface before holes were filled, without sheets
     /// The surface as the file has it, including all removed parts except large sheets. Missing if the file is closed.
@@ -534,7 +534,7 @@ private:
     const Originals& m_originals;
     RepairReport m_report;
     repair::Resolution m_resolution;
-    double m_volume = 0; ///< volume that the surface winds around, in the model's unit
+    double m_volume = 0; ///< volume that the surface winds around, cubic units of the model
     std::optional<Outcome> m_best;
 };
 } // namespace

@@ -41,7 +41,7 @@ struct RepairReport
     std::size_t sheets = 0;                 ///< removed open parts that enclose nothing
     double sheetLength = 0, sheetWidth = 0; ///< size of the largest sheet, in the model's unit
     std::size_t holes = 0;                  ///< number of filled holes
-    /// Large holes among them, or those that were the reason to refuse.
+    /// Number of large holes: filled, or the reason why the model was refused.
     std::size_t largeHoles = 0;
     std::size_t innerParts = 0;      ///< parts that are inside others and face outwards
     std::uint64_t intersections = 0; ///< pairs of faces that met before the first cut
@@ -68,7 +68,8 @@ struct RepairReport
     double hausdorff() const { return std::max(fromOld.largest, fromNew.largest); }
     static constexpr double leastVolume = 0.98, mostVolume = 1.02, mostLost = 0.005, mostSpaceLost = 0.02,
                             mostSpaceGained = 0.1, mostOtherSpace = 0.02, mostSingleSpace = 0.02;
-    /// Mean distance of the old surface from the new one, where the old one is not inside the new one.
+    /// Mean distance of the old surface from the new one, in the model's unit. If it exceeds mostLost x size, it is
+    /// measured again, and points of the old surface inside the new one count as distance 0.
     double lost = 0;
     /// Compares the enclosed space with that of the old surface, if the old surface was open. Uses the faces of the
     /// file, or the oriented faces if the file is not oriented. Sheets of 1/100 of the area or more are left out.

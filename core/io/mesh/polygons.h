@@ -37,9 +37,9 @@ public:
     std::size_t faces() const { return m_ends.size(); }
     std::size_t corners() const { return m_corners.size(); }
 
-    /// Returns the triangles of all faces. Removes corners of a polygon that lie where the corner before does, and
-    /// slits where it goes back on itself. Leaves out polygons with fewer than three corners left. Counts all of them
-    /// in the remarks. Throws ReadingCancelled.
+    /// Returns the triangles of all faces. From polygons of more than three corners it removes corners that equal the
+    /// preceding one, and slits: paths that lead to a point and straight back. Leaves out polygons with fewer than
+    /// three corners left. Counts removed corners and omitted polygons in the remarks. Throws ReadingCancelled.
     std::vector<Triangle> triangles(const std::vector<Vec3f>& points, StopCheck stopCheck, ReadRemarks& remarks) const;
 
 private:
