@@ -54,7 +54,8 @@ private:
     double m_bed = 0;
 };
 
-/// Returns the angle of a face from the vertical, degrees; above 0 it leans out.
+/// Returns the angle of a face from the vertical, degrees; above 0 it leans out. Returns -90 for a face on the bed or
+/// without area.
 double leaningOf(const Side& side)
 {
     const double area = side.area();
@@ -164,7 +165,7 @@ PrintReport checkForPrint(const PrintMeasures& measures, const PrintLimits& limi
                 report.minByBalls = least;
     }
     report.thin = thinPlaces(measures, sides, limits.minWall);
-    // Strips along thin ridges overlap faces that are counted too
+    // The strips along thin ridges overlap thin faces, so the sum may exceed the whole area.
     report.thin.area = std::min(report.thin.area, report.area);
     report.overhangs = overhangPlaces(measures.mesh, sides, limits.overhang);
     for (Slot f = 0; f < measures.mesh.triangles.size(); ++f) {

@@ -37,10 +37,10 @@ public:
         , m_tree(faceBoxes(mesh.points, mesh.triangles))
     {}
 
-    /// Returns whether the face is the one that is kept of all sheets at the place of a piece of it.
+    /// Returns whether, of all sheets that coincide at a piece of the face, the face itself is the one to keep.
     bool keeps(Slot face, const Corners& piece) const
     {
-        const Vec3 p = 0.31 * piece[0] + 0.24 * piece[1] + 0.45 * piece[2]; // off the diagonals of other pieces
+        const Vec3 p = 0.31 * piece[0] + 0.24 * piece[1] + 0.45 * piece[2]; // not on an edge of another face's pieces
         const Vec3 normal = (piece[1] - piece[0]).cross(piece[2] - piece[0]).normalized();
         FaceBox box;
         box.extend((p.array() - m_nearby).cast<float>());
@@ -83,7 +83,7 @@ private:
 /// Appends the part of a face that is kept.
 void appendKept(const Sheets& sheets, Slot face, const Corners& corners, bool isSmall, std::vector<Corners>& kept)
 {
-    constexpr int coarse = 4, fine = 16; // a face is cut into the squares of these
+    constexpr int coarse = 4, fine = 16; // a face is cut into 16 pieces for the test, 256 for the result
     std::vector<Corners> pieces = isSmall ? std::vector{corners} : piecesOf(corners, coarse);
     const auto isKept = [&](const Corners& piece) { return sheets.keeps(face, piece); };
     const auto count = static_cast<std::size_t>(std::ranges::count_if(pieces, isKept));

@@ -20,7 +20,7 @@ enum class WoundAround {
 
 /// Compares the space within `solid`, which is closed and faces outwards, with the space that `faces` wind around
 /// (generalized winding number; Jacobson, Kavan and Sorkine-Hornung 2013). `faces` may be open. Where their winding
-/// number is about a half, inside and outside are equally right: a point's weight is its distance from a half.
+/// number is about a half, inside and outside are equally right: there a point's weight falls to 0.
 /// Samples up to 65,536 points: a quarter in the common box, the rest in the boxes of components. Precondition: both
 /// meshes have faces and use one unit. Uses all cores; every machine gets the same result. The result of a cancelled
 /// call must not be used. Cost: two WindingNumbers and about 20 us per point.

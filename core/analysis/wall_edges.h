@@ -45,14 +45,15 @@ public:
     /// Returns whether the face has an edge or corner that may be opposite to faces that the face itself is not
     /// opposite to.
     bool isAt(Slot face) const { return m_isAt[face] != 0; }
-    /// Returns whether one of the normals at a side of the face is opposite, more than 120 degrees away, to the normal
-    /// of the face that looks `inward`. `side`: index of the corner across from the side.
+    /// Returns whether a normal at a side of the face is more than 120 degrees away from the normal of another face.
+    /// `inward`: inward normal of that other face. `side`: index of the corner across from the side.
     bool isOppositeSide(Slot face, std::size_t side, const Vec3& inward) const
     {
         const Slot edge = m_edgeOf[face][side];
         return edge != noSlot && isOpposite(m_edges[edge], inward);
     }
-    /// Returns whether one of the normals at a vertex equals `inward`. Normals near it are covered by edges and faces.
+    /// Returns whether a normal at a vertex is exactly opposite to the normal of a face, whose inward normal is
+    /// `inward`. Normals that are nearly opposite belong to the vertex's edges and faces.
     bool isOppositeCorner(Slot vertex, const Vec3& inward) const
     {
         const Slot corner = m_cornerOf[vertex];

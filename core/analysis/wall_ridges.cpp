@@ -18,8 +18,8 @@ namespace
 /// Least cosine between a chord and a normal at each of its ends: 30 degrees. Its square is (1 - maxOppositeCosine) /
 /// 2.
 const double minChordCosine = std::sqrt((1 - maxOppositeCosine) / 2);
-/// straight: cosine from which a chord counts as parallel to the normal. pointLike: length, as a share of the distance,
-/// up to which segments count as points.
+/// straight: a chord counts as parallel to the normal if the cosine between them exceeds this. pointLike: segments
+/// count as points if they are no longer than this share of their distance.
 constexpr double straight = 0.99, pointLike = 0.05;
 /// Largest number of pairs of pieces that are tested for two ridges.
 constexpr int maxPairs = 256;

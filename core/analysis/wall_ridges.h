@@ -34,7 +34,7 @@ private:
         Slot edge = noSlot, corner = noSlot; ///< one of the two is noSlot
         std::array<Slot, 2> vertices, faces;
         Vec3 mean; ///< mean of the ridge's normals
-        /// Least cosine between `mean` and a chord that leaves the ridge; negative: no bound.
+        /// Lower bound of the cosine between `mean` and the chords that may leave the ridge; negative: no bound.
         double minCosine;
     };
     struct Place

@@ -15,7 +15,7 @@ namespace
 {
 constexpr std::size_t centresAtOnce = 256, facesPerPart = 1 << 14, largeFacesAtOnce = 8;
 
-/// Limits for the parts of a face; the more faces, the fewer parts per face.
+/// A face is divided into at most allParts / (number of faces) parts, limited to minParts to maxParts.
 constexpr std::size_t allParts = 200'000, minParts = 4, maxParts = 4096;
 /// Factor from the depth of the matter to the start diameter of a ball, so that the ball contains what is straight
 /// ahead.

@@ -1,9 +1,9 @@
-// 1. lattice   puts all solids on one                                                              solid_soup
+// 1. lattice   puts all solids on one lattice                                                      solid_soup
 // 2. cross     finds the faces that meet other solids                                              crossing_faces
 // 3. part      divides the others into kept and dropped, by the solids that they lie in            solid_parts
-// 4. cut       cuts what crosses and what is near, keeps by winding numbers, rounds, cuts again    cut_region
-// 5. judge     checks the whole
-// 6. separate  draws apart what touches itself at edges and points                         core/repair/resolution
+// 4. cut       cuts crossing faces and those near, selects by winding number, rounds, cuts again   cut_region
+// 5. judge     checks the whole result
+// 6. separate  moves parts apart that touch at edges and points                            core/repair/resolution
 // If rounding comes to no end, or moves the surface too far, all steps are repeated on finer lattices. If that does not
 // help, all faces that meet any other are cut with a tolerance.
 
@@ -23,10 +23,10 @@ namespace core::boolean
 {
 namespace
 {
-/// Shares of the time at the end of each step.
+/// Progress, 0 to 1, at the end of each step.
 constexpr double afterCutting = 0.3, afterChecking = 0.7, afterSeparating = 0.9;
 
-/// Binary exponent of the finest lattice: four times finer than that of an import. Finer ones have no room beside the
+/// The finest lattice is 2^finest times finer than that of an import. A finer one would leave no room around the
 /// solids.
 constexpr int finest = 2;
 
@@ -128,7 +128,7 @@ private:
     {
         constexpr std::uint64_t mostCutAgain = 5'000; // pairs of faces: about a second
         std::uint64_t budget = mostCutAgain;
-        std::map<std::tuple<int, int, int>, Vec3f> off; // points that are not on the lattice, by the nearest
+        std::map<std::tuple<int, int, int>, Vec3f> off; // points off the lattice, by the nearest lattice point
         repair::TriangleSoup& surface = placed.surface;
         for (std::size_t v = 0; v < surface.points.size(); ++v)
             if (const LatticePoint& p = surface.points[v]; m_soup.pointAt(p) != placed.points[v])

@@ -11,7 +11,7 @@ struct ExportVerdict
 {
     bool sameCorners = false; ///< every triangle has the same corner positions in the same order, bit for bit (-0 = 0)
     bool sameColors = false;  ///< every corner has the same colour; true also if the format or the model has no colours
-    MeshReport report;        ///< topology and print report of the mesh read back, in mm
+    MeshReport report;        ///< checkMesh() of the mesh read back
 
     bool holds() const { return sameCorners && sameColors && report.printReady(); }
 };

@@ -76,8 +76,8 @@ struct WriteOptions
 {
     std::optional<UpAxis> up = {}; ///< up axis of the file; missing: usualUp()
     bool ascii = false;            ///< writes STL and PLY as text; OBJ and OFF are always text, GLB and 3MF never
-    /// Data stored in addition to the surface, as far as the format can hold it. GLB stores all of it, in an extension
-    /// that other programs ignore. PLY, OBJ, OFF and 3MF store the palette in a comment.
+    /// Data to be stored in addition to the surface. GLB stores all of it, in an extension that other programs ignore.
+    /// PLY, OBJ, OFF and 3MF store only the palette, in a comment; other formats store nothing.
     DocumentMetadata metadata = {};
 };
 
@@ -96,8 +96,8 @@ TriangleMesh readMesh(const std::filesystem::path& path, const ReadOptions& opti
 /// Refuses models that reference other files, and formats that only the external reader can read.
 TriangleMesh parseMesh(const std::filesystem::path& name, std::string_view bytes);
 
-/// Returns the metadata that writeMesh() stored, as far as the format keeps it. Ignores entries that writeMesh() would
-/// not have written, and everything if the file cannot be read. Never throws FileError.
+/// Returns the metadata that writeMesh() stored in the file. Ignores entries that writeMesh() would not have written,
+/// and everything if the file cannot be read. Never throws FileError.
 DocumentMetadata readMetadata(const std::filesystem::path& path);
 
 /// Writes the mesh. Throws FileError; the previous file is then unchanged. Points and colours are bit-identical when

@@ -25,8 +25,8 @@ public:
 
     bool beginWithStart(std::string_view bytes);
     bool beginWithBase(std::string_view bytes, std::string_view startBytes);
-    /// Applies the segment's records and removes them from `bytes`, up to the first one that does not follow or cannot
-    /// be applied. Returns false if it was stopped.
+    /// Applies the segment's records and removes them from `bytes`, up to the first record that does not have the next
+    /// number or cannot be applied. Returns false if it was stopped.
     bool readOn(std::string_view& bytes, const std::stop_token& stop);
     void noteDamage() { m_found.isDamaged = true; }
     RecoveredDocument take() { return std::move(m_found); }

@@ -20,7 +20,7 @@ constexpr double extent = 112; ///< width and height of the pictured area, mm
 /// The brush's radius is magnified for the small picture, and clamped to minRadius to maxRadius, mm.
 constexpr double magnification = 1.6, minRadius = 8, maxRadius = 32;
 constexpr double draggedRadius = 0.7 * ballRadius; ///< radius of an anchored dab, mm
-constexpr double printStep = 1; ///< spacing, in radii, from which on the dabs do not merge into a line
+constexpr double printStep = 1; ///< smallest spacing, in radii, at which dabs do not merge into a line
 constexpr int samples = 48;
 constexpr double pi = 3.14159265358979323846;
 
@@ -135,7 +135,7 @@ std::optional<ModelThumbnail> drawBrush(const StrokeSettings& brush, int pixels,
     Sculptor sculptor(buildMesh(starterModel(Starter::Ball)).mesh);
     if (evensOut(brush.tool))
         roughen(sculptor, stop);
-    // the stroke is to have the same height everywhere
+    // Separate dabs, and Layer, are drawn with the same pressure everywhere.
     const bool isEven = brush.spacing >= printStep || brush.tool == Tool::Layer;
     const std::vector<StrokeSample> path = isAnchored(brush)        ? drag(draggedRadius)
                                            : isDragTool(brush.tool) ? horn()

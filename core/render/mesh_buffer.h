@@ -32,7 +32,7 @@ public:
     /// Marks the vertices of a footprint and removes earlier marks; null: marks none. A whole patch removes the marks.
     void tint(const Footprint* footprint);
     /// Colours the vertices in `shades` by their weight (see PrintScale) and restores the vertices shaded before. Other
-    /// vertices keep their own colour. null: none.
+    /// vertices keep their own colour. null: all vertices do.
     void shade(const Footprint* shades);
     bool isShaded() const { return m_isShaded; }
 

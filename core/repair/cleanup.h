@@ -27,7 +27,7 @@ struct CleanupResult
 /// corners of a face are merged.
 CleanupResult cleanUp(TriangleSoup& surface, Duplicates duplicates);
 
-/// Returns whether two faces have the same corners.
+/// Returns whether any two faces have the same corners.
 bool hasDoubles(const TriangleSoup& surface);
 
 /// Merges corners of these faces that are within `tolerance` (lattice units) of each other. Faces with a lower height

@@ -22,7 +22,7 @@ Integer area(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, Proj
 
 double quotient(const Integer& numerator, const Integer& denominator)
 {
-    // Both may exceed the range of a double, so bits beyond its precision are dropped first.
+    // Numerator and denominator may exceed the range of a double, so bits beyond its precision are dropped first.
     constexpr std::size_t enough = 900;
     const std::size_t bits = numerator == 0 ? 0 : msb(abs(numerator)), below = msb(denominator);
     const std::size_t longest = std::max(bits, below);

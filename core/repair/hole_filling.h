@@ -12,15 +12,15 @@ struct HoleFillingResult
 {
     std::size_t holes = 0;
     std::size_t faces = 0;      ///< number of faces added
-    std::size_t largeHoles = 0; ///< filled ones, or those left open if `largeToo` was false
+    std::size_t largeHoles = 0; ///< number of large holes: filled if `largeToo` was true, otherwise left open
     double share = 0;           ///< added area as a share of the area before
 };
 
-/// Length of a hole's box, as a share of the length of the surface's box, above which the hole is large.
+/// A hole is large if the longest side of its box exceeds this share of the longest side of the surface's box.
 inline constexpr double largeHole = 0.25;
 
-/// Closes the loops at which the surface ends with the least area (Barequet and Sharir 1995). A loop consists of edges
-/// that faces run along more often in one direction than in the other. Loops of more than 300 corners first lose their
-/// most pointed corners. New faces may meet other faces. Precondition: the surface is oriented.
+/// Closes the loops at which the surface ends with faces of the least total area (Barequet and Sharir 1995). A loop
+/// consists of edges that faces run along more often in one direction than in the other. Loops of more than 300 corners
+/// first lose their most pointed corners. New faces may meet other faces. Precondition: the surface is oriented.
 HoleFillingResult fillHoles(TriangleSoup& surface, bool largeToo, const JobControl& control = {});
 } // namespace core::repair

@@ -18,8 +18,9 @@ struct CoveredKnots
     double largest = 0; ///< diameter of the largest solid, lattice units
 };
 
-/// Covers knots: places where the faces of these pairs meet. Pairs whose common boxes overlap get one solid together.
-/// When the surface is resolved again, everything inside a solid disappears; the rest of the surface stays. Knots wider
-/// than `widest` (lattice units) are left. The solids' points and faces are appended to the surface.
+/// Covers knots: places where the faces of these pairs meet. A pair's place is the intersection of its faces' boxes;
+/// pairs whose places overlap form one knot and get one solid. When the surface is resolved again, everything inside a
+/// solid disappears; the rest of the surface stays. Knots wider than `widest` (lattice units) are not covered. The
+/// solids' points and faces are appended to the surface.
 CoveredKnots coverKnots(TriangleSoup& surface, std::span<const FacePair> pairs, double widest);
 } // namespace core::repair

@@ -503,7 +503,7 @@ private:
                const PartsOfWay& around)
     {
         constexpr double nearlyAll = 1 - 1e-9, most = 0.6, some = 0.001, muchOfBody = 0.2;
-        constexpr double muchOfCutter = 0.02; // area of the end of a bar twelve times as long as wide
+        constexpr double muchOfCutter = 0.02; // area share of one end of a 12 x 1 x 1 bar
         forEachChunk(are.size(), 1, [&](std::size_t, std::size_t begin, std::size_t end) {
             for (std::size_t part = begin; part < end; ++part) {
                 Facing& facing = m_facings[part];
@@ -544,7 +544,8 @@ private:
     }
 
     static constexpr std::size_t few = 128, many = 2048, mostVertices = 16'384; ///< numbers of samples
-    static constexpr double clearly = 0.75; ///< share of a cavity's area from which few samples are enough
+    /// Few samples are enough if at least this share of them is inside parts of the other orientation.
+    static constexpr double clearly = 0.75;
 
     const TriangleSoup& m_surface;
     std::vector<Vec3> m_points;

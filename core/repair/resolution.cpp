@@ -108,7 +108,7 @@ public:
     /// `mostPairs`: if more pairs of faces meet at first, nothing is cut.
     void run(std::uint64_t mostPairs)
     {
-        constexpr std::size_t maxRounds = 24, firstOfCovering = 4, lastOfGrowth = 10; // few surfaces need as many
+        constexpr std::size_t maxRounds = 24, firstOfCovering = 4, lastOfGrowth = 10; // rounds; few surfaces need all
         constexpr double ofRounding = 8;                                              // tolerance in lattice units
         constexpr std::uint64_t mostTriples = 1'000'000; // cutting them takes about a minute
         m_resolution.isDone = false;
@@ -231,7 +231,7 @@ private:
 /// Drops components that are thin and small. Returns their number.
 std::size_t dropCrumbs(TriangleSoup& surface)
 {
-    constexpr double thin = 64;    // lattice units; thickness is volume by half the area
+    constexpr double thin = 64;    // lattice units; thickness is the volume divided by half the area
     constexpr double small = 1e-4; // share of the whole area
     const Components components = componentsOf(surface.points.size(), surface.triangles);
     std::vector<double> volume(components.count, 0), area(components.count, 0);

@@ -41,7 +41,7 @@ Resolution resolveIntersections(TriangleSoup& surface, Inside inside, const Tria
 struct LeftOut
 {
     WindingNumber kept;    ///< faces that bound the solid space
-    WindingNumber dropped; ///< the others
+    WindingNumber dropped; ///< faces that do not bound it
 };
 
 /// Cuts a part of a surface as resolveIntersections() does, but does not separate contacts. Precondition: the borders

@@ -22,9 +22,8 @@ struct SheetRemoval
 /// solid is one. A part is a sheet if three conditions hold:
 ///   - Closing it would add more than three quarters of its area.
 ///   - The closed part would be flat: at most a tenth of the volume of the ball with its area.
-///   - The other faces do not need it to be closed: once other sheets are removed, their winding numbers at its faces
-///     are
-///     on average within a quarter of a whole number.
+///   - The other faces are closed without it: when other sheets are removed, the winding number of the other faces at
+///     the part is on average within a quarter of a whole number.
 /// Precondition: the surface is oriented. Cost: that of fillHoles(), and winding numbers at 64 faces per part.
 SheetRemoval removeSheets(TriangleSoup& surface, const JobControl& control = {});
 } // namespace core::repair

@@ -53,7 +53,7 @@ struct Sides
     Side before, behind;
 };
 
-/// Computes the winding numbers on both sides of a piece, of the arranged surface and the faces beyond it.
+/// Computes the winding numbers on both sides of a piece: those of the arranged surface and of Beside::beyond together.
 class Windings
 {
 public:

@@ -25,9 +25,10 @@ inline constexpr Inside Inside::NonZero{1, true};
 /// Surfaces that count besides the one that is arranged.
 struct Beside
 {
-    /// Parts of it that face inwards; space outside the solid that only these wind around is not inside out.
+    /// Parts of the arranged surface that face inwards. Space outside the solid that only these parts wind around does
+    /// not count as inside out.
     TriangleSoup cavities;
-    std::vector<const WindingNumber*> beyond; ///< faces that it leaves out; none of its own faces meets them
+    std::vector<const WindingNumber*> beyond; ///< faces missing from the arranged surface, which do not meet it
 };
 
 struct WindingSolid

@@ -26,8 +26,8 @@ struct X3dNode
 };
 
 /// An X3D file in XML encoding, parsed by the library expat to a tree. Elements may be nested 256 deep. A document type
-/// is ignored unless it declares something. Element names lose their prefix if it is the root's, or stands for the
-/// root's or X3D's namespace. Throws FileError with the line; an undefined USE is an error.
+/// is ignored unless it declares something. Element names lose their prefix if it is the root's, or denotes
+/// the root's or X3D's namespace. Throws FileError with the line; an undefined USE is an error.
 class X3dDocument
 {
 public:

@@ -12,7 +12,7 @@ namespace core
 {
 namespace
 {
-/// Radii; smallest spacing except 0, so that a typing error cannot request 10^12 dabs.
+/// Smallest spacing apart from 0, in radii, so that a typing error cannot request 10^12 dabs.
 constexpr double minSpacing = 1e-3;
 constexpr double minFactor = 1e-6; ///< smallest scale factor; the largest is 1 / minFactor
 
