@@ -14,7 +14,7 @@ class PrintPlaces
 public:
     explicit PrintPlaces(const TriangleMesh& mesh) : m_mesh(mesh), m_vertices(mesh.points.size()) {}
 
-    /// Adds a whole face. The least badness of a place becomes its worst value.
+    /// Adds a whole face. `badness`: lower is worse; the lowest of a place becomes PrintPlace::worst.
     void addFace(Slot face, double badness);
     /// Adds a thin part of a face; `area` is its thin area, mm^2.
     void addPart(const WallPart& part, double area);
@@ -44,7 +44,7 @@ private:
     const TriangleMesh& m_mesh;
     DisjointSets m_vertices;
     std::vector<Bad> m_bad;
-    std::vector<bool> m_isAtPart; ///< for each vertex: a face around it has parts or ridges; empty without any
+    std::vector<bool> m_isAtPart; ///< for each vertex: a face around it has parts or ridges; empty if none has
     std::size_t m_parts = 0;
 };
 } // namespace core

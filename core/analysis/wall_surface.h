@@ -37,8 +37,8 @@ public:
     /// Returns a lower bound of the squared distance from a point to a face.
     double reach(Slot position, const Vec3& p) const;
     /// Returns whether a ray may leave the matter through a face before the parameter `farthest`, in multiples of the
-    /// direction. `length`: length of the direction. Filters faces whose boxes contain much else, such as long thin
-    /// faces.
+    /// direction. `length`: length of the direction. Quickly rejects faces that the ray misses although it meets
+    /// their boxes, such as long thin faces.
     bool mayLeave(Slot position, const Ray& ray, double length, double farthest) const;
 
     const WallTree& tree() const { return m_tree; }

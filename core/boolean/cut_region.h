@@ -33,7 +33,7 @@ private:
 
     const SolidSoup& m_soup;
     const std::vector<Fate>& m_fates;
-    std::vector<bool> m_isNear;     ///< for each face, whether the region has it
+    std::vector<bool> m_isNear;     ///< for each face, whether it is in the region
     repair::TriangleSoup m_surface; ///< the faces of the region
     double m_exactVolume = 0;       ///< part of the result's volume that is due to the region
     std::vector<Slot> m_unmoved;    ///< points of the region that no cut face has, as slots of the soup

@@ -31,7 +31,7 @@ public:
     /// Undoes the step's last stroke or command, or the stroke that is in progress. Returns false at the step's start.
     bool undoLast();
     /// Executes the step's next stroke or command. Returns whether it changed the model. Precondition: there is one,
-    /// and no stroke is in progress.
+    /// and no stroke is in progress. Throws as apply(); so do finish(), goTo() and target().
     bool playNext();
     /// Executes the rest of the step. A stroke that is in progress is undone and played again as a whole.
     void finish();

@@ -7,7 +7,7 @@ namespace core
 /// Parameters of the clay's shading (uniforms of clay.frag), the same for desktop and headset. Colours are linear.
 struct Shading
 {
-    /// factor on the vertex's colour; an unpainted model is grey 200 in sRGB, 0.58 linear
+    /// Factor on the vertex's colour; an unpainted model is grey 200 in sRGB, 0.58 linear
     Vec3f tint = Vec3f::Zero();
     float wrap = 0.18F;            ///< how far light reaches past the edge of the shadow, 0 to 1
     float gloss = 0.11F;           ///< strength of the highlight, 0 to 1

@@ -277,7 +277,7 @@ private:
         std::size_t choice = 0; ///< index into `distances`
     };
 
-    /// Lattice units, in the order in which they are tried.
+    /// Distances by which copies are moved, lattice units, in the order in which they are tried.
     static constexpr std::array<double, 7> distances{16, 64, 4, 256, 1, 1024, 4096};
 
     void addFace(Group& group, const Triangle& t, std::size_t corner)

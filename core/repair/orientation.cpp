@@ -343,7 +343,7 @@ public:
     }
 
 private:
-    static constexpr double depth = 16; ///< lattice units; more than rounding moves a point
+    static constexpr double depth = 16; ///< distance of samples from the surface, lattice units; exceeds the rounding
 
     /// Moves a point on a face off the face and away from its edges. `u`, `v`: two sides of the face.
     Vec3 beside(const Vec3& u, const Vec3& v, const Vec3& onFace, Side side) const

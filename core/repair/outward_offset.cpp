@@ -38,7 +38,7 @@ struct PlaneFit
 void addFace(std::map<Slot, PlaneFit>& fits, const std::vector<bool>& isMoved, const TriangleSoup& surface,
              const Triangle& t, Slot component)
 {
-    // Lattice units; lower faces have less weight, because rounding changes their normals
+    // Lattice units. Faces of less height have less weight, because rounding changes their normals.
     constexpr double clearHeight = 64;
     const auto at = [&](Slot v) { return Vec3(surface.points[v].cast<double>()); };
     const Vec3 normal = (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0]));

@@ -81,8 +81,8 @@ struct Progress
     Progress part(double from, double to) const { return {control.part(from, to), onStep}; }
 };
 
-/// Returns whether the faces surround some space, connected or not: with their middle they form a volume of more than
-/// 0.01 x area^1.5. A cube has 0.07.
+/// Returns whether the faces surround some space, connected or not: the pyramids from their mean point to the faces
+/// have a volume of more than 0.01 x area^1.5. A cube has 0.07.
 bool standAroundSpace(const TriangleSoup& surface)
 {
     constexpr double least = 0.01;
@@ -308,9 +308,9 @@ double shareOfHoles(const TriangleMesh& mesh)
     return area > 0 ? sum.norm() / area : 1;
 }
 
-/// Returns the faces of a file, each sheet once, if any sheets can coincide. Returns nothing if they do not tell what
-/// they enclose: the file's faces do not run one way, or over 1/6 of the area is missing, such as where a loose sheet
-/// faces another one.
+/// Returns the faces of a file, each sheet once, if any sheets can coincide. Returns nothing if it is unclear what
+/// these faces enclose: the file's faces do not run one way, or their holes have over 1/6 of the area, such as where a
+/// loose sheet faces another one.
 std::optional<TriangleMesh> sheetsOf(TriangleSoup file, const Lattice& lattice, const RepairReport& report)
 {
     constexpr double nearby = 16;         // lattice units, as in doubled_parts.h

@@ -24,7 +24,7 @@ constexpr int version = 1;
 constexpr std::size_t maxJson = 1 << 20;
 /// Largest absolute exponent of a lattice that is accepted; imports stay well below it.
 constexpr int maxExponent = 64;
-constexpr double farthest = 1e9; ///< mm
+constexpr double farthest = 1e9; ///< largest coordinate or length that is accepted, mm
 
 nlohmann::ordered_json jsonOf(const SavedView& view)
 {
