@@ -27,9 +27,9 @@ public:
     QTreeWidgetItem* itemOf(const QString& id) const;
     static void showKeys(QTreeWidgetItem* item, const QList<QKeySequence>& keys);
 
-    /// Hides the actions that lack any of the words in name, keys, tip, menu or synonyms. Selects the best enabled
-    /// match: its name is `words`, else its name begins with them or they are one of its synonyms, else any match.
-    /// Empty `words` select nothing.
+    /// Shows only the actions in which each word occurs in name, keys, tip, menu or synonyms. Selects the best enabled
+    /// match: an action named `words`, else one whose name begins with `words` or that has `words` as a synonym, else
+    /// any other. Empty `words` show all actions and select nothing.
     void filter(const QString& words);
 };
 } // namespace ui

@@ -116,7 +116,7 @@ ParameterControl::ParameterControl(BrushSettings* brush, core::Parameter paramet
     });
     connect(m_box, &NumberBox::asked, brush, [brush, parameter](double value) { brush->setValue(parameter, value); });
     connect(m_box, &QDoubleSpinBox::editingFinished, this, [this] {
-        if (m_box->hasFocus()) // focus lost: the user did not press Return
+        if (m_box->hasFocus()) // otherwise the user has left the box without Return
             Q_EMIT entered();
     });
     connect(brush, &BrushSettings::changed, this, &ParameterControl::showValue);

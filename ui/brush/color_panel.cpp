@@ -127,7 +127,7 @@ ColorPanel::Channel ColorPanel::channel(const QString& name, const char* id, std
     connect(made.slider, &QSlider::valueChanged, this, change);
     connect(made.box, &QSpinBox::valueChanged, this, change);
     connect(made.box, &QSpinBox::editingFinished, this, [this, box = made.box] {
-        if (box->hasFocus()) // focus lost: the user did not press Return
+        if (box->hasFocus()) // otherwise the user has left the box without Return
             Q_EMIT entered();
     });
     return made;

@@ -108,7 +108,7 @@ QComboBox* alphaChooser(BrushSettings* brush, BrushShapes* shapes)
     };
     QObject::connect(box, &QComboBox::activated, shapes, [=] {
         const QString source = box->currentData().toString();
-        show(); // keeps the old choice until the file was read
+        show(); // shows the old choice until the file has been read
         if (source != loadEntry)
             return shapes->chooseAlpha(source);
         askForAlpha(box->window(), Settings().lastFolder(), alphaEndings(),

@@ -25,7 +25,7 @@ class StrokeEditBar : public MessageBar
     Q_OBJECT
 
 public:
-    /// `modelInfo`: of the model, for the range of the radius. `tools`: in list order, including the stroke's own tool.
+    /// `modelInfo`: data of the model, which limit the radius. `tools`: in list order, including the stroke's own tool.
     StrokeEditBar(const core::BrushChange& brush, const ModelInfo& modelInfo, const QList<ToolOption>& tools,
                   QMainWindow* window);
 

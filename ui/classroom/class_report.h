@@ -29,7 +29,8 @@ struct ReportRow
     QString lesson = {};                    ///< the pupil's progress in a lesson; empty: no lesson
     std::optional<double> turnSeconds = {}; ///< seconds of the pupil's turn; nullopt: not the work of a class
 
-    /// Returns the seconds of the turn; if the file has no turn, those of its strokes.
+    /// Returns the duration of the turn, or of the work recorded in the file if there was no turn, seconds. nullopt:
+    /// neither is known.
     std::optional<double> seconds() const;
 };
 
@@ -74,7 +75,7 @@ QList<QuestionCells> questionCellsOf(const ClassReport& report);
 QStringList questionHeads();
 QString questionsTitle();
 QString reportTitle(const ClassReport& report);
-/// Returns one line with the date and the numbers of models for each verdict.
+/// Returns one line with the date and, for each verdict, the number of models.
 QString reportSummary(const ClassReport& report);
 
 /// Returns a relative URL from the report's file to a model's file, with / between folders and %XX escapes. Reads the

@@ -12,7 +12,7 @@
 namespace ui
 {
 inline constexpr int maxTurnMinutes = 240;
-inline constexpr int maxPupilNames = 200, maxPupilNameLength = 40; ///< characters
+inline constexpr int maxPupilNames = 200, maxPupilNameLength = 40; ///< number of names; characters of a name
 inline constexpr int minPinLength = 4, maxPinLength = 32;          ///< characters
 
 /// A teacher's choices for a class.

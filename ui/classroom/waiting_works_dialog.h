@@ -7,8 +7,8 @@ class QPushButton;
 
 namespace ui
 {
-/// Says before a class ends how many works are still on this computer only, and offers to copy them. The class ends
-/// however the dialog is closed. Thread: gui.
+/// Tells the teacher, before a class ends, how many works are still on this computer only, and offers to copy them. The
+/// class ends however the dialog is closed. Thread: gui.
 class WaitingWorksDialog : public QDialog
 {
     Q_OBJECT

@@ -14,7 +14,7 @@ class WaitingWorksNote : public QWidget
     Q_OBJECT
 
 public:
-    /// `width`: of its sentences, pixels.
+    /// `width`: width at which the sentences wrap, pixels.
     explicit WaitingWorksNote(int width);
 
     /// Shows the waiting works, one sentence on each line, and below them `outcome`, the result of the last move. No

@@ -30,8 +30,8 @@ public:
     }
 };
 
-/// Units: text heights. Space above a view for its caption, space beside a view with and without a dimension, distance
-/// of the dimension line, size of its arrows.
+/// Units: heights of the text. Space above a view for its caption; space beside a view with a dimension; distance of
+/// the dimension line from the view; space beside a view without a dimension; length and width of the arrows.
 constexpr double captionSpace = 1.6, dimensionSpace = 2.0, dimensionAt = 1.5, plainSpace = 0.6, arrowLength = 0.5,
                  arrowWidth = 0.16;
 

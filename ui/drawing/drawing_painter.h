@@ -35,7 +35,7 @@ public:
     DrawingLayout(const core::LineDrawing& drawing, const DrawingSettings& options, const DrawingStyle& style,
                   Arrangement arrangement);
 
-    /// Returns the largest scale at which the layout fits, in painter units for each mm; 0 if none.
+    /// Returns the largest scale at which the layout fits, in painter units for each mm; 0: it fits at no scale.
     double scaleFor(const QSizeF& available) const;
     QSizeF sizeAt(double scale) const;
     /// Paints the layout antialiased, centred at `centre`.

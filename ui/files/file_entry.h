@@ -5,8 +5,8 @@
 
 namespace ui
 {
-/// A file or folder with its state on disk at the time of listing. Equal entries have the same content, as far as size
-/// and date can tell.
+/// A file or folder with its state on disk at the time of listing. Entries with the same path, size and date are
+/// equal; the content is then usually the same, but it is not compared.
 struct FileEntry
 {
     QString path; ///< absolute

@@ -69,7 +69,8 @@ private:
     QCache<QString, QPixmap> m_pictures; ///< by path; cost in bytes
 };
 
-/// Sorts and filters a FileListModel: folders first, unread files last, numbers in names by value.
+/// Sorts and filters a FileListModel: folders first, numbers in names by value. Sorted by vertices, files whose number
+/// of vertices is unknown are last.
 class FileSorter : public QSortFilterProxyModel
 {
     Q_OBJECT

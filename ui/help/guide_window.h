@@ -33,7 +33,7 @@ protected:
 private:
     void fillContents();
     void followLink(const QUrl& url);
-    int rowOf(const QString& page) const; ///< in the contents; -1: it is not there
+    int rowOf(const QString& page) const; ///< row of the page in the contents; -1: not listed
     void showPage();
     void removeDeadLinks();
     void search();

@@ -42,8 +42,8 @@ public:
 
     /// Invalidates the answers to earlier requests, because the camera has moved.
     void viewMoved();
-    /// Turns the answer with the model, by `angle` radians about the Y axis. Answers are in model space, where the
-    /// pointer moves backwards.
+    /// Updates the answer after the model has turned by `angle` radians about the Y axis while the pointer rested. In
+    /// model space, the place under the pointer has then turned by -`angle`.
     void turnModel(double angle);
     /// Forgets all answers, because there is another model.
     void clear();

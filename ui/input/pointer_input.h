@@ -57,8 +57,8 @@ public:
     void clearHover();
 
     /// Receives the answer to hoverRequested(). Each request is answered once and in order, at any later time. `hit`:
-    /// nullopt if the ray misses the model or there is none. `footprint`: of the requested brush, valid for the mesh
-    /// that is drawn now or soon.
+    /// nullopt if the ray misses the model or there is none. `footprint`: vertices under the requested brush, in the
+    /// mesh that is drawn now or next; null if not requested.
     void setHover(const std::optional<core::SurfaceHit>& hit,
                   const std::shared_ptr<const core::Footprint>& footprint = {});
 
@@ -69,15 +69,16 @@ public:
 
     /// Returns the place that the pointer shows to the person in VR; nullopt beside the model and in other modes.
     std::optional<core::SurfaceHit> pointed() const;
-    /// Returns the place of the cursor: the latest answer; nullopt outside the view and while it is moved. In Add mode:
-    /// the place of the ball. In an anchored stroke: its beginning.
+    /// Returns the place of the cursor on the surface. In Add mode it is the place of the ball, in an anchored stroke
+    /// the stroke's beginning. nullopt: no cursor is shown, because the pointer is outside the view or beside the
+    /// model, the view is being moved or a held key makes a press move it, or the mode is Pick or Point.
     std::optional<core::SurfaceHit> hover() const;
     /// Returns true if a press at the pointer would begin a stroke.
     bool wouldStroke() const;
     /// Returns the vertices that a stroke of the ray brush would affect first; null if not requested.
     std::shared_ptr<const core::Footprint> footprint() const;
-    /// The line shown during a stroke, in pixels: from brush to pointer in a steady stroke, from the beginning in an
-    /// anchored stroke.
+    /// The ends of the line shown during a stroke, in pixels. It begins at the brush in a steady stroke, and at the
+    /// place of the press in an anchored stroke; it ends at the pointer.
     struct Stabilizer
     {
         OrbitCamera::Pixel pointer, brush;
@@ -99,8 +100,9 @@ Q_SIGNALS:
     /// A stroke: strokeBegan, one or more strokeSampled (the first at the press), strokeEnded; never nested. Its
     /// placement is Ray. `settings`: those at the time of the press.
     void strokeBegan(const core::StrokeSettings& settings);
-    /// Emitted for every event of mouse or pen. `sample.time`: of the event, seconds. `position` and `direction`: ray
-    /// through the pixel, mm, not rounded to the lattice.
+    /// Emitted for every event of mouse or pen, and repeatedly while an airbrush rests or the model turns.
+    /// `sample.time`: seconds, on the clock of the events. `position` (mm) and `direction`: ray through the pixel, not
+    /// rounded to the lattice.
     void strokeSampled(const core::StrokeSample& sample);
     void strokeEnded(core::StrokeEnd how);
     void pressDecided();

@@ -12,9 +12,9 @@
 
 namespace ui
 {
-/// Builds a stroke from pointer events. In a steady stroke the brush follows the pointer at the stabilizer's length,
-/// and reaches it at the end. A pointer that does not move adds samples if the model turns under it or the brush is an
-/// airbrush. Thread: gui.
+/// Builds a stroke from pointer events. In a steady stroke the brush trails the pointer by the stabilizer's length,
+/// and reaches the pointer at the end. A pointer that does not move adds samples if the model turns under it or the
+/// brush is an airbrush. Thread: gui.
 class StrokeBuilder : public QObject
 {
     Q_OBJECT

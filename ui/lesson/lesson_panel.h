@@ -76,8 +76,8 @@ public:
 
     void setPlaying(bool isPlaying);
     void setProgress(double share); ///< fraction of the teacher's strokes that have been played, 0 to 1
-    /// Shows which conditions are met. `areOfPresent` false: shown disabled, because they are from before the last
-    /// change. Empty: no conditions.
+    /// Shows which conditions are met; an empty list shows none. `areOfPresent`: false if the model has changed since
+    /// the marks were determined; they are then shown disabled.
     void setMarks(const QList<LessonMark>& marks, bool areOfPresent = true);
     bool wantsDifference() const;
 

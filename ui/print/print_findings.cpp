@@ -59,7 +59,7 @@ PrintFinding bed(const core::MeshReport& mesh, const core::PrintReport& print, c
     return {PrintVerdict::Bad, PrintText::tr("Too large for %1").arg(printer), size};
 }
 
-/// Returns a length in mm with two decimals; printers do not resolve more.
+/// Returns a length in mm with two decimals, at least 0.01; printers do not resolve more.
 QString hundredths(double millimetres)
 {
     return QLocale().toString(std::max(millimetres, 0.01), 'f', 2);

@@ -31,7 +31,7 @@ namespace
 {
 constexpr int iconSide = 20, rowIconSide = 16;
 constexpr double minWall = 0.05, minOverhang = 0, maxOverhang = 90;
-/// placeRole: index of the place; -1 for the row of the finding
+/// Item data: index of the row's finding; index of the row's place in that finding, or -1 for the row of the finding.
 constexpr int findingRole = Qt::UserRole, placeRole = Qt::UserRole + 1;
 
 QString iconOf(PrintVerdict verdict)

@@ -14,9 +14,9 @@ namespace ui
 /// A mesh that the user of the headset holds in one hand.
 struct GhostMesh
 {
-    /// in metres, in a space of its own; a shape is uploaded again only if the pointer differs
+    /// shape in metres, in a space of its own; uploaded to the GPU again only if the pointer differs
     std::shared_ptr<const core::DrawArrays> shape;
-    /// from the shape's space to the document's axes and origin
+    /// rotation and position (mm) in the document, applied after scaling the shape by HeadsetAvatar::metre
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
 };
 

@@ -56,7 +56,8 @@ public:
     void zoom(double factor, const Pixel& toward);
 
     core::SavedView saved() const;
-    /// Restores a saved view and resets the pivot to the scene's centre. Ignores a view that does not see the scene.
+    /// Restores a saved view and resets the pivot to the scene's centre. Ignores a view whose target is more than 40
+    /// times the scene's radius away from the scene's centre.
     void setView(const core::SavedView& view);
 
     core::Vec3 target() const { return m_target; }

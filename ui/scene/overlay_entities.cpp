@@ -293,8 +293,8 @@ SectorBorders::SectorBorders(Qt3DCore::QNode* parent) : Qt3DCore::QEntity(parent
     setDark(false);
 }
 
-/// Places the lines. The first is in the plane z = 0 if that is the plane of symmetry, else in x = 0, in front of the
-/// model.
+/// Places the lines. The first one extends from the vertical axis along +X if z = 0 is the plane of symmetry, else
+/// along +Z.
 void SectorBorders::place(int sectors, core::Symmetry symmetry, const core::Box& box)
 {
     const core::Vec3 first = symmetry == core::Symmetry::Z ? core::Vec3::UnitX() : core::Vec3::UnitZ();

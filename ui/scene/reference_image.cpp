@@ -59,7 +59,7 @@ SharedReferencePicture readReference(const QString& path)
     QImage level = decoded(path);
     if (level.isNull())
         return nullptr;
-    // a format that does not report its size before decoding
+    // needed for formats whose size is unknown before decoding
     if (std::max(level.width(), level.height()) > maxReferencePixels)
         level = level.scaled(maxReferencePixels, maxReferencePixels, Qt::KeepAspectRatio, Qt::SmoothTransformation);
     auto picture = std::make_shared<ReferencePicture>();

@@ -8,7 +8,7 @@ namespace ui
 {
 namespace
 {
-constexpr int pixelsAtOnce = 1 << 20; ///< larger levels are uploaded one per call
+constexpr int pixelsAtOnce = 1 << 20; ///< levels with more pixels are uploaded one per call
 }
 
 ReferenceRenderer::ReferenceRenderer() = default;

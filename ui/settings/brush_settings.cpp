@@ -12,7 +12,7 @@ namespace ui
 {
 namespace
 {
-/// a model this many times larger or smaller counts as of a different size
+/// models that differ in size by more than this factor get another brush radius
 constexpr double otherModelFactor = 2;
 constexpr core::Rgb firstPaint{216, 58, 52}; ///< visible on every material; a model's own colour would not be
 
@@ -159,7 +159,7 @@ void BrushSettings::setValue(core::Parameter parameter, double value)
         m_stroke.falloff = legalFalloff(legal);
     else
         m_stroke.*numberOf(parameter) = legal;
-    // a finer detail can make the smallest radius that the lattice allows larger
+    // a finer detail may raise the smallest radius that the lattice allows
     if (parameter == core::Parameter::Detail)
         m_stroke.radius = std::clamp(m_stroke.radius, minOf(core::Parameter::Radius), m_maxRadius);
     if (this->value(parameter) != before) {

@@ -41,8 +41,8 @@ public:
         }
     }
     void setTool(core::Tool tool) { set(&core::StrokeSettings::tool, tool); }
-    /// Restricts the choice of tools to these and selects the first. An empty list, as initially, offers all and
-    /// selects none.
+    /// Restricts the choice of tools to these and selects the first. An empty list, as initially, offers all
+    /// tools and keeps the selection.
     void offerTools(const QList<core::Tool>& tools);
     const QList<core::Tool>& offeredTools() const { return m_offered; }
     bool isOffered(core::Tool tool) const { return m_offered.isEmpty() || m_offered.contains(tool); }
@@ -67,7 +67,7 @@ public:
     /// not offered; the radius is clamped to the model's range. If `stroke` has no alpha, an alpha from a file is kept.
     void apply(const core::StrokeSettings& stroke);
     /// Resets all settings, including the values of all tools, to those of a new user. Keeps the radius, which depends
-    /// on the model. Selects the first of the offered tools.
+    /// on the model. Selects the first offered tool, unless all tools are offered.
     void reset();
 
     /// Returns the own values of every tool. The current tool's values are kept equal to stroke() in both directions.

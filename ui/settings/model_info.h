@@ -16,12 +16,12 @@ struct ModelInfo
     core::Vec3 size = core::Vec3::Zero(); ///< mm
     core::Box box;                        ///< mm
     double area = 0;                      ///< mm^2
-    double uniformDetail = 0;             ///< mm; d_detail of the uniform topology
+    double uniformDetail = 0;             ///< edge length above which Topology::Uniform splits (d_detail), mm
     double minDetail = 0;                 ///< finest d_detail that the model's lattice can represent, mm
     QString path = {};                    ///< path of the model's file; empty: not saved in a file
     QString source = {};                  ///< file that was opened, even if the model had to be repaired; empty: none
     /// metadata of the model's file as read at opening, but palette and work are kept current
     core::DocumentMetadata metadata = {};
-    core::UnitDoubt unitGuess = core::UnitDoubt::None; ///< guess at opening, if the file has no unit
+    core::UnitDoubt unitGuess = core::UnitDoubt::None; ///< probable unit of a file that has none; None: not in doubt
 };
 } // namespace ui

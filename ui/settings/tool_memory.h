@@ -13,7 +13,7 @@ namespace ui
 /// Default spacing of dabs, in radii: dense enough for an even furrow, wide enough that slow strokes do not dig a hole.
 inline constexpr double defaultSpacing = 0.25;
 
-/// Values that each tool has of its own, in the ranges of stroke files.
+/// Values that each tool has of its own. Each is in the range that stroke files allow.
 struct ToolValues
 {
     double strength = core::info(core::Parameter::Strength).defaultValue;

@@ -11,7 +11,7 @@ namespace ui
 {
 namespace
 {
-/// Returns a length in mm with three significant digits.
+/// Returns a length in mm with at least three significant digits but at most six decimals.
 QString shortMillimetres(double length)
 {
     constexpr double min = 5e-7; // smallest length that six decimals show, mm

@@ -9,7 +9,8 @@ namespace ui
 namespace
 {
 constexpr double timeConstant = 0.3; ///< seconds; slow enough to watch without motion sickness
-/// odd; makes the top of the head determine the yaw only if the head looks almost straight up or down
+/// exponent, odd; so large that the direction of the head's top affects the yaw only if the head looks almost straight
+/// up or down
 constexpr int steepness = 15;
 } // namespace
 

@@ -12,7 +12,7 @@ namespace
 constexpr int lightSide = 72;
 constexpr double spotRadius = 7, minRing = 12, maxRing = 32; ///< pixels
 constexpr int frameMs = 40;
-/// duration of the ring's animation, and its fixed progress without animation, as in the headset
+/// duration of the ring's animation, ms; fixed progress (0 to 1) shown without animation, as in the headset
 constexpr double pulseMs = 1200, stillPulse = 0.4;
 constexpr QColor lightColor(160, 255, 70); ///< a colour that nothing else has; as in the headset
 } // namespace

@@ -16,7 +16,7 @@ namespace
 {
 constexpr double longest = 140;                   ///< longest bar, pixels
 constexpr int margin = 16, between = 4, tick = 8; ///< pixels
-constexpr double minText = 0.001, maxText = 1e6;  ///< mm; a longer or shorter bar is not shown
+constexpr double minText = 0.001, maxText = 1e6;  ///< shortest and longest bar that is shown, mm
 
 /// Returns the largest number up to `length` that is 1, 2 or 5 times a power of ten.
 double roundedDown(double length)

@@ -27,7 +27,8 @@ public:
 
 Q_SIGNALS:
     void changed();
-    /// The model should turn by `angle` radians, anticlockwise seen from above, for the last `seconds`.
+    /// The model should turn by `angle` radians about the Y axis, its turn during the last `seconds`. Positive angles
+    /// are anticlockwise, seen from above.
     void turned(double angle, double seconds);
 
 private:

@@ -13,7 +13,7 @@ namespace
 constexpr int flightMs = 350;
 constexpr double minPlaceShare = 0.04; ///< smallest size of a place, as a fraction of the model's longest side
 constexpr std::chrono::milliseconds followInterval(16); ///< about one frame
-/// radians, and fraction of the distance: smaller changes are invisible
+/// smallest visible change of a pose: of angles in radians, of positions as a fraction of the distance to the target
 constexpr double minPoseChange = 1e-5;
 
 bool differ(const OrbitCamera::Pose& a, const OrbitCamera::Pose& b)

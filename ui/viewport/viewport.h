@@ -79,8 +79,8 @@ public:
     const ViewAppearance& appearance() const;
     /// Sets the reference images. Each is visible while the view looks from its side.
     void setReferences(const References& references);
-    /// Colours the model by shades (see PrintScale) until null is set or another model is shown. The shades must fit
-    /// the mesh as drawn.
+    /// Colours the model by shades (see PrintScale) until null is set or another model is shown. Precondition: the
+    /// shades were computed for the mesh that is drawn.
     void setShades(const std::shared_ptr<const core::Footprint>& shades);
 
     /// Returns the scale bar at the lower left; hidden if the appearance has none.

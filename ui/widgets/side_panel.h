@@ -15,8 +15,8 @@ class SidePanel : public QWidget
 public:
     enum class State { Open, Folded, Hidden };
 
-    /// Takes ownership of the content, which gets its preferred height. Content without a fixed or largest height (by
-    /// its size policy) shares the column's remaining height, but has at least a few lines.
+    /// Takes ownership of the content, which gets its preferred height. Content whose vertical size policy is neither
+    /// Fixed nor Maximum shares the column's remaining height, but gets at least 12 lines or its full height.
     SidePanel(const QString& name, const QString& title, QWidget* content);
 
     /// Returns true if the content shares the column's remaining height.

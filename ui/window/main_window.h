@@ -75,7 +75,7 @@ public Q_SLOTS:
     /// Shows another model: title, figures, ground, default radius, and a view that frames the model.
     void setModel(const ui::ModelInfo& modelInfo);
     /// Shows changed data of the present model. If its size has changed by more than a factor of 2, the brush's radius
-    /// keeps its proportion to the model.
+    /// keeps its proportion to the model, and the view frames the model unless it follows the headset.
     void updateModelInfo(const ui::ModelInfo& modelInfo);
 
     /// Shows an error sentence in a dialog that does not block the caller. If the dialog is already open, replaces its
