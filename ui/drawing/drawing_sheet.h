@@ -36,7 +36,7 @@ core::DrawingDetail sheetDetail(bool shaded);
 /// fit; 0 if there is no model.
 double sheetScale(const DrawingSheet& sheet);
 /// Returns the rectangle of the scale bar below the views, mm of paper. Its length is a round number of mm of the
-/// model.
+/// model; an empty rectangle if there is no model.
 QRectF sheetScaleBar(const DrawingSheet& sheet);
 /// Returns the scale as text, such as "1:2".
 QString sheetScaleText(double scale);

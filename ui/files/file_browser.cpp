@@ -323,7 +323,7 @@ void FileBrowser::change(const FileJob& job, const std::function<void(const File
     });
 }
 
-/// Requests thumbnails: first of the visible files, then of all files that have not been read.
+/// Requests thumbnails: first of the visible files that lack one, then of all other files that have not been read.
 void FileBrowser::requestThumbnails()
 {
     m_thumbnailTimer.stop();

@@ -45,7 +45,8 @@ public:
 
     void goTo(const QString& folder);
     const QString& folder() const { return m_options.folder; }
-    /// Shows the folder of the last opened model, if it has changed since the previous call and the panel is hidden.
+    /// Goes to the folder of the file opened or exported last, if it is another folder than in the previous call and
+    /// the panel is hidden.
     void followModel();
     /// Gives the keyboard focus to the grid.
     void focusGrid();
@@ -93,7 +94,7 @@ private:
     const Actions& m_actions;
     FileBrowserSettings m_options;
     QString m_problem;     ///< why the folder cannot be listed; empty: none
-    QString m_modelFolder; ///< last folder at the previous call of followModel()
+    QString m_modelFolder; ///< Settings::lastFolder() at the previous call of followModel()
     /// m_isStopped: the user has stopped the thumbnails, until another folder is shown or the panel is shown again.
     bool m_isListed = false, m_isStopped = false;
     QStringList m_toSelect; ///< paths to select once they are listed

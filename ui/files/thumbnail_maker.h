@@ -35,16 +35,16 @@ public:
     /// Waits for the thread; up to about 100 ms.
     ~ThumbnailMaker() override;
 
-    /// Requests pictures of these files in this order and cancels earlier requests. A picture being drawn of a file not
-    /// among them is cancelled within about 100 ms.
+    /// Requests pictures of these files in this order and cancels earlier requests. If a file that is
+    /// not among them is being drawn, drawing it stops within about 100 ms.
     void request(QList<FileEntry> files);
 
     /// Returns the number of pictures drawn because the cache did not contain them. Thread: any.
     int drawn() const { return m_drawn; }
 
 Q_SIGNALS:
-    /// The picture of a requested file is ready; emitted once for each file. If the file cannot be read, the thumbnail
-    /// contains the reason.
+    /// The picture of a requested file is ready; emitted once for each file whose request is not cancelled. If the file
+    /// cannot be read, the thumbnail contains the reason.
     void made(const ui::FileEntry& file, const ui::Thumbnail& thumbnail);
 
 private:

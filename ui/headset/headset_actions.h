@@ -31,8 +31,8 @@ public:
     /// Precondition: the parts, which are not owned, outlive this object.
     explicit HeadsetActions(const Parts& parts, QObject* parent = nullptr);
 
-    /// Updates the actions to the state. Out: hides the person in VR, stops pointing, and gives back what was taken
-    /// over.
+    /// Updates the actions to the state. Out and Changing: stops pointing and gives back what was taken over. Out: also
+    /// hides the person in VR.
     void show(HeadsetState state);
 
 Q_SIGNALS:

@@ -24,7 +24,7 @@ public:
     BrushDrag(BrushSettings* brush, Viewport* viewport);
 
     /// Starts changing `parameter`, which must be Radius or Strength. If a change is already in progress, accepts it
-    /// instead. No effect while a stroke is open.
+    /// instead. No effect while the view is hidden, a stroke is open or a press is pending.
     void begin(core::Parameter parameter);
     bool isActive() const { return m_parameter.has_value(); }
 

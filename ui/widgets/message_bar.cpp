@@ -49,8 +49,8 @@ QWidget* MessageBar::view() const
     return window->centralWidget() ? window->centralWidget() : window;
 }
 
-/// Returns the width of sentence, controls and buttons in one line. Computed from the text, because a wrapping label
-/// does not report the width of its sentence.
+/// Returns the width in one line of the buttons and the sentence, or of the buttons and the controls if there is no
+/// sentence. Computed from the text, because a wrapping label does not report the width of its sentence.
 int MessageBar::lineWidth() const
 {
     const QMargins margins = m_rows->contentsMargins();
