@@ -34,8 +34,9 @@ BrushFile<core::Alpha> alphaOf(const PresetFile& file);
 /// Writes the image embedded in the preset to alphaPath(), so that strokes and settings can name a file. Returns a
 /// message if writing fails; else empty.
 QString layAlphaDown(const PresetFile& file);
-/// Embeds the image of the preset's alpha file, so that the preset needs no other file. `from`: file that the preset
-/// was read from or will be written to. Returns a message if the image cannot be read; else empty.
+/// Embeds the image of the preset's alpha, so that the preset needs no other file. Does nothing if the alpha is built
+/// in or already embedded, or if there is none. `from`: file that the preset was read from or will be written to.
+/// Returns a message if the image cannot be read; else empty.
 QString embedAlpha(core::BrushPreset& preset, const QString& from);
 /// Writes the preset atomically. Returns a message if writing fails; else empty.
 QString writePreset(const core::BrushPreset& preset, const QString& path);

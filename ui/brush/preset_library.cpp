@@ -148,8 +148,8 @@ QString PresetLibrary::freeName(const QString& wanted) const
     return name;
 }
 
-/// Returns an unused path in the user's folder. The file name consists of the preset name's letters and digits, and a
-/// number if needed.
+/// Returns an unused path in the user's folder. The file name is the preset's name in lower case, with '-' for every
+/// character that is no letter or digit, and a number if needed.
 QString PresetLibrary::freePath(const QString& name) const
 {
     constexpr qsizetype maxStem = 40;

@@ -36,7 +36,8 @@ public:
     /// Stops earlier drawing, then draws all presets in turn; pictureMade() delivers each picture.
     void draw(int pixels);
 
-    // Each function below reads all presets again. A failure is reported by refused() and changes nothing.
+    // Each function below except exportTo() reads all presets again after a change. A failure is reported by refused()
+    // and changes nothing.
 
     /// Writes a new preset of the user. If the name is in use, a number is appended. Returns the new file; empty:
     /// refused.

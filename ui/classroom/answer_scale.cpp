@@ -16,7 +16,7 @@ namespace ui
 namespace
 {
 constexpr int pointWidth = 44, narrowPointWidth = 24, pointHeight = 34; ///< pixels
-/// Characters of an end's words that fit before they wrap.
+/// Characters of each end's words for which there must be room beside the points; otherwise the scale is narrow.
 constexpr int endCharacters = 14;
 
 QLabel* endLabel(const QString& text)

@@ -143,7 +143,7 @@ void ModelFiles::save()
         askToOverwrite();
 }
 
-/// Asks before overwriting a file that another program has changed since it was read.
+/// Asks before overwriting a file that another program has changed since it was read or written here.
 void ModelFiles::askToOverwrite()
 {
     const QString name = QFileInfo(m_path).fileName();

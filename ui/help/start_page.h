@@ -23,7 +23,7 @@ public:
     /// Precondition: `actions` and `settings` outlive the page.
     StartPage(const Actions& actions, Settings* settings, QWidget* over);
 
-    /// Sets the lessons to offer; initially there are none.
+    /// Adds lessons to those offered; initially there are none.
     void setLessons(const QList<LessonCard>& lessons);
 
     void open();

@@ -18,9 +18,9 @@
 namespace ui
 {
 /// Decides whether a drag is a stroke or an orbit, pan or zoom of the view. A left press on the model begins a stroke;
-/// beside the model it moves the view. A hover query finds out which, and events wait in a queue for its answer. Other
-/// buttons, and presses with Alt, always move the view. The view orbits about the place of the last stroke. No widget,
-/// no OpenGL. Thread: gui.
+/// beside the model it moves the view. A hover query finds out which, and events wait in a queue for its answer. The
+/// middle and the right button always move the view, and so does Alt if InputPreferences say so. The view orbits about
+/// the place of the last stroke. No widget, no OpenGL. Thread: gui.
 class PointerInput : public QObject
 {
     Q_OBJECT
@@ -100,7 +100,8 @@ Q_SIGNALS:
     /// A stroke: strokeBegan, one or more strokeSampled (the first at the press), strokeEnded; never nested. Its
     /// placement is Ray. `settings`: those at the time of the press.
     void strokeBegan(const core::StrokeSettings& settings);
-    /// Emitted for every event of mouse or pen, and repeatedly while an airbrush rests or the model turns.
+    /// Emitted for every event of mouse or pen (in a steady stroke: that moves the brush), and repeatedly while an
+    /// airbrush rests or the model turns.
     /// `sample.time`: seconds, on the clock of the events. `position` (mm) and `direction`: ray through the pixel, not
     /// rounded to the lattice.
     void strokeSampled(const core::StrokeSample& sample);

@@ -65,7 +65,7 @@ class LessonPanel : public QWidget
 public:
     explicit LessonPanel(QWidget* parent = nullptr);
 
-    /// Sets the lessons that are listed while no lesson is open.
+    /// Adds lessons to the list that is shown while no lesson is open.
     void setLessons(const QList<LessonCard>& lessons);
     /// Shows a page. `marks`: the conditions of the step; on the page after the last step, how many conditions of each
     /// step were met.
@@ -83,7 +83,7 @@ public:
 
     /// Returns the displayed step; nullopt: no lesson is open. changed() is emitted when it changes.
     const std::optional<LessonPanelState>& shown() const { return m_shown; }
-    /// Acts as if a button were pressed; ignored if the button is disabled.
+    /// Acts as if a button were pressed; ignored if the button is disabled or no lesson is open.
     void press(LessonButton button);
 
 Q_SIGNALS:
