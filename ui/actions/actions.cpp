@@ -130,7 +130,8 @@ QString Actions::ownerOf(const QKeyEvent& event) const
     return m_keys.owner(QKeyCombination(event.modifiers(), key));
 }
 
-/// Handles keys that no widget has accepted.
+/// Runs the commands of keys that neither a widget nor Qt's shortcuts handle (see ownerOf()). Leaves Home to a focused
+/// widget that uses it.
 bool Actions::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress) {

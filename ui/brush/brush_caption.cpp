@@ -13,8 +13,9 @@ namespace ui
 {
 namespace
 {
-constexpr double captionSize = 5.5; ///< times the window's text size; letters span 16 minutes of arc at 3 m
-constexpr double minCaption = 1.6;  ///< times the window's text size
+/// text size as a multiple of the window's; letters then span 16 minutes of arc at 3 m
+constexpr double captionSize = 5.5;
+constexpr double minCaption = 1.6; ///< smallest text size as a multiple of the window's
 constexpr double shrinksBy = 0.97;
 constexpr double maxOfWindow = 0.08; ///< largest caption height as a fraction of the window's height
 constexpr double captionGap = 0.55;  ///< space between parts, in cap heights

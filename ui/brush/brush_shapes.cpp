@@ -161,8 +161,8 @@ void BrushShapes::remember(const QString& path, const std::shared_ptr<const core
     });
 }
 
-/// While the stored file is being read, the brush has no model and the stored choice stays. If the brush gets a model
-/// meanwhile, the user chose it, and the result of reading is dropped.
+/// Updates the stored choice of the model. It stays while the stored file is being read, because the brush has no model
+/// yet. If the user has chosen a model meanwhile, that one is stored and the result of reading is dropped.
 void BrushShapes::storeModel()
 {
     const std::shared_ptr<const core::BrushModel>& model = m_brush->stroke().model;

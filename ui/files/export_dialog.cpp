@@ -22,7 +22,7 @@ namespace
 constexpr int textWidth = 380;
 constexpr int gameTriangles = 20'000; ///< usual triangle budget of game engines
 
-/// A row of the dialog; in the order of `exportUses`.
+/// The texts of a choice in the dialog. The choices are in the order of `exportUses`.
 struct Preset
 {
     const char* title;

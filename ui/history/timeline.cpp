@@ -71,7 +71,7 @@ void Timeline::setHistory(const History& history)
     const bool hasOtherNames = std::exchange(m_names, names) != names;
     const auto away = [this](int state) { return std::abs(state - m_requested.value_or(state)); };
     const bool isLost =
-        // The state moved away from the requested one, so somebody else changed it
+        // The state moved away from the requested one, so other code changed it
         m_requested && m_present != before && away(m_present) >= away(before);
     if (hasOtherNames || isLost || m_requested == m_present)
         m_requested.reset();

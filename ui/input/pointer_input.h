@@ -93,8 +93,8 @@ public:
     core::StrokeSettings stroke() const;
 
 Q_SIGNALS:
-    /// Requests the surface along a ray; one request at a time. `brush`: its footprint is requested too; nullopt for
-    /// spherical brushes, whose region is drawn without a request.
+    /// Requests the surface along a ray; one request at a time. `brush`: its footprint is requested too; nullopt:
+    /// only the surface is requested. Spherical brushes need no footprint: their region is drawn without one.
     void hoverRequested(const core::Ray& ray, const std::optional<core::StrokeSettings>& brush);
     void hoverChanged();
     /// A stroke: strokeBegan, one or more strokeSampled (the first at the press), strokeEnded; never nested. Its

@@ -65,8 +65,8 @@ std::vector<core::SavedReference> ReferenceImages::saved() const
     return references;
 }
 
-/// Reads an image on the background thread, then calls `onRead` on this thread, unless the side got another image
-/// meanwhile.
+/// Reads an image on the background thread, then calls `onRead` on this thread, or emits refused() if reading fails.
+/// Neither happens if the side got another image meanwhile.
 template <class OnRead> void ReferenceImages::read(OrbitCamera::Side side, const QString& path, OnRead onRead)
 {
     const int asked = ++at(side).asked;

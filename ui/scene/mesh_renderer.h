@@ -62,7 +62,7 @@ private:
     std::unique_ptr<QOpenGLShaderProgram> m_meshProgram, m_wireProgram, m_backdropProgram;
     unsigned int m_noVertices = 0;
     core::Vec3 m_cutNormal = core::Vec3::Zero();
-    QVector4D m_ball, m_ballImage; ///< centre and radius, mm
+    QVector4D m_ball, m_ballImage; ///< tinted ball and its mirror image: centre (xyz) and radius (w), mm
     float m_ballFalloff = 0, m_ballCore = 0, m_sectors = 1;
     MeshBuffer m_mesh;
 };

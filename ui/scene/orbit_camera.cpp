@@ -8,11 +8,11 @@ namespace ui
 {
 namespace
 {
-/// radians, vertical; narrow, so that proportions look true
+/// half of the vertical field of view, radians; narrow, so that proportions look true
 constexpr double halfFieldOfView = 0.5 * 35.0 * std::numbers::pi / 180.0;
 constexpr double frameMargin = 1.05;
 constexpr double minZoomDistance = 1e-3, maxZoomDistance = 40; ///< distances in radii of the scene
-/// radii of the scene that near and far plane must include
+/// distance from the scene's centre that is visible between near and far plane, in radii of the scene
 constexpr double groundReach = 6;
 
 core::Vec3 direction(double yaw, double pitch)

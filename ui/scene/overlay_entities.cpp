@@ -195,7 +195,7 @@ Ground::Ground(Qt3DCore::QNode* parent) : Qt3DCore::QEntity(parent), m_transform
 void Ground::place(const core::Box& box)
 {
     constexpr double below =
-        5e-4; // fraction of the size: a flat base in the same plane would hide some pixels of the lines
+        5e-4; // fraction of the box's diagonal: in the plane of a flat base, some pixels of the lines would be hidden
     const core::Vec3 center(box.center().x(), box.min().y() - below * box.diagonal().norm(), box.center().z());
     const auto reach = static_cast<float>(2.2 * box.diagonal().norm());
     const core::Vec3 half = 0.5 * box.sizes();

@@ -596,7 +596,8 @@ bool Viewport::event(QEvent* event)
     return QOpenGLWidget::event(event);
 }
 
-/// Watches modifier keys of the whole program, so that the cursor always shows the effect of a press.
+/// Watches modifier keys of the whole program, so that the cursor always shows the effect of a press. Esc returns to
+/// PointerMode::Sculpt and takes back an open stroke.
 bool Viewport::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease)

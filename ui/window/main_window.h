@@ -55,11 +55,12 @@ public:
     /// closes.
     void setCanClose(std::function<bool()> canClose);
 
-    /// Sets a function that is called before canClose; false while the user's last input is still being processed. The
-    /// window then closes in continueClosing().
+    /// Sets a function that is called before canClose. It must return false while the user's last input is still being
+    /// processed; the window then closes in continueClosing().
     void setIsSettled(std::function<bool()> isSettled);
 
-    /// Sets a function that is called first when the window is to be closed; false refuses, without any change.
+    /// Sets a function that is called first when the window is to be closed; false: the window stays open, and the
+    /// other functions are not called.
     void setGuard(std::function<bool()> guard);
 
     /// Restricts the window to what the class allows, until the window closes.
