@@ -73,6 +73,6 @@ private:
     int m_alphaRequest = 0, m_modelRequest = 0;
     bool m_isRestoringModel = false; ///< the stored model file is being read
     bool m_mayLoad = true;
-    BackgroundThread m_background; ///< last member: destroyed first, as its jobs use the others
+    BackgroundThread m_background; ///< last member: destroyed first, because its jobs use the other members
 };
 } // namespace ui

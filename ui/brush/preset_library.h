@@ -20,7 +20,7 @@ public:
     struct Entry
     {
         PresetFile file;
-        QString name; ///< in the user's language if the preset is part of the program
+        QString name; ///< shown name, translated if the preset is part of the program
         QString tip;  ///< purpose of a preset of the program; else empty
         bool isOurs = false;
     };
@@ -68,6 +68,6 @@ private:
     std::vector<Entry> m_entries;
     QStringList m_told; ///< messages about left-out files that were already reported
     std::stop_source m_drawing;
-    BackgroundThread m_reader, m_painter; ///< last members: destroyed first, as their jobs use the others
+    BackgroundThread m_reader, m_painter; ///< last members: destroyed first, because their jobs use the other members
 };
 } // namespace ui

@@ -59,10 +59,10 @@ private:
     BrushShapes* m_shapes;
     QListWidget* m_list;
     QToolButton *m_new = nullptr, *m_import = nullptr, *m_export = nullptr, *m_rename = nullptr, *m_delete = nullptr;
-    QHash<QString, QPixmap> m_pictures; ///< by path of the preset
+    QHash<QString, QPixmap> m_pictures; ///< pictures by the path of their preset
     QString m_toEdit;                   ///< path of a new preset whose name is edited once the presets have been read
     bool m_isLoaded = false;
-    PresetLibrary m_library; ///< last member: destroyed first, with its threads
+    PresetLibrary m_library; ///< last member: destroyed first, which ends its threads
 };
 
 struct PresetShelfContext

@@ -29,7 +29,7 @@ public:
     StrokeEditBar(const core::BrushChange& brush, const ModelInfo& modelInfo, const QList<ToolOption>& tools,
                   QMainWindow* window);
 
-    /// Shows a remark on the edited stroke; empty: none.
+    /// Shows a remark on the edited stroke; empty: hides it.
     void setHint(const QString& sentence);
 
 Q_SIGNALS:

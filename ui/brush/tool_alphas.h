@@ -45,6 +45,6 @@ private:
     ForEachTool<StoredToolAlpha> m_stored;
     ForEachTool<bool> m_isStored{}; ///< the choice in m_stored has been written to the settings
     ForEachTool<QString> m_awaited; ///< path of the file that is being read for the tool; empty: none
-    BackgroundThread m_background;  ///< last member: destroyed first, as its jobs use the others
+    BackgroundThread m_background;  ///< last member: destroyed first, because its jobs use the other members
 };
 } // namespace ui

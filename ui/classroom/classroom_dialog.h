@@ -26,7 +26,7 @@ enum class MenuId;
 /// The entries of the dialog: the class, a new PIN, and the file to write.
 struct ClassroomDraft
 {
-    Classroom classroom; ///< its pin is that of the loaded class; empty: no PIN yet
+    Classroom classroom; ///< the hash in `pin` is the loaded class's; empty: no PIN yet
     QString pin;         ///< digits of a new PIN; empty: the PIN stays unchanged
     QString path;
 };

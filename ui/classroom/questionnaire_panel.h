@@ -36,7 +36,7 @@ private:
     void skip();
 
     QLabel* m_title;
-    QList<AnswerScale*> m_scales; ///< in the order of Question
+    QList<AnswerScale*> m_scales; ///< one for each question, in the order of Question
     QPushButton *m_skip, *m_done;
 };
 } // namespace ui

@@ -20,7 +20,7 @@ struct DrawingStyle
 {
     QColor ink, faint; ///< colour of lines; colour of text and dimensions
     double line = 1.5; ///< width of outlines; creases have half this width
-    QFont font;        ///< has its pixel size set
+    QFont font;        ///< font of the text; its size must be set in pixels
 };
 
 /// The layout of a drawing's views on a sheet or in a panel: by default the top view above the front view and the right

@@ -114,7 +114,7 @@ private:
     QTimer m_listTimer, m_thumbnailTimer;
     std::unique_ptr<ThumbnailMaker> m_maker; ///< created at first use
     std::stop_source m_listing;
-    BackgroundThread m_disk; ///< last member: destroyed first, as its jobs use the others
+    BackgroundThread m_disk; ///< last member: destroyed first, because its jobs use the other members
 };
 
 struct FileBrowserContext

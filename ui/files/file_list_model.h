@@ -66,7 +66,7 @@ private:
     QVariant picture(const Row& row) const;
 
     QList<Row> m_rows;
-    QCache<QString, QPixmap> m_pictures; ///< by path; cost in bytes
+    QCache<QString, QPixmap> m_pictures; ///< pictures by file path; cost in bytes
 };
 
 /// Sorts and filters a FileListModel: folders first, numbers in names by value. Sorted by vertices, files whose number

@@ -37,6 +37,6 @@ private:
     const Settings* m_settings;
     std::unique_ptr<ThumbnailMaker> m_maker; ///< created for the first file
     int m_fills = 0;
-    BackgroundThread m_disk; ///< last member: destroyed first, as its jobs use the others
+    BackgroundThread m_disk; ///< last member: destroyed first, because its jobs use the other members
 };
 } // namespace ui

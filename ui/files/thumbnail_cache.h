@@ -13,7 +13,7 @@ struct Thumbnail
 {
     QImage picture;       ///< thumbnailPixels wide and high, transparent around the model; null: see problem
     qint64 vertices = -1; ///< -1: unknown
-    QString problem;      ///< one sentence; empty: none
+    QString problem;      ///< why there is no picture, one sentence; empty: there is one
 };
 
 inline constexpr int thumbnailPixels = 256;

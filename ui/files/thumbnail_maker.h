@@ -65,6 +65,6 @@ private:
     ThumbnailCache m_cache;              ///< used by the background thread only, as is m_keys
     QHash<FileEntry, QByteArray> m_keys; ///< keys of files that were read
 
-    std::thread m_thread; ///< last member: its function uses the others
+    std::thread m_thread; ///< last member: its function uses the other members
 };
 } // namespace ui

@@ -69,6 +69,6 @@ private:
     Settings* m_settings;
     std::array<Slot, viewSides.size()> m_slots;
     bool m_isShown;
-    BackgroundThread m_background; ///< last member: destroyed first, as its jobs use the others
+    BackgroundThread m_background; ///< last member: destroyed first, because its jobs use the other members
 };
 } // namespace ui

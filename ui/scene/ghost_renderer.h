@@ -26,7 +26,7 @@ public:
     bool create(QOpenGLFunctions_3_3_Core* gl);
     void destroy();
 
-    /// Sets the avatar for the next frames; none hides it.
+    /// Sets the avatar for the next frames; nullopt hides it.
     void show(const std::optional<HeadsetAvatar>& avatar) { m_avatar = avatar; }
     void showTeacher(const std::optional<core::Sphere>& brush) { m_teacher = brush; }
     void setDark(bool dark) { m_isDark = dark; }

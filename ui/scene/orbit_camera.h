@@ -35,7 +35,7 @@ public:
     void setProjection(Projection projection) { m_projection = projection; }
     Projection projection() const { return m_projection; }
 
-    /// Sets the point that orbit() and turnTo() turn about, which stays at its place in the view. None: the scene's
+    /// Sets the point that orbit() and turnTo() turn about, which stays at its place in the view. nullopt: the scene's
     /// centre. setScene() removes a pivot outside the new scene's bounding sphere.
     void setPivot(const std::optional<core::Vec3>& pivot) { m_pivot = pivot; }
     core::Vec3 pivot() const { return m_pivot.value_or(m_sceneCenter); }

@@ -35,6 +35,6 @@ private:
     std::unique_ptr<QOpenGLShaderProgram> m_program;
     unsigned int m_noVertices = 0, m_texture = 0;
     SharedReferencePicture m_picture; ///< picture that m_texture contains
-    std::size_t m_missing = 0;        ///< number of its finest levels that are not uploaded yet
+    std::size_t m_missing = 0;        ///< number of the picture's finest levels that are not uploaded yet
 };
 } // namespace ui

@@ -55,7 +55,7 @@ public:
     /// Tints the clay that the next dab of a spherical brush at `center` would move, in all sectors and with mirror
     /// images. Replaces the tint before.
     void tintBall(const core::Vec3& center, const core::StrokeSettings& brush);
-    /// Tints the vertices of a footprint; null: none.
+    /// Tints the vertices of a footprint; null: tints nothing.
     void tint(const std::shared_ptr<const core::Footprint>& footprint);
     /// Colours the clay by these shades (see PrintScale); null: by its own colours.
     void shade(const std::shared_ptr<const core::Footprint>& shades);
@@ -64,13 +64,13 @@ public:
     void hideMark();
     /// Shows the plane of symmetry through the box, and the line where it cuts the clay; Symmetry::None hides both.
     void showPlane(core::Symmetry symmetry, const core::Box& box);
-    /// Shows the borders of this number of sectors on the ground under the box; 1: none.
+    /// Shows the borders of this number of sectors on the ground under the box; 1: hides them.
     void showSectors(int sectors, core::Symmetry symmetry, const core::Box& box);
     /// Shows a reference image in the next frames, until the next call; a null picture shows none.
     void showReference(const PlacedReference& reference);
-    /// Shows the avatar of the headset's user in the next frames; none hides it.
+    /// Shows the avatar of the headset's user in the next frames; nullopt hides it.
     void showAvatar(const std::optional<HeadsetAvatar>& avatar);
-    /// Shows the brush of a lesson's teacher in the next frames; none hides it.
+    /// Shows the brush of a lesson's teacher in the next frames; nullopt hides it.
     void showTeacher(const std::optional<core::Sphere>& brush);
     /// `darkTheme`: whether Background::Theme is dark.
     void setAppearance(const ViewAppearance& appearance, bool darkTheme);

@@ -77,7 +77,7 @@ struct StoredTool
 /// The alpha of a tool.
 struct StoredToolAlpha
 {
-    QString alpha; ///< as StoredShapes::alpha: built-in name or path
+    QString alpha; ///< name in core::builtInAlphas(), or a path; empty: none
     bool alphaFollows = false;
 
     bool operator==(const StoredToolAlpha&) const = default;

@@ -24,7 +24,7 @@ struct ToolValues
     std::shared_ptr<const core::Alpha> alpha;
     bool alphaFollows = false;
     bool anchored = false; ///< see StrokeSettings::anchored
-    /// radius as a fraction of the model's longest side; none: the tool never had a radius of its own
+    /// radius as a fraction of the model's longest side; nullopt: the tool never had a radius of its own
     std::optional<double> radiusShare;
 
     bool operator==(const ToolValues&) const = default;

@@ -42,7 +42,7 @@ private:
 
     BrushSettings* m_brush;
     Viewport* m_viewport;
-    std::optional<core::Parameter> m_parameter; ///< parameter being changed; none: inactive
+    std::optional<core::Parameter> m_parameter; ///< parameter being changed; nullopt: no change in progress
     std::optional<double> m_from;               ///< x of the first pointer move, pixels
     QPoint m_center;                            ///< centre of the ring in the view, pixels
     double m_before = 0;

@@ -17,7 +17,7 @@ class PointerHighlight : public QWidget
 public:
     explicit PointerHighlight(QWidget* parent);
 
-    /// Moves the highlight's centre, in the parent's pixels; none hides it.
+    /// Moves the highlight's centre, in the parent's pixels; nullopt hides it.
     void place(const std::optional<QPointF>& middle);
     /// Stops the ring's animation.
     void setReducesMotion(bool reducesMotion);

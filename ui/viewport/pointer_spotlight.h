@@ -24,7 +24,7 @@ public:
     const std::optional<core::SurfaceHit>& place() const { return m_place; }
 
 Q_SIGNALS:
-    /// The place changed. None: the pointer has left the model, or has rested for 4 seconds.
+    /// The place changed. nullopt: the pointer has left the model, or has rested for 4 seconds.
     void pointed(const std::optional<core::SurfaceHit>& place);
 
 private:

@@ -62,7 +62,7 @@ public:
     void setReducesMotion(bool reducesMotion) { m_reducesMotion = reducesMotion; }
     bool reducesMotion() const { return m_reducesMotion; }
 
-    /// Sets the avatar; none ends following.
+    /// Sets the avatar; nullopt removes it and ends following.
     void setAvatar(const std::optional<HeadsetAvatar>& avatar);
     /// Returns the avatar to draw, without its head while the view follows the head.
     std::optional<HeadsetAvatar> shownAvatar() const;
