@@ -47,6 +47,6 @@ private:
 
     MakeClient m_makeClient;
     HeadsetController m_controller;
-    vr::HeadsetThread m_thread; ///< last member: visits use the controller's documents
+    vr::HeadsetThread m_thread; ///< last member: its destructor ends the visit, which uses the controller's port
 };
 } // namespace app

@@ -33,7 +33,7 @@ public:
 
     /// Owns none of the arguments. Document and worker must outlive the controller; the window may be closing.
     explicit HeadsetController(const Program& program, QObject* parent = nullptr);
-    /// Ends the visit as close() does.
+    /// Ends the visit's port. Requests that are not done are dropped.
     ~HeadsetController() override;
 
     /// Begins a visit and returns its port, with the present model.
@@ -49,7 +49,7 @@ public Q_SLOTS:
 Q_SIGNALS:
     /// Emitted with one sentence about the result of a request, for the desktop user.
     void noticed(const QString& sentence);
-    /// Emitted when the headset user has moved; nothing: the user has left.
+    /// Emitted when the headset user has moved; nullopt: the user has left.
     void avatarChanged(const std::optional<vr::AvatarState>& avatar);
 
 private:
@@ -67,7 +67,7 @@ private:
     ui::MainWindow* m_window;
     ui::ColorPanel* m_colors;
     std::shared_ptr<HeadsetPort> m_port; ///< port of the present visit; null: no visit
-    vr::DocumentUpdate m_update;         ///< the part of the update that is stored only here
+    vr::DocumentUpdate m_update;         ///< members of the next update that only this class stores, such as the notice
     bool m_isUpdateScheduled = false;
     PartnerView m_partner;
     HeadsetRequests m_requests;

@@ -20,7 +20,7 @@ class HeadsetFiles : public QObject
     Q_OBJECT
 
 public:
-    static constexpr qsizetype maxFiles = 120; ///< number of files shown, the latest ones
+    static constexpr qsizetype maxFiles = 120; ///< at most this number of files is shown: the latest ones
 
     explicit HeadsetFiles(QObject* parent = nullptr);
     ~HeadsetFiles() override;
@@ -28,7 +28,7 @@ public:
     /// Returns the folder of a model's file; for an empty path, the folder used last.
     static QString folderOf(const QString& path);
 
-    /// Lists the folder, and again whenever it changes.
+    /// Lists the folder now and whenever it changes.
     void watch(const QString& folder);
     void stop();
 

@@ -31,7 +31,7 @@ class HeadsetPort : public QObject, public vr::DocumentPort, public std::enable_
     Q_OBJECT
 
 public:
-    /// The worker must outlive the functions of the gui thread. Thread: gui.
+    /// Precondition: the worker exists during every call of the functions for the gui thread. Thread: gui.
     explicit HeadsetPort(SculptWorker* worker);
 
     // Functions for the gui thread.
@@ -43,8 +43,9 @@ public:
     void end();
     void setUpdate(vr::DocumentUpdate update);
     HeadsetMessages takeMessages();
-    /// Counts a finished request for which holdsStrokes() is true.
+    /// Records that a request with holdsStrokes() is done, and posts the strokes that waited only for it.
     void requestDone();
+    /// Returns whether strokes that begin later are held until the request is done.
     static bool holdsStrokes(const vr::DocumentRequest& request);
     /// Sets whether strokes are refused, because another model is being opened.
     void setRefusing(bool refuses);
@@ -66,7 +67,7 @@ public:
     void show(const vr::AvatarState& avatar) override;
 
 Q_SIGNALS:
-    /// Emitted once until the messages are taken, on the headset's thread: use a queued connection.
+    /// Emitted for the first request or avatar after takeMessages(). Thread: the headset's; use a queued connection.
     void messagesArrived();
 
 private:
@@ -74,7 +75,7 @@ private:
 
     struct HeldStroke
     {
-        quint64 after; ///< number of requests that must be done first
+        quint64 after; ///< value of m_done from which the stroke can be posted
         core::StrokeSettings settings;
         std::vector<core::StrokeSample> samples; ///< at most JobQueue::maxWaitingSamples samples
         bool hasEnded = false;

@@ -30,13 +30,13 @@ public:
     /// Handles requests. Those that hold strokes of the port are handled one at a time, in the document's queue; all
     /// others are handled at once.
     void enqueue(const std::shared_ptr<HeadsetPort>& port, std::deque<vr::DocumentRequest> requests);
-    /// Returns whether the headset is changing the brush at the moment.
+    /// Returns whether a brush chosen in the headset is being set in the window at the moment.
     bool isChoosing() const { return m_isChoosing; }
 
 Q_SIGNALS:
     /// Emitted with one sentence why a request was not carried out.
     void refused(const QString& sentence);
-    /// Emitted when the headset has to restore the window's brush.
+    /// Emitted when a tool chosen in the headset is refused: the headset must return to the window's brush.
     void brushRefused();
 
 private:
@@ -45,7 +45,7 @@ private:
     {
         std::shared_ptr<HeadsetPort> port;
         vr::DocumentRequest request;
-        bool isForbidden = false; ///< whether the window had taken over when the request was made
+        bool isForbidden = false; ///< the request is refused: isForbidden() was true when it was enqueued
     };
 
     bool isForbidden(const vr::DocumentRequest& request) const;

@@ -14,8 +14,8 @@ constexpr std::array<ui::Named<vr::ButtonPreset>, 3> presets{{{vr::ButtonPreset:
                                                               {vr::ButtonPreset::Studio, "studio"},
                                                               {vr::ButtonPreset::OneHand, "one-hand"}}};
 constexpr std::array<ui::Named<vr::Side>, 2> sides{{{vr::Side::Left, "left"}, {vr::Side::Right, "right"}}};
-constexpr std::array<const char*, vr::sensationCount> sensations{"contact", "texture", "fusion",
-                                                                 /// indexed by vr::Sensation
+/// Last parts of the keys of the haptic levels, indexed by vr::Sensation.
+constexpr std::array<const char*, vr::sensationCount> sensations{"contact", "texture",  "fusion",
                                                                  "refusal", "menuStep", "hold"};
 
 const QString presetKey = QStringLiteral("headset/preset");

@@ -18,7 +18,7 @@ namespace app
 {
 namespace
 {
-/// a slider's value is announced when it has not changed for this time
+/// The window's brush is announced when it has not changed for this time.
 constexpr std::chrono::milliseconds choiceDelay(500);
 constexpr double sameShare = 1e-9;
 static_assert(static_cast<int>(vr::LessonRequest::Next) == static_cast<int>(ui::LessonButton::Next));

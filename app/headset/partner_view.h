@@ -34,7 +34,7 @@ public:
     /// Adds the partner's state to an update for the headset.
     void addTo(vr::DocumentUpdate& update);
 
-    /// Announces the window's brush after a delay without further changes.
+    /// Starts, or starts again, the delay after which the window's brush is announced in the headset.
     void startChoiceTimer() { m_choiceTimer.start(); }
     /// Records a brush that the headset user has chosen, so that it is not announced. The headset keeps its own radius,
     /// even if the window has another radius for that tool.
@@ -46,9 +46,9 @@ public:
     void press(vr::LessonRequest button);
 
 public Q_SLOTS:
-    /// Sets the place at which the desktop user points; nothing: none.
+    /// Sets the place at which the desktop user points; nullopt: the user points at nothing.
     void point(const std::optional<core::SurfaceHit>& place);
-    /// Sets whether only the window may change the model. Ends with the visit at the latest.
+    /// Sets whether only the window may change the model. Has no effect outside a visit; each visit begins with false.
     void setTakenOver(bool isTakenOver);
 
 Q_SIGNALS:
@@ -57,7 +57,7 @@ Q_SIGNALS:
     /// Emitted with one sentence to be shown in the headset.
     void noticed(const QString& sentence);
     void takenOver(bool isTakenOver);
-    /// Emitted when the headset has to restore the window's brush.
+    /// Emitted by refuse(): the headset must return to the window's brush.
     void brushRefused();
 
 private:
@@ -75,13 +75,15 @@ private:
     std::optional<core::Sphere> m_teacher;
     std::optional<vr::LessonPanel> m_lesson;
     core::StrokeSettings m_knownBrush; ///< the window's brush as last announced to the headset, or as last chosen there
-    QString m_undoText, m_redoText;    ///< names sent with the last update; they still include the step being undone
-    quint64 m_radiusModel = 0;         ///< model to which m_radiusShare belongs
-    double m_radiusShare = 0;          ///< radius share of the window's brush at the last update
+    /// Names of the steps to undo and to redo at the last addTo(). When an undo or redo is announced, the history may
+    /// have changed already.
+    QString m_undoText, m_redoText;
+    quint64 m_radiusModel = 0; ///< model to which m_radiusShare belongs
+    double m_radiusShare = 0;  ///< BrushSettings::radiusShare() of the window at the last update
     quint64 m_radiusChanges = 0;
     bool m_isRadiusNew = false;
     bool m_isStepNew = false;  ///< whether a lesson has entered a new step, which selects tools
-    double m_avatarRadius = 0; ///< mm; 0: unknown
+    double m_avatarRadius = 0; ///< radius of the headset's brush, mm; 0: unknown
     QTimer m_choiceTimer;      ///< runs until the window's brush has not changed for a while
 };
 } // namespace app

@@ -16,11 +16,13 @@ public:
     explicit RuntimeProbe(QObject* parent = nullptr);
 
 public Q_SLOTS:
-    /// Starts a probe. During a probe, starts no other one; if the probe takes long, emits its message again.
+    /// Starts a probe, unless one is running. If the running one has exceeded its time limit, emits finished() again
+    /// with the message that the runtime does not answer.
     void start();
 
 Q_SIGNALS:
-    /// Emitted with the result. If the probe takes long, also emitted earlier with a message about that.
+    /// Emitted with the result. Emitted earlier too, with a message that the runtime does not answer, if the probe
+    /// exceeds its time limit (RuntimeThread::responseTimeout).
     void finished(const QString& sentence);
 
 private:

@@ -18,7 +18,7 @@ namespace app
 {
 namespace
 {
-/// One view, as large as the simulator's window at first, pixels. Small enough for drawing in software.
+/// Size of the only view, pixels: that of the simulator's window when it opens. Small enough for drawing in software.
 constexpr int heightPixels = 720, widthPixels = 810;
 constexpr int hertz = 60;
 

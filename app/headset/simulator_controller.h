@@ -63,6 +63,6 @@ private:
     int m_picturesSince = 0;               ///< number of pictures since the last button change was sent
     std::optional<vr::AvatarState> m_seen; ///< state of the user in VR in the latest frame
     SimulatorGaze m_gaze;
-    std::optional<core::SurfaceHit> m_hit; ///< where the ray under the mouse meets the model; nothing: nowhere
+    std::optional<core::SurfaceHit> m_hit; ///< where the ray under the mouse meets the model; nullopt: nowhere
 };
 } // namespace app

@@ -12,7 +12,7 @@ namespace
 {
 constexpr double turnSpeed = 2.5; ///< radians per second
 constexpr double edge = 0.04;     ///< margin beside a panel, radians
-constexpr double enough = 0.005;  ///< angle below which turning ends, radians
+constexpr double enough = 0.005;  ///< turning ends when a smaller angle than this is missing, radians
 
 /// Returns whether the user opens this kind of panel; others appear beside the work automatically.
 bool isOpenedByHand(vr::PanelKind kind)

@@ -28,6 +28,6 @@ private:
     Kinds m_open;                         ///< panels that the user has opened
     std::optional<vr::PanelKind> m_panel; ///< the panel being looked at
     bool m_isDone = true;                 ///< true: the panel is completely visible, or the user looks elsewhere
-    double m_turned = 0;                  ///< angle to turn back later, radians to the left
+    double m_turned = 0;                  ///< sum of the turns made, to be turned back later, radians to the left
 };
 } // namespace app

@@ -52,8 +52,8 @@ public:
     /// Fills the image of one eye. Called for each eye of a frame that will be shown; eye 0 is the left or the only
     /// eye. `view` has no framebuffer yet. The OpenGL state on entry is arbitrary.
     virtual void draw(std::size_t eye, const EyeImage& image, const EyeView& view) = 0;
-    /// Ends actions in progress: the session has stopped, and frames pause, perhaps for good. The last frame's input
-    /// may have given no sign of it.
+    /// Ends actions in progress: the session has stopped, and frames pause, perhaps for good. FrameInput::hasFocus may
+    /// have been true up to the last frame.
     virtual void idle() = 0;
     /// Returns the total CPU time that this thread has spent in draw calls, in milliseconds; see FrameTiming.
     virtual double drawCallMs() const = 0;

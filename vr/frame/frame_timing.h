@@ -74,7 +74,7 @@ private:
     std::int64_t m_before = 0; ///< display time of the last frame, nanoseconds; 0: it was not shown
 };
 
-/// Measures the CPU time of each phase of a frame. Thread: one.
+/// Measures the CPU time of each phase of a frame. Thread: all calls on one thread, whose time is measured.
 class PhaseTimer
 {
 public:

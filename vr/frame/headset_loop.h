@@ -17,7 +17,7 @@ namespace vr
 {
 /// One visit to VR, from the beginning of an OpenXR session to its end: handles events and renders frames in turn.
 ///
-/// Throws XrError from the constructor and run(). Thread: one.
+/// The constructor and run() throw XrError. Thread: all calls on one thread.
 class HeadsetLoop
 {
 public:

@@ -7,7 +7,7 @@ class QOpenGLExtraFunctions;
 
 namespace vr
 {
-/// A mip-mapped texture of a panel or a label. Its colours have the encoding of a screen and premultiplied alpha.
+/// A mip-mapped texture of a panel or a label. Its colours are sRGB-encoded, with premultiplied alpha.
 /// Precondition: the context of create() is current at every call.
 class Texture
 {
@@ -15,7 +15,7 @@ public:
     void create(QOpenGLExtraFunctions* gl);
     void destroy();
 
-    /// Replaces the picture. Cost: one copy of its bytes; if the size changes, the driver allocates new memory.
+    /// Replaces the picture. Cost: copies its bytes, and makes the mip levels; a new size needs new memory too.
     void upload(const QImage& picture);
 
     unsigned int id() const { return m_id; }

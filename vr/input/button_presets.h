@@ -10,15 +10,15 @@ namespace vr
 /// An assignment of functions to the buttons of the wands.
 ///
 /// - Paper: section 4.1 of Zhu and Yang 2024, with three differences. The side button has to be held, the left trigger
-///   also moves and turns the model, and other tools follow the paper's five.
-/// - Studio: usual in other sculpting programs.
+///   also moves and turns the model, and there are more tools than the paper's five.
+/// - Studio: the assignment that is usual in other sculpting programs.
 /// - OneHand: one wand has all functions, and no panel is attached to a hand. A second wand is not needed.
 enum class ButtonPreset { Paper, Studio, OneHand };
 
 /// The role of a hand. In the paper the right hand sculpts.
 enum class HandRole { Sculpting, Support };
 
-/// The panel of a hand that is open. The support hand has the tool menu, the sculpting hand the colour panel. With
+/// The panel that is open at a hand. The support hand has the tool menu, the sculpting hand the colour panel. With
 /// OneHand the sculpting hand has both panels; if both are open, the mode is ColorPanel.
 enum class HandMode {
     Any,   ///< table rows with this mode apply to all modes; no hand has it
@@ -79,7 +79,7 @@ struct PresetRow
     HandMode mode;
     Gesture gesture;
     WandFunction function;
-    const char* label; ///< one or two words, untranslated
+    const char* label; ///< up to three words, untranslated
 };
 
 /// Returns the rows of a preset.

@@ -33,7 +33,7 @@ constexpr double trainShare = 0.3;     ///< fraction of the time that texture pu
 constexpr double maxPulse = 0.1;       ///< longest texture pulse, seconds
 constexpr double minTexture = 0.2;     ///< fraction of the texture's amplitude at the lightest pressure
 constexpr double frameRoundOff = 1e-9; ///< tolerance for rounding errors in sums of frame times
-constexpr int holdTicks = 4;           ///< number of pulses while a button is held; the last one ends the hold
+constexpr int holdTicks = 4; ///< number of pulses while a button is held; the last one comes when the hold is complete
 
 PulseShape pulseShapeOf(Sensation what)
 {

@@ -34,8 +34,8 @@ struct HapticInput
 /// The texture of a surface is felt after that pulse has ended. A series of fusions, or of refusals, is felt once, at
 /// its beginning.
 ///
-/// Times are those of the frames. The texture is a train of pulses that fills the same share of the time at 5 frames a
-/// second as at 144.
+/// Uses no clock except the frames' times. The texture is a train of pulses that fills the same share of the time at 5
+/// frames a second as at 144.
 class Haptics
 {
 public:

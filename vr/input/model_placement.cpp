@@ -12,8 +12,8 @@ namespace
 {
 using core::Vec3;
 
-constexpr double minModel = 1e-6; ///< smallest size of a model, mm: a box of one point would have none
-constexpr double minSpan = 0.01;  ///< metres; hands nearer to each other neither turn nor scale the model
+constexpr double minModel = 1e-6; ///< a smaller model counts as this large, mm: the scale is divided by the size
+constexpr double minSpan = 0.01;  ///< hands nearer to each other than this neither turn nor scale the model, metres
 
 Eigen::Quaterniond aboutVertical(double angle)
 {
@@ -24,7 +24,8 @@ Eigen::Quaterniond aboutVertical(double angle)
 /// determines it.
 Vec3 facing(const Pose& head)
 {
-    constexpr double minLevel = 0.5; ///< shortest horizontal part of a unit vector that is used
+    /// The view direction (a unit vector) is used if its horizontal part is at least this long.
+    constexpr double minLevel = 0.5;
     const Vec3 forward = head.forward();
     const bool isLevel = std::hypot(forward.x(), forward.z()) >= minLevel;
     const Vec3 ahead = isLevel ? forward : Vec3::UnitY().cross(head.rotation * Vec3::UnitX());

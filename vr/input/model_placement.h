@@ -8,14 +8,15 @@ namespace vr
 /// It changes how the model is seen, never the model itself. A brush of fixed size in the room is smaller on a model
 /// that is shown larger.
 ///
-/// Only place() and movements of the hands change the placement. A model that grows, or a new object, does not move
-/// what is seen.
+/// The placement changes only by place() and by the user's actions. setModel() does not move what is seen, even if the
+/// model has grown or another one was opened.
 class ModelPlacement
 {
 public:
     // Values that place() uses, in metres.
-    static constexpr double comfortableSize = 0.5;  ///< longest side of the model as shown
-    static constexpr double comfortableReach = 0.6; ///< from the head to the model's middle: an arm bent a little
+    static constexpr double comfortableSize = 0.5; ///< longest side of the model as shown
+    /// Horizontal distance from the head to the model's middle: an arm bent a little.
+    static constexpr double comfortableReach = 0.6;
     /// Distance from the eyes down to the model's middle: users look down at their work.
     static constexpr double belowEyes = 0.2;
     // Range of the longest side as shown, in metres: from the size of a nut to that of a house.

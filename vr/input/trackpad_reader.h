@@ -15,9 +15,10 @@ enum class Sector { Left, Right, Top, Bottom };
 inline constexpr double slideThreshold = 0.12;
 /// Longest slide that a press undoes, seconds: the thumb was only on its way to the press.
 inline constexpr double maxSlideBeforePress = 0.6;
-inline constexpr double padCentre = 0.35;           ///< radius of the dead centre for a thumb that was not in a sector
-inline constexpr double padCentreHysteresis = 0.25; ///< radius of the dead centre for a thumb that was in a sector
+inline constexpr double padCentre = 0.35; ///< radius of the dead centre while the thumb is in no sector, radii
+inline constexpr double padCentreHysteresis = 0.25; ///< radius of the dead centre while the thumb is in a sector, radii
 inline constexpr double sectorOverlap = 8;          ///< degrees that a sector is extended for a thumb that is in it
+/// Pushing a stick counts as a press from the first deflection on, until it is below the second, 0 to 1.
 inline constexpr double stickPress = 0.7, stickRelease = 0.5;
 inline constexpr double stickDeadZone = 0.2; ///< a clicked stick slides only if it is pushed farther than this, 0 to 1
 /// Speed of the slide when a clicked stick is pushed fully, radii a second.
@@ -26,7 +27,7 @@ inline constexpr double stickSlide = 1.5;
 /// Gestures on a pad, or with a stick, in one frame.
 struct TrackpadGestures
 {
-    std::optional<Sector> over;    ///< sector that a press would have where the thumb is
+    std::optional<Sector> over;    ///< sector under the thumb, or of the pushed stick; none: centre or no touch
     std::optional<Sector> pressed; ///< sector of a press that began in this frame
     std::optional<Sector> held;    ///< sector where the present press began, wherever the thumb is by now
     /// Slide since the last frame, radii. It is along one axis, which the beginning of the slide determines; the other
@@ -62,12 +63,12 @@ private:
     std::optional<Sector> m_press; ///< sector of the present press; none if it began in the dead centre
     std::optional<Sector> m_over;
     bool m_wasZero = false;
-    /// Point where the thumb touched down, then last point of its slide, radii.
+    /// Point where the thumb touched down, then last point of its slide, radii; none: no touch that can slide.
     std::optional<Eigen::Vector2d> m_slidTo;
     std::optional<Eigen::Index> m_slideAxis;          ///< axis of the slide; none: no slide has begun
     Eigen::Vector2d m_slid = Eigen::Vector2d::Zero(); ///< sum since the slide began, radii
     double m_slideAge = 0;                            ///< time since the slide began, seconds
-    /// Rate of the slide by a clicked stick in the last frame, radii a second.
+    /// Rate of the slide by a clicked stick in the last frame, radii a second; none: the stick was not clicked.
     std::optional<double> m_stickRate;
     bool m_mustCentre = false; ///< the stick was clicked: pushing it is no press until it was centred
 };

@@ -61,10 +61,10 @@ private:
     std::optional<double> m_held; ///< seconds since the press began; none: no press, or its hold was cancelled
 };
 
-/// Reads one wand, frame by frame. The same movement gives the same gestures at 5 frames a second as at 144, as far as
-/// the frames show it. An inactive wand counts as released; a button that is down when the wand returns has no effect
-/// until it was released. Pulling the trigger may press the side button by accident, so no hold runs while the trigger
-/// is down.
+/// Reads one wand, frame by frame. The same movement gives the same gestures at 5 frames a second as at 144, except for
+/// changes that last less than a frame. An inactive wand counts as released; a button that is down when the wand
+/// returns has no effect until it was released. Pulling the trigger may press the side button by accident, so no hold
+/// runs while the trigger is down.
 class GestureReader
 {
 public:

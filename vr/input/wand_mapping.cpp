@@ -35,7 +35,7 @@ Gesture gestureOf(Sector sector)
     return Gesture::PadTop;
 }
 
-/// Returns the action that a press triggers once and at once; none for other functions.
+/// Returns the action that a press triggers immediately and once; none for other functions.
 std::optional<WandAction> actionOf(WandFunction function)
 {
     switch (function) {
@@ -263,7 +263,7 @@ void WandMapping::slide(Side side, Gesture gesture, double by)
         changeChannel(side, gesture, by);
 }
 
-/// Changes the selected channel by whole steps of 1 of 255. A rest below 1 is kept for the next frame.
+/// Changes the selected channel, 0 to 255, by whole numbers. The remainder below 1 is kept for the next frame.
 void WandMapping::changeChannel(Side side, Gesture gesture, double by)
 {
     m_channelRemainder += by * channelSlide;

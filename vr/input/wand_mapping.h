@@ -7,8 +7,8 @@
 
 namespace vr
 {
-/// Returns the tip of a wand, which is the brush's centre or the origin of its ray: tipReach before the palm in the
-/// direction of aim. It is measured from the palm, because each runtime has another origin of the aim pose.
+/// Returns the tip of a wand, which is the brush's centre or the origin of its ray: tipReach from the palm in the
+/// direction of aim. It is measured from the palm, because runtimes differ in the origin of the aim pose.
 Pose tipOf(const WandState& wand);
 
 inline constexpr double turnSpeed = 60;       ///< degrees a second, as fast as the desktop's turntable
@@ -40,8 +40,8 @@ struct WandSettings
 /// A trigger that is pulled while its wand points at a panel belongs to the panel until it is released. Otherwise, if
 /// its hand sculpts, it begins a stroke at the wand's tip in the same frame; only one stroke is open at a time. While a
 /// hand draws, its other buttons are ignored, because a tight grip presses them by accident. While a stroke is open,
-/// undo, redo, save and restore are refused. In a frame's list, view changes by the other hand come before the stroke's
-/// point.
+/// undo, redo, save and restore are refused. In a frame's list, movements of the model by the other hand come before
+/// the stroke's point.
 ///
 /// Stroke points have the frame rate. Core spaces the dabs evenly along their path (StrokeSettings::spacing).
 class WandMapping

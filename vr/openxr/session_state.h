@@ -10,7 +10,7 @@ struct SessionStatus
     XrSessionState state = XR_SESSION_STATE_UNKNOWN; ///< the last one that the runtime reported
     /// xrBeginSession was called and xrEndSession was not: the session has frames.
     bool isRunning = false;
-    /// Fettle has asked the session to exit, or would have if it were running
+    /// Fettle has asked the session to exit; the session may have stopped since.
     bool isExiting = false;
 
     bool hasInput() const { return isRunning && state == XR_SESSION_STATE_FOCUSED; }

@@ -18,7 +18,7 @@ struct ControlKind
     XrActionType type;
 };
 
-/// Indexed by Control.
+/// Kinds of the controls, indexed by Control.
 inline constexpr std::array<ControlKind, controlCount> controlKinds{{
     {"grip", XR_ACTION_TYPE_POSE_INPUT},
     {"aim", XR_ACTION_TYPE_POSE_INPUT},
@@ -54,7 +54,7 @@ struct WandProfile
     std::span<const Binding> bindings;
 };
 
-/// Indexed by Side.
+/// OpenXR's paths of the hands, indexed by Side.
 inline constexpr std::array<const char*, 2> handPaths{"/user/hand/left", "/user/hand/right"};
 
 /// Returns all kinds of wands that Fettle has bindings for, the Vive first. The runtime chooses among them.

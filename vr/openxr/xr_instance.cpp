@@ -6,7 +6,7 @@ namespace vr
 {
 namespace
 {
-/// Held while an instance exists: the loader allows only one at a time.
+/// Locked by the existing instance: the loader allows only one at a time.
 std::mutex onlyInstance;
 
 /// OpenXR version that this client is written and tested for. The headers' own version may be 1.1, which a runtime of

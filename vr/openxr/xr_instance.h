@@ -51,7 +51,8 @@ public:
     /// Returns whether the runtime offers the extension and it is enabled.
     bool has(const char* extension) const;
 
-    /// Functions that throw XrError.
+    // The functions below throw XrError.
+
     XrPath path(const char* text) const;
     std::string text(XrPath path) const;
     std::optional<XrEvent> nextEvent() const;

@@ -10,7 +10,7 @@ namespace vr
 {
 namespace
 {
-/// Clip planes, metres: nearer than a wand held before the face, and farther than any floor.
+/// Clip planes, metres: nearer than a wand in front of the face, and farther than any floor.
 constexpr float nearPlane = 0.03F;
 constexpr float farPlane = 60;
 

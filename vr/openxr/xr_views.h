@@ -41,7 +41,7 @@ private:
     std::vector<Swapchain> m_swapchains;
     std::vector<XrView> m_views;
     std::vector<XrCompositionLayerProjectionView> m_pictures;
-    /// Indexed by eye; swapchains of depth images, empty if the runtime wants no depth.
+    /// Swapchains of depth images, indexed by eye; empty if the runtime wants no depth, or refuses them.
     std::vector<Swapchain> m_depths;
     /// Depth information of each eye, to which m_pictures points.
     std::vector<XrCompositionLayerDepthInfoKHR> m_depthInfos;

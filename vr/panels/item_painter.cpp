@@ -111,7 +111,7 @@ void ItemPainter::paintUpright(const ButtonLook& look) const
                theme::text);
 }
 
-/// Paints the icon with its ring, and the text to its right. The whole is centred.
+/// Paints the icon with its ring, and the text to its right. Icon and text together are centred.
 void ItemPainter::paintAside(const ButtonLook& look) const
 {
     const QRectF inside = box(m_area, padding);
@@ -249,7 +249,7 @@ void ItemPainter::paintIcon(const QString& name, const QRectF& area) const
     m_painter.drawImage(area, iconPicture(name, theme::text, static_cast<int>(std::lround(pixels))));
 }
 
-/// Paints the ring of a held item. It fills clockwise from the top.
+/// Paints the ring around the icon of an item that must be held. It fills clockwise from the top.
 void ItemPainter::paintRing(const QRectF& icon) const
 {
     const QRectF ring = box(icon, -ringGap);

@@ -58,8 +58,8 @@ void LessonPanel::addText(PanelBuilder& builder) const
     builder.add(places[3], {{.icon = QStringLiteral("next")}, ShowLessonPage{shown + 1}, shown + 1 < pages});
 }
 
-/// Adds the requirements of the step. A sign and the weight of the text show which are met, because colour alone is not
-/// enough. If there are too many, those not met are shown first.
+/// Adds the requirements of the step. A sign shows which are met, because the colour of the text alone is not enough.
+/// If there are too many, those not met are shown first.
 void LessonPanel::addMarks(PanelBuilder& builder) const
 {
     QList<LessonMark> shownMarks = marks;

@@ -12,12 +12,12 @@ namespace
 {
 constexpr double noticeWidth = 700; ///< largest width of the text, dmm
 constexpr int noticeLines = 6;
-/// Metres from which it is read: before the clay, which must not hide it.
+/// Distance from which the notice is read, metres: nearer than the clay, which must not hide it.
 constexpr double noticeDistance = 0.5;
 constexpr double fadeIn = 0.15, fadeOut = 0.6;       ///< times of fading, seconds
 constexpr double toBeSeen = 1, minReadingTime = 1.5; ///< time to notice the panel, and least time to read it, seconds
 constexpr double perLetter = 0.06,
-                 perHanLetter = 0.2; ///< seconds that a slow reader needs; a Han letter is a word or half of one
+                 perHanLetter = 0.2; ///< seconds per letter of a slow reader; a Han letter is a word or half of one
 
 double readingTime(const QString& text)
 {

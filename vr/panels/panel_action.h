@@ -98,7 +98,7 @@ struct ChooseFile
 struct OpenFile
 {
     QString path;
-    bool discardsChanges = false; ///< the item warned of that and had to be held
+    bool discardsChanges = false; ///< the item warned that changes will be lost, and had to be held
     bool operator==(const OpenFile&) const = default;
 };
 
@@ -143,7 +143,7 @@ struct Slide
     bool operator==(const Slide&) const = default;
 };
 
-/// A request of the user by an item of a panel.
+/// A request that the user makes through an item of a panel.
 using PanelAction =
     std::variant<PanelCommand, core::Tool, core::BrushShape, core::Topology, ButtonPreset, SettingsPage, ShowPanel,
                  AddNext, ChooseSymmetry, ChooseRadial, ChooseChannel, ChooseColor, ShowPage, ChooseFile, OpenFile,

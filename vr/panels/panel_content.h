@@ -16,7 +16,7 @@ class PanelBuilder;
 
 // Contents of the panels, as values. Equal values have equal pictures in the same language.
 
-/// Content of the tool menu, which is at the hand that does not sculpt.
+/// Content of the tool menu. It is attached to the hand that does not sculpt, except with ButtonPreset::OneHand.
 struct ToolPanel
 {
     Q_DECLARE_TR_FUNCTIONS(vr::ToolPanel)
@@ -28,7 +28,7 @@ public:
     bool isSymmetric = false;
     int radial = 1;         ///< number of sectors
     bool isInverse = false; ///< strokes use the opposite of the tool
-    bool addsNext = false;  ///< the next stroke adds a ball
+    bool addsNext = false;  ///< the next stroke adds a ball, or the stamp's model
     bool canUndo = false, canRedo = false;
     bool canChange = true; ///< the whole model can be changed: it can be restored, or its mask changed
 
@@ -86,7 +86,7 @@ public:
     int page = 0;
     QString chosen;                 ///< path of the chosen file
     bool hasUnsavedChanges = false; ///< opening another file would lose changes
-    bool isBusy = false;            ///< a model is being saved or opened
+    bool isBusy = false;            ///< the model is being opened, saved or changed as a whole
     QString saved;                  ///< name that Save used last, for display
 
     bool operator==(const FilesPanel&) const = default;
@@ -136,7 +136,7 @@ struct PerformancePanel
     Q_DECLARE_TR_FUNCTIONS(vr::PerformancePanel)
 
 public:
-    // Medians over frames of the headset thread's CPU time, milliseconds. Phases and their sum are without draw calls.
+    // Medians over frames of the headset thread's CPU time, milliseconds. cpuMs and totalMs exclude draw calls.
     std::array<double, framePhaseCount> cpuMs{}; ///< indexed by FramePhase
     double totalMs = 0;
     double drawCallMs = 0;
@@ -171,7 +171,7 @@ struct LessonPanel
 
 public:
     QString lesson, title, text;
-    int step = 0; ///< from 0; equal to `steps`: the page after the last step
+    int step = 0; ///< number of the step, from 0; equal to `steps`: the page after the last step
     int steps = 1;
     QList<LessonMark> marks;
     bool canPlay = false; ///< the teacher has strokes for this step
@@ -200,8 +200,8 @@ struct NoticePanel
 /// time, which is long enough to read it.
 double noticeOpacity(const NoticePanel& notice, double age);
 
+/// The content of any panel. The alternatives are in the order of PanelKind.
 using PanelContent =
-    /// Alternatives are in the order of PanelKind.
     std::variant<ToolPanel, ColorPanel, FilesPanel, SettingsPanel, PerformancePanel, NoticePanel, LessonPanel>;
 
 PanelKind kindOf(const PanelContent& content);

@@ -8,7 +8,7 @@ namespace vr
 {
 namespace
 {
-/// Colour in the files that is replaced by the text's colour.
+/// Colour in the files that is replaced by `ink`.
 constexpr char inkInFile[] = "#000000";
 } // namespace
 

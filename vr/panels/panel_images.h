@@ -25,10 +25,11 @@ public:
     PanelImages();
     ~PanelImages();
 
-    /// Sets the content of a panel from now on. May be called each frame. A call is ignored if the painter is just
-    /// using the requests; the next call succeeds.
+    /// Sets the content of a panel. To be called each frame: a call has no effect if the painting thread has locked the
+    /// requests at that moment.
     void show(const PanelContent& content, const PanelTouches& touches = {});
-    /// Returns the newest picture of a panel; none if it was taken already.
+    /// Returns the newest picture of a panel; none if it was taken already, or if the painting thread has locked the
+    /// pictures at that moment.
     std::optional<PanelImage> take(PanelKind kind);
 
 private:

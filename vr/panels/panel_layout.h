@@ -79,7 +79,7 @@ struct PanelItem
 {
     QRectF area;
     ItemLook look;
-    std::optional<PanelAction> action{}; ///< action; that of a slider sets its present value
+    std::optional<PanelAction> action{}; ///< action of a press; for a slider, a Slide with its present value
     bool isEnabled = true;
     bool mustHold = false; ///< the item acts when it has been pressed for holdSeconds
 

@@ -11,14 +11,14 @@ namespace vr
 namespace
 {
 constexpr double degree = std::numbers::pi / 180;
-/// Places of a notice, metres below the eyes, the best first.
+/// Heights at which a notice may be placed, metres below the eyes (negative: above), the best first.
 constexpr double noticeHeights[] = {-0.1, -0.3, 0.3, -0.5};
 
 /// Position of a panel relative to where the user looks; the model is in the middle.
 struct DefaultPosition
 {
-    double aside; ///< radians
-    double below; ///< metres
+    double aside; ///< radians to the left
+    double below; ///< metres below the eyes
 };
 
 DefaultPosition defaultPositionOf(PanelKind kind)
@@ -40,7 +40,7 @@ DefaultPosition defaultPositionOf(PanelKind kind)
     }
 }
 
-/// Panels of which only one is open at a time: the tools, and the panels that open from it.
+/// Panels of which only one is open at a time: the tool panel, and the panels that its buttons open.
 constexpr PanelKind pages[] = {PanelKind::Tools, PanelKind::Files, PanelKind::Settings};
 
 /// Returns a level head at the same position that looks towards a point.
@@ -146,7 +146,8 @@ Pose PanelManager::placeOf(PanelKind kind, const Sight& sight) const
     return placeOnOpening(kind, sight, *place.placed.layout, place.pose ? std::nullopt : place.replaced);
 }
 
-/// Returns a place where the notice hides no other panel: a little above where the user looks, or higher, or below.
+/// Returns the place at the first of noticeHeights where the notice hides no other panel; else that at the first
+/// height.
 Pose PanelManager::placeOfNotice(const Sight& sight) const
 {
     const PanelLayout& layout = *at(PanelKind::Notice).placed.layout;

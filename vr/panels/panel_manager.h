@@ -21,7 +21,7 @@ public:
     /// replaces.
     void open(PanelKind kind, bool isOpen = true);
     bool isOpen(PanelKind kind) const { return at(kind).isOpen; }
-    /// Makes all panels be placed again, because room space has changed.
+    /// Discards the places of all panels, because room space has changed. The next place() chooses new ones.
     void resetPlacement();
 
     /// Sets the content of an open panel. To be called each frame. `opacity`: 0 to 1; at 0 the panel is absent.
@@ -43,12 +43,13 @@ public:
     static Pose placeOnOpening(PanelKind kind, const Sight& sight, const PanelLayout& layout,
                                const std::optional<Pose>& replaced = {});
 
-    /// Returns the action of a slider, a held item or a poke. To be called once per frame and hand, before press() and
-    /// release(). `aim`: none if the wand is lost. A hand cannot point at a panel that it carries.
+    /// Returns the action of a slider that moved, of an item held long enough or of a poke; none if there is none. To
+    /// be called once per frame and hand, before press() and release(). `aim`: none if the wand is lost. A hand cannot
+    /// point at a panel that it carries.
     std::optional<PanelAction> aim(Side side, const std::optional<PanelPointer::Aim>& aim, double time);
     /// Ignores what the hand points at, because the hand is doing something else.
     void lookAway(Side side) { pointer(side).lookAway(); }
-    /// Returns the point of a panel at which a hand points.
+    /// Returns the point of a panel at which a hand points; none if it points at no panel.
     const std::optional<PanelPointer::Spot>& spot(Side side) const { return pointer(side).spot(); }
     std::optional<PanelAction> press(Side side) { return pointer(side).press(); }
     std::optional<PanelAction> release(Side side, bool isClick) { return pointer(side).release(isClick); }

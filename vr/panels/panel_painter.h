@@ -14,7 +14,7 @@ struct PanelTouch
     bool operator==(const PanelTouch&) const = default;
 };
 
-/// Indexed by Side.
+/// The touches of both wands, indexed by Side; none: the wand is at no item of the panel.
 using PanelTouches = std::array<std::optional<PanelTouch>, sideCount>;
 
 /// Pixels per dmm, about as many as the best headsets have.

@@ -17,7 +17,7 @@ constexpr double farthestAtHand =
 constexpr double farthestReach = 1.3; ///< distance from the head at which a panel is out of reach, metres
 constexpr double asideStep = 5 * std::numbers::pi / 180, maxAside = 110 * std::numbers::pi / 180;
 constexpr double maxAsideOfHand = 60 * std::numbers::pi / 180;
-constexpr int halvings = 16; ///< steps of the bisection of maxAsideOfHand: a fiftieth of a millimetre at arm's length
+constexpr int halvings = 16; ///< steps of the bisection of maxAsideOfHand: 0.01 mm at arm's length
 constexpr double nothing = 1e-9;
 
 /// Returns the pose of a panel that faces the head, as upright as possible. A panel seen from straight above is turned
@@ -76,7 +76,7 @@ bool isClear(const Pose& panel, const Pose& head, const Eigen::Vector2d& size, c
     return true;
 }
 
-/// Returns the least turn from 0 to max that is enough, by bisection; 0 if max is not enough.
+/// Returns the least turn from 0 to max (radians) that is enough, by bisection; 0 if max is not enough.
 template <class IsEnough> double minTurn(double max, const IsEnough& isEnough)
 {
     if (isEnough(0) || !isEnough(max))

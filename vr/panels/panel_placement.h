@@ -22,8 +22,8 @@ struct HandPanelPlacement
     double asideSign = 1; ///< 1: aside is to the left, -1: to the right
 };
 
-/// Returns the pose of a panel above a hand and before it, facing the head. If the hand is low, the panel is nearer to
-/// the eyes, so that it can be read.
+/// Returns the pose of a panel above and in front of a hand, facing the head. If the hand is low, the panel is nearer
+/// to the eyes, so that it can be read.
 Pose placeAtHand(const Pose& grip, const Pose& head, const HandPanelPlacement& place);
 
 struct AheadPanelPlacement

@@ -8,7 +8,7 @@ namespace vr
 {
 namespace
 {
-constexpr double ringSteps = 24; ///< number of pictures of a ring that fills
+constexpr double ringSteps = 24; ///< steps in which a ring fills: each step needs a new picture of the panel
 
 bool isThere(PanelKind kind, std::span<const PlacedPanel> panels)
 {

@@ -42,8 +42,8 @@ public:
         bool mayPoke = true; ///< false: the hand is busy, so its tip presses nothing
     };
 
-    /// Returns the action of a slider, a held item or a poke. To be called once a frame, before press() and release().
-    /// `aim`: none if the wand is lost. Units: `time` in seconds.
+    /// Returns the action of a slider that moved, of an item held long enough or of a poke; none if there is none. To
+    /// be called once a frame, before press() and release(). `aim`: none if the wand is lost. Units: `time` in seconds.
     std::optional<PanelAction> aim(const std::optional<Aim>& aim, double time, std::span<const PlacedPanel> panels);
     /// Ignores what the wand points at, because the hand is doing something else. A press in progress goes on.
     void lookAway();

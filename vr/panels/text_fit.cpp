@@ -12,7 +12,7 @@ namespace vr
 {
 namespace
 {
-constexpr double rounding = 1e-6; ///< tolerance of a height that is a whole number of lines
+constexpr double rounding = 1e-6; ///< added to a number of lines before it is rounded down: tolerates rounding errors
 
 QFont fontOf(double height, QFont::Weight weight)
 {
@@ -45,7 +45,7 @@ double spacingOf(const QFont& font)
     return font.pixelSize() * theme::lineSpacing;
 }
 
-/// Returns the largest number of lines, at least 1.
+/// Returns the number of lines that fit into the style's largest block height: 1 to style.lines.
 std::size_t maxLines(const QFont& font, const TextStyle& style)
 {
     return static_cast<std::size_t>(

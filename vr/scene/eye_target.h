@@ -22,11 +22,11 @@ public:
     /// Returns the framebuffer to draw into for this image; 0 if the driver can make none. Cost: an allocation if the
     /// format or the size differs from the last call.
     unsigned int framebufferFor(const EyeImage& image);
-    /// Resolves what was drawn into the image last passed to framebufferFor(), and the depth if the image has a depth
-    /// texture. Returns false if the driver cannot draw into the image.
+    /// Resolves the framebuffer into `image`, and its depth if the image has a depth texture. Returns false if the
+    /// driver cannot draw into the image. Precondition: `image` is the one last passed to framebufferFor().
     bool resolve(const EyeImage& image);
 
-    /// Samples per pixel of the present framebuffer; 0 or 1: not multisampled.
+    /// Returns the samples per pixel of the present framebuffer; 0 or 1: it is not multisampled.
     int samples() const { return m_samples; }
     double drawCallMs() const { return m_clock.milliseconds(); } ///< CPU time of resolving since create(), milliseconds
 

@@ -16,9 +16,9 @@ struct LabelTexture
     double aspect = 1;
 };
 
-/// Textures of short texts on small dark plates. Each is painted when it is first needed, and kept while it is needed.
-/// Cost: a fraction of a millisecond for a new text, of which each frame paints at most one; a look-up for the other
-/// texts.
+/// Textures of short texts on small dark plates. Each is painted when it is first needed, and kept at least while it is
+/// used. Cost: a fraction of a millisecond for a new text, of which each frame paints at most one; a look-up for the
+/// other texts.
 class LabelTextures
 {
 public:

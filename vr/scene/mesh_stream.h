@@ -54,7 +54,7 @@ private:
     /// Slices of the model that is being uploaded; none: no upload is in progress.
     std::optional<PatchSlices> m_slices;
     std::optional<core::MeshPatch> m_pending;         ///< changes of the model that is being uploaded
-    bool m_hasStepped = false, m_hasOldModel = false; ///< hasOldModel: the buffer that is not shown still has a model
+    bool m_hasStepped = false, m_hasOldModel = false; ///< m_hasOldModel: the buffer that is not shown still has a model
     std::uint64_t m_wholeUploads = 0;
 };
 

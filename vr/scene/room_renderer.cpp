@@ -11,7 +11,8 @@ const Eigen::Vector3f topColor(0.200F, 0.212F, 0.232F), horizonColor(0.298F, 0.3
     bottomColor(0.168F, 0.176F, 0.192F);              // sRGB, 0 to 1
 const Eigen::Vector3f lineColor(0.50F, 0.54F, 0.60F); // linear light, 0 to 1
 constexpr float lineAlpha = 0.16F;
-constexpr float cell = 0.1F, reach = 5; ///< metres; every tenth line is stronger
+/// Distance between the lines of the grid, and radius of the grid, metres. Every tenth line is stronger.
+constexpr float cell = 0.1F, reach = 5;
 } // namespace
 
 bool RoomRenderer::create(QOpenGLExtraFunctions* gl, DrawCallTimer* clock)

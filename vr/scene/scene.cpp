@@ -1,5 +1,5 @@
-// Order of drawing: wands and mesh, which are opaque, then the dome behind them, then the translucent floor, panels and
-// other shapes, the last two from far to near.
+// Order of drawing: the area that the lens hides, then wands and mesh, then the dome behind them, then the translucent
+// floor, panels and other shapes, the last two from far to near.
 #include "vr/scene/scene.h"
 
 #include "vr/scene/hidden_renderer.h"
@@ -36,7 +36,7 @@ namespace
 {
 /// Shortest horizontal projection of the head's right axis (a unit vector) from which the head's yaw is computed.
 constexpr double minLevel = 0.2;
-constexpr double shadeReach = 0.9; ///< metres; a model that is higher hardly shades the floor
+constexpr double shadeReach = 0.9; ///< height above the floor at which the shade falls to 1/e, metres
 constexpr float strongestShade = 0.5F;
 
 MeshAppearance meshAppearance(const SceneState& state)

@@ -46,7 +46,7 @@ struct BallBrush
 {
     core::Vec3 center = core::Vec3::Zero();
     double radius = 0.03;
-    int falloff = 4; ///< n of the falloff b(x), by which the mesh within the brush is tinted
+    int falloff = 4; ///< exponent n of the weight b(x) (core/stroke/tool.h) that tints the mesh in the brush
     double core = 0; ///< fraction of the radius within which the brush's weight is 1
 };
 

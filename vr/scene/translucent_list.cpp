@@ -17,7 +17,7 @@ const Eigen::Vector3f holdColor(1.0F, 0.48F, 0.10F);
 const Eigen::Vector3f spotlightColor(0.30F, 1.0F, 0.06F); ///< a colour that no other shape has
 
 constexpr float thin = 0.0011F, thinner = 0.0008F; ///< widths of lines, metres
-constexpr float mirrored = 0.45F;                  ///< strength of a brush's mirror image as a fraction of the brush's
+constexpr float mirrored = 0.45F; ///< strength of a brush's images by symmetry as a fraction of the brush's
 constexpr double rayReach = 3, dotRadius = 0.0035, thumbRadius = 0.0042;
 constexpr double offSurface = 0.0006; ///< distance above a surface at which shapes are drawn to be visible, metres
 constexpr double holdRadius = 0.026, holdLift = 0.030;

@@ -11,8 +11,8 @@ namespace vr
 // Times are in seconds, angles in degrees.
 inline constexpr double labelFadeOut = 1, labelFadeIn = 0.3;
 inline constexpr double labelLookSeconds = 0.5; ///< seconds that a wand must be looked at before its labels return
-/// Angles between the direction of view and a wand, degrees. A wand counts as looked at below the first; it ceases to
-/// be above the second.
+/// Angles between the direction of view and a wand, degrees. Below the first the user begins to look at the wand; above
+/// the second the user no longer does.
 inline constexpr double labelLookAngle = 12, labelLookAwayAngle = 16;
 /// Angles between two wands as the head sees them, degrees. If they are farther apart, sideways or vertically, there is
 /// room for the labels of both.

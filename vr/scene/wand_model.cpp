@@ -34,8 +34,8 @@ constexpr double squareness = 2.5; ///< exponent of a section's superellipse; 2 
 constexpr double padMiddleZ = -0.048, padRadius = 0.0190, padMiddleRadius = 0.0062, padGap = 0.0007;
 constexpr double padBottom = 0.0130, padTop = 0.0166;
 constexpr double menuZ = -0.0830, menuRadius = 0.0046;
-/// Cross-section of the thumbstick at a height y, from the hollow for the thumb in its cap to its foot in the body;
-/// metres.
+/// Cross-section of the thumbstick at a height y, metres. The table below is in order from the hollow in the cap to the
+/// foot in the body.
 struct StickSection
 {
     double height, radius;

@@ -17,11 +17,11 @@ inline constexpr double wandSpacing = 0.1;
 /// The brush of the sculpting hand: the settings of the next stroke.
 struct BrushState
 {
-    core::StrokeSettings stroke;               ///< user's choices; its radius, spacing, place and add are not used
-    bool addsNext = false;                     ///< the next stroke only adds a ball, or the stamp's model
-    bool isInverse = false;                    ///< strokes use the opposite of the tool, if it has one
+    core::StrokeSettings stroke; ///< user's choices; radius, spacing, place, airbrush and add are not used
+    bool addsNext = false;       ///< the next stroke only adds a ball, or the stamp's model
+    bool isInverse = false;      ///< strokes use the opposite of the tool, if it has one
     ButtonPreset preset = ButtonPreset::Paper; ///< gives the order in which the pad steps through the tools
-    std::optional<core::Symmetry> plane;       ///< plane used when symmetry is on; none: no plane was chosen yet
+    std::optional<core::Symmetry> plane;       ///< plane used when symmetry is on; none: firstPlane() of the preset
     core::Topology topology = core::Topology::Adaptive; ///< topology used when it is not uniform
     /// Airbrush rates of the tools, as in the window.
     core::AirbrushRates airbrush = core::defaultAirbrushRates();
@@ -48,8 +48,8 @@ BrushState changed(BrushState brush, const WandAction& action);
 /// Returns the brush after an action at a panel. An action that does not concern the brush changes nothing.
 BrushState changed(BrushState brush, const PanelAction& action);
 
-/// Returns the settings of a stroke that begins now. A spherical pulling brush that begins in empty space adds a ball
-/// to the model, unless the stroke only continues another.
+/// Returns the settings of a stroke that begins now. A spherical brush of Pull or Stamp that begins in empty space adds
+/// a ball or the stamp's model, unless the stroke only continues another.
 core::StrokeSettings strokeSettings(const BrushState& brush, const BeginStroke& begin, const ModelPlacement& placement);
 /// Returns a point of a stroke in document space, corrected for the model's placement in the room. Each point has its
 /// own radius, because the model may be scaled during the stroke. Its up direction makes alphas and stamps turn with

@@ -37,9 +37,8 @@ struct DocumentUpdate
     bool isFlat = false;    ///< flat shading: each triangle has one shade
     bool hasTint = true;    ///< the part that the brush would move is tinted
     bool hasCavity = false; ///< cavity shading: valleys are darkened, ridges lightened
-    /// Brush of the window: tool, shape, topology, symmetry, colour, falloff, strength, detail and fusion.
-    /// `brushChange` counts changes made at the window. Changes that the headset requested are reported back with the
-    /// old count.
+    /// Brush of the window. The headset takes it over, except its radius, when `brushChange` has changed. The count
+    /// rises with changes made at the window; changes that the headset requested are reported back with the old count.
     core::StrokeSettings brush;
     quint64 brushChange = 0;
     core::AirbrushRates airbrush = core::defaultAirbrushRates();
@@ -87,7 +86,7 @@ struct SurfaceQueryResult
 struct StrokeEffect
 {
     int fusions = 0;  ///< number of times that surfaces joined or parted
-    int refusals = 0; ///< dabs that could not be applied, and strokes refused because another stroke was open
+    int refusals = 0; ///< number of samples that could not be applied and of strokes that were refused or cut short
 };
 
 /// The user's position in the room, for display in the window. Units: room space.
@@ -101,7 +100,7 @@ struct AvatarState
     std::vector<PanelTarget> panels;
 };
 
-/// Sets the window's brush, except its falloff, strength, detail and fusion.
+/// Sets the window's tool, brush shape, symmetries and colour, and whether its topology is uniform.
 struct ChooseBrush
 {
     core::StrokeSettings brush;
@@ -129,8 +128,8 @@ public:
     virtual std::optional<core::MeshPatch> takePatch() = 0;
     virtual std::optional<DocumentUpdate> takeUpdate() = 0;
 
-    /// Begins a stroke. Returns false if another stroke is open or the model is being changed as a whole. No stroke
-    /// begins then, and addSample() and endStroke() do nothing.
+    /// Begins a stroke. Returns false if it is refused, for example because another stroke is open or another model is
+    /// being opened. addSample() and endStroke() then have no effect.
     virtual bool beginStroke(const core::StrokeSettings& settings) = 0;
     virtual void addSample(const core::StrokeSample& sample) = 0;
     virtual void endStroke() = 0;

@@ -26,8 +26,8 @@ public:
     void update(const DocumentUpdate& before, const DocumentUpdate& now);
     /// Turns pages and chooses files. Other actions change nothing.
     void apply(const PanelAction& action);
-    /// Shows the contents of all open panels. Opens and closes the panels for performance, lesson and notice, which the
-    /// user does not. To be called once a frame.
+    /// Shows the contents of all open panels. Opens and closes the performance, lesson and notice panels, as settings
+    /// and document require. To be called once a frame.
     void show(PanelManager& panels, const Sources& sources);
 
 private:

@@ -174,8 +174,8 @@ FrameOutput SculptClient::frame(const FrameInput& input)
     return m_output;
 }
 
-/// Takes over changes of the document. Another model is placed before the user; a model that has only grown remains in
-/// its place. The sculpting hand feels a tick if the window has changed the brush.
+/// Takes over changes of the document. Another model is placed in front of the user; a model that has only grown
+/// remains in its place. The sculpting hand feels a tick if the window has changed the brush.
 void SculptClient::takeUpdate()
 {
     std::optional<DocumentUpdate> update = m_port->takeUpdate();

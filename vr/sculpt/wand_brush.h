@@ -19,7 +19,8 @@ public:
     /// shown. Uniform topology is taken from the window; otherwise the headset keeps its own topology, at first that of
     /// its preset.
     void take(const DocumentUpdate& update, const ModelPlacement& placement);
-    /// Changes the brush by a wand or a panel. Tells the window if a setting that both share has changed.
+    /// Sets the brush after a change by a wand or a panel. If a setting that the window shares has changed, requests
+    /// the change of the window's brush too.
     void change(const BrushState& state);
 
     /// Begins a stroke. Returns false if the stroke is refused. If smoothing is not offered, the brush's own tool is
@@ -33,8 +34,8 @@ public:
     void aim(const std::optional<Pose>& tip) { m_tip = tip; }
     /// Takes the last answer, and asks where the brush would meet the surface now. To be called once a frame.
     void querySurface(const ModelPlacement& placement);
-    /// Returns whether the brush meets the surface, as far as known. Outside a stroke this is true only for a spherical
-    /// brush whose centre is within its radius of the last answered point.
+    /// Returns whether the brush meets the surface, by the last answered query. Outside a stroke this is true only for
+    /// a spherical brush whose centre is within its radius of the last answered point.
     bool touches(const ModelPlacement& placement) const;
     /// Returns the pressure of the stroke, 0 to 1; 0: no stroke is open.
     double pressure() const { return m_pressure; }

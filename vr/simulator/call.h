@@ -23,7 +23,7 @@ public:
         return *object;
     }
 
-    /// Logs that the client broke a rule for which no result exists.
+    /// Logs that the client broke a rule of the specification.
     void error(const std::string& text) { runtime.log.error(std::string(name) + ": " + text, where()); }
     void warn(const std::string& text) { runtime.log.warning(std::string(name) + ": " + text, where()); }
     /// Warns unless the client's context is current on this thread. It may not be current elsewhere, and some runtimes

@@ -30,7 +30,7 @@ template <class Work> const char* errorOf(Work work)
     }
 }
 
-/// Returns whether the client has done everything that it does after a frame.
+/// Returns whether the client waits for the next frame or has stopped. With other paces than Stepped, returns true.
 bool isAtRest(const Runtime& runtime)
 {
     const bool isRunning = runtime.session && runtime.session->isRunning();

@@ -12,7 +12,7 @@
 ///     FETTLE_XR_FRAMES    folder for pictures: session0_frame0012_left.png, _right, _mono, _quad0 ...
 ///
 /// A script: {"start": STEP, "steps": [STEP with "frame": n and perhaps "session": n, ...]}. Frames count from 0 in
-/// each session, sessions from 0 in each process; a step without "session" belongs to the first session. A step takes
+/// each session, sessions from 0 after each load; a step without "session" belongs to the first session. A step takes
 /// effect when the client waits for its frame, which is the first to show it. The display time advances by exactly one
 /// period per frame, so that every run is the same. Unless something prevents it, a session is to render from frame 2
 /// on and has the focus from frame 3 on. All members of a STEP are optional:
@@ -35,7 +35,7 @@
 ///     "pace": "real"|"live"|"fast"|"stepped"   live: the display time is the clock's; else it waits for a slow client
 ///     "worn", "visible", "focus", "should_render": bool
 ///     "exit": true                  asks the session to stop for good
-///     "late_ms": n                  the frame is n ms late, and its display time as many periods
+///     "late_ms": n                  the frame is n ms late, its display time by n ms rounded up to whole periods
 ///     "recentre": {"space": "local"|"stage", "position", "rotation", "after": n}   the space's new origin in the room
 ///     "lose_session": n, "lose_instance": n   announced now, lost n frames later
 ///     "lose_events": true           discards the waiting events, except changes of a session's state
@@ -56,8 +56,9 @@ extern "C" {
 const char* fettle_xr_load(const char* script);
 /// Executes a step now: the next frame shows it. Returns null, or what is wrong.
 const char* fettle_xr_do(const char* step);
-/// Waits until `count` more frames have ended and the client waits for the next frame or has stopped. With pace
-/// "stepped" it allows these frames. Returns how many frames ended, which is fewer if `milliseconds` were not enough.
+/// Waits until `count` more frames have ended. With pace "stepped" it allows these frames, and waits also until the
+/// client waits for the next frame or has stopped. Returns how many frames ended, which is fewer if `milliseconds` were
+/// not enough.
 int fettle_xr_frames(int count, int milliseconds);
 /// Returns the state as JSON: {"state", "is_running", "is_frozen": whether the client is in the call that does not
 /// return, "sessions", "frames_ended", "api_minor": minor version of OpenXR 1 that the client asked for, or null

@@ -7,8 +7,8 @@
 
 namespace simulator
 {
-/// Returns the enumerator's own name. A value without a name gets the specification's placeholder, such as
-/// XR_UNKNOWN_SUCCESS_77.
+/// Returns the enumerator's own name. A result or structure type without a name gets the specification's placeholder,
+/// such as XR_UNKNOWN_SUCCESS_77; a session state without a name gets its number.
 std::string nameOf(XrResult result);
 std::string nameOf(XrStructureType type);
 std::string nameOf(XrSessionState state);

@@ -11,7 +11,7 @@ namespace
 using Clock = std::chrono::steady_clock;
 using std::chrono::nanoseconds;
 
-/// Longest wait for a client that waits for a second frame and has not begun the first.
+/// Longest time that xrWaitFrame waits for xrBeginFrame of the frame before.
 constexpr auto patience = std::chrono::seconds(10);
 
 bool isGone(const Session& session)
@@ -63,7 +63,7 @@ void waitForDisplay(Call& call, Session& session)
     session.frameStart = start;
 }
 
-/// Advances the display time by one period, and by one more for each period that the frame is late.
+/// Advances the display time by one period, and by one more for each period or part of one that the frame is late.
 Frame nextFrame(Runtime& runtime, Session& session)
 {
     SimulatedWorld& world = runtime.world;

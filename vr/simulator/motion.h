@@ -40,7 +40,7 @@ public:
     explicit Track(const T& value) : m_segments{Segment{0, 0, value, value}} {}
 
     /// Moves the value from `start` on. A segment in progress ends at `start`, and later segments are removed. Segments
-    /// of long ago are forgotten.
+    /// that ended more than `memory` before `start` may be removed too.
     void moveTo(const T& to, XrTime start, XrDuration duration)
     {
         while (m_segments.size() > 1 && m_segments[1].start < start - memory)
@@ -50,7 +50,7 @@ public:
         m_segments.push_back({start, duration, at(start), to});
     }
 
-    /// Returns the segment at a time. Precondition: the segment is not forgotten yet.
+    /// Returns the segment at a time. Precondition: moveTo() has not removed it.
     const Segment& segment(XrTime time) const
     {
         const auto after = std::upper_bound(m_segments.begin() + 1, m_segments.end(), time,

@@ -16,8 +16,8 @@ struct Frame
     XrTime displayTime = 0;
 };
 
-/// A session and its state, as the specification defines it. The state rises by one with each frame that ends, and
-/// falls at once.
+/// A session and its state, as the specification defines it. The state rises by one (for example from VISIBLE
+/// to FOCUSED) with each frame that ends, and falls immediately.
 class Session : public Object
 {
 public:
@@ -29,7 +29,7 @@ public:
     bool isFocused() const { return m_state == XR_SESSION_STATE_FOCUSED; }
     bool isShown() const { return m_state == XR_SESSION_STATE_VISIBLE || isFocused(); }
 
-    /// Enters the first states. To be called when the session has its handle.
+    /// Enters IDLE, then READY if the headset is worn. To be called when the session has its handle.
     void open();
     void begin(XrViewConfigurationType views);
     void end();
@@ -45,7 +45,7 @@ public:
     XrViewConfigurationType views() const { return m_views; }
     Instance& instance() const;
 
-    std::int64_t index = 0; ///< number of this session among those of the process
+    std::int64_t index = 0; ///< number of this session, from 0, since the script was loaded
     std::int64_t nextFrame = 0;
     /// Waited: frame that is not begun yet; begun: frame that is not ended yet.
     std::optional<Frame> waited, begun;
