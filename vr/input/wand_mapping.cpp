@@ -137,7 +137,7 @@ std::optional<WandMapping::Hold> WandMapping::hold(Side side) const
     return std::nullopt;
 }
 
-/// Returns the hands by role, the sculpting one first. Commands have the same order if left and right are swapped.
+/// Returns the hands by role, the sculpting one first: the order of commands does not depend on which hand that is.
 std::array<Side, sideCount> WandMapping::order() const
 {
     return {m_settings.sculpting, other(m_settings.sculpting)};

@@ -15,8 +15,8 @@ inline constexpr double turnSpeed = 60;       ///< degrees a second, as fast as 
 inline constexpr double maxTrackingGap = 0.1; ///< seconds; a wand that is not tracked for longer ends its stroke
 /// Slide that doubles the size of the model or of the brush, radii of the pad.
 inline constexpr double slidePerDoubling = 1;
-/// Change of a colour channel for a slide by one radius of the pad. The whole height of the pad covers half of the
-/// channel's range, so that a thumb can change the value by 1.
+/// Change of a colour channel, 0 to 255, for a slide by one radius of the pad. The whole height of the pad covers half
+/// of the channel's range, so that a thumb can change the value by 1.
 inline constexpr double channelSlide = 255.0 / 4;
 
 struct InputFrame

@@ -10,7 +10,7 @@ namespace vr
 {
 namespace
 {
-/// Expands indexed triangles to three points each. Returns none if an index is out of range or a triangle is
+/// Expands indexed triangles to three points each. Returns an empty area if an index is out of range or a triangle is
 /// incomplete.
 HiddenArea triangles(const std::vector<XrVector2f>& points, const std::vector<std::uint32_t>& indices)
 {

@@ -12,7 +12,7 @@ struct ItemState
     bool isHovered = false;
     bool isPressed = false;
     bool mustHold = false;
-    double held = 0; ///< fraction of the time that the item must be held, 0 to 1
+    double held = 0; ///< fraction of holdSeconds for which the item has been held, 0 to 1
 };
 
 /// Paints an item within its area. The painter's unit is the dmm (panel_layout.h).

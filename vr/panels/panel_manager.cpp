@@ -14,7 +14,7 @@ constexpr double degree = std::numbers::pi / 180;
 /// Heights at which a notice may be placed, metres below the eyes (negative: above), the best first.
 constexpr double noticeHeights[] = {-0.1, -0.3, 0.3, -0.5};
 
-/// Position of a panel relative to where the user looks; the model is in the middle.
+/// Position of a panel relative to where the user looks; the model is straight ahead.
 struct DefaultPosition
 {
     double aside; ///< radians to the left

@@ -7,9 +7,9 @@ namespace vr
 /// The state of a wand at an item of a panel.
 struct PanelTouch
 {
-    PanelAction item; ///< any action of the item
+    PanelAction item; ///< action of the item; for a slider, a Slide with any value
     bool isPressed = false;
-    double held = 0; ///< fraction of the time that the item must be held, 0 to 1
+    double held = 0; ///< fraction of holdSeconds for which the item has been held, 0 to 1
 
     bool operator==(const PanelTouch&) const = default;
 };

@@ -17,7 +17,7 @@ constexpr double farthestAtHand =
 constexpr double farthestReach = 1.3; ///< distance from the head at which a panel is out of reach, metres
 constexpr double asideStep = 5 * std::numbers::pi / 180, maxAside = 110 * std::numbers::pi / 180;
 constexpr double maxAsideOfHand = 60 * std::numbers::pi / 180;
-constexpr int halvings = 16; ///< steps of the bisection of maxAsideOfHand: 0.01 mm at arm's length
+constexpr int halvings = 16; ///< steps of the bisection from 0 to maxAsideOfHand: exact to 0.01 mm at arm's length
 constexpr double nothing = 1e-9;
 
 /// Returns the pose of a panel that faces the head, as upright as possible. A panel seen from straight above is turned

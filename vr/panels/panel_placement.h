@@ -16,8 +16,8 @@ namespace vr
 struct HandPanelPlacement
 {
     Eigen::Vector2d size{0.5, 0.4}; ///< metres
-    /// Obstacle in room space. The panel moves aside until it is outside the obstacle and not hidden by it. If that is
-    /// too far, the panel stays at the hand.
+    /// Obstacle in room space. The panel moves aside until it is outside the obstacle and not hidden by it. If no turn
+    /// up to 60 degrees is enough, the panel stays at the hand.
     std::optional<core::Sphere> clear{};
     double asideSign = 1; ///< 1: aside is to the left, -1: to the right
 };
@@ -33,7 +33,7 @@ struct AheadPanelPlacement
     double aside = 0;               ///< angle to the left of where the head looks, radians
     double below = 0.05;            ///< distance of the panel's middle below the eyes, metres
     /// Obstacle in room space. The panel must be outside the obstacle and not hidden by it. If it would not be, it is
-    /// placed as near to where the head looks as possible, on either side.
+    /// placed as near to where the head looks as possible, up to 110 degrees to either side, or else at `aside`.
     std::optional<core::Sphere> clear{};
 };
 

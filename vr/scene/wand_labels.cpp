@@ -54,8 +54,7 @@ bool isIn(const PresetRow& row, HandMode mode)
     return row.mode == HandMode::Any || row.mode == mode;
 }
 
-/// Returns whether the action is the function of a row. Actions at a panel are not; a refused function was not
-/// executed.
+/// Returns whether the action executes the function of a preset's row. Presses of panels and refusals do not.
 bool isOfRow(const WandAction& action)
 {
     return !std::holds_alternative<PressPanel>(action) && !std::holds_alternative<ReleasePanel>(action) &&
