@@ -11,7 +11,7 @@ namespace app
 namespace
 {
 constexpr double turnSpeed = 2.5; ///< radians per second
-constexpr double edge = 0.04;     ///< margin beside a panel, radians
+constexpr double edge = 0.04;     ///< margin between a panel and the edge of the view, radians
 constexpr double enough = 0.005;  ///< turning ends when a smaller angle than this is missing, radians
 
 /// Returns whether the user opens this kind of panel; others appear beside the work automatically.

@@ -8,7 +8,7 @@
 namespace app
 {
 /// The gaze of the simulated user. Turns the head towards a panel that the user opens until the panel is completely
-/// visible, and back when it is closed. Has no side effects.
+/// visible, and back when it is closed. Computes only the angles: the caller turns the head.
 class SimulatorGaze
 {
 public:

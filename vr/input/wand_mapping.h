@@ -74,7 +74,7 @@ public:
     struct Hold
     {
         Gesture gesture;
-        double progress; ///< above 0, at most 1
+        double progress; ///< fraction of holdSeconds that has passed, above 0, at most 1
     };
     /// Returns the hold in progress; none unless the hand holds a button whose hold has a function.
     std::optional<Hold> hold(Side side) const;

@@ -15,7 +15,7 @@ namespace vr
 /// Timing of the frame to be made, as the runtime reports it.
 struct FrameTime
 {
-    XrTime display = 0;    ///< predicted time at which the frame is seen
+    XrTime display = 0;    ///< predicted time at which the frame is seen, nanoseconds
     XrDuration period = 0; ///< time from one frame to the next, nanoseconds
     bool shouldRender = false;
 };

@@ -54,7 +54,7 @@ private:
     WandLabels m_labels;
     ModelPlacement m_placement;
     bool m_isPlaced = false;
-    Pose m_head;          ///< last known pose of the head
+    Pose m_head;          ///< last known pose of the head, room space
     FrameOutput m_output; ///< output of the present frame
 
     PanelManager m_panels;

@@ -7,7 +7,7 @@ namespace vr
 {
 namespace
 {
-/// Returns whether the brushes agree in all settings that the headset and the window share.
+/// Returns whether the brushes agree in all settings that the headset can change in the window.
 bool isSameChoice(const core::StrokeSettings& a, const core::StrokeSettings& b)
 {
     return a.tool == b.tool && a.brush == b.brush && a.topology == b.topology && a.symmetry == b.symmetry &&

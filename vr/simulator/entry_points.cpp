@@ -102,7 +102,7 @@ struct Entry<FunctionName, Implementation>
 template <class Function, Name FunctionName, auto Implementation>
 std::pair<std::string_view, PFN_xrVoidFunction> entry()
 {
-    // Makes the compiler check that the arguments agree.
+    // Makes the compiler check that the arguments are those of OpenXR's function type.
     constexpr Function function = &Entry<FunctionName, Implementation>::call;
     return {FunctionName.text, reinterpret_cast<PFN_xrVoidFunction>(function)};
 }
