@@ -4,8 +4,8 @@
 
 namespace app
 {
-// Storage of a teacher's PIN in a file, with a salt, by PBKDF2. A PIN has few digits: pupils cannot read it, but a
-// program could try all. pinRecord() and isPin() take about 0.1 s each, on purpose. Thread: any.
+// A teacher's PIN is stored in a file as a salted PBKDF2 hash. Pupils cannot read the PIN from it, but a program could
+// try all PINs, because they have few digits. pinRecord() and isPin() take about 0.1 s each, on purpose. Thread: any.
 
 QString pinRecord(const QString& pin);
 bool isPin(const QString& pin, const QString& record);

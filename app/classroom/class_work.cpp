@@ -121,7 +121,7 @@ void ClassWork::onDelivered(const Delivery& delivery)
 {
     if (m_ended)
         m_ended->folder = delivery.moved.value(m_ended->folder, m_ended->folder);
-    if (delivery.isPaused) // the next delivery reports how many wait
+    if (delivery.isPaused) // the next complete delivery reports the undelivered works
         return;
     m_bar->setUndelivered(
         delivery.undelivered,

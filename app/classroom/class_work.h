@@ -43,9 +43,9 @@ public:
     void begin();
     /// A callback for the end of saving. `problem`: one sentence; empty if the work is safe.
     using Done = std::function<void(const EndedTurn& ended, const QString& problem)>;
-    /// Saves the model as the turn's work, then delivers it unless `done` holds works by setHeld(). `before`: steps
-    /// made before the document's history begins. Returns false and does nothing if another job is running on the
-    /// model.
+    /// Saves the model as the turn's work and calls `done`, then delivers the work unless `done` has called
+    /// setHeld(true). `before`: steps made before the document's history begins. Returns false and does not save if
+    /// another job is running on the model.
     bool save(const QString& what, const ClassTurn& turn, const TurnRecord& before, Done done);
     /// Delivers undelivered works, and retries until all are delivered. Does nothing while works are held. Calls `then`
     /// after the first attempt.

@@ -83,7 +83,7 @@ ClassroomMode::ClassroomMode(const Program& program, ui::Classroom classroom, Cl
             then();
     };
     connect(document, &Document::opened, this, onOpened, Qt::QueuedConnection);
-    const auto checkIdle = [this] { // opening failed, as the window has reported, or was cancelled
+    const auto checkIdle = [this] { // opening was cancelled, or failed, which the window reports
         if (m_isOpened || m_program.document->job().isBusy() || !std::exchange(m_then, nullptr))
             return;
         if (m_stage != Stage::Asking) // in stage Asking the questions or the name panel are already open
@@ -180,7 +180,8 @@ void ClassroomMode::saveRecovered(const RecoveryOffer& offer)
 
 // --- turns
 
-/// Opens the first starter or the lesson's model for the next pupil, below the name panel or the questions.
+/// Opens a model for the next pupil: the first starter, or the lesson's model if the class has no starters. The name
+/// panel or the questions cover it.
 void ClassroomMode::openClay()
 {
     m_stage = Stage::Asking;
@@ -223,7 +224,7 @@ void ClassroomMode::startTurn(const ClassTurn& turn, const TurnRecord& before)
     show();
 }
 
-/// Saves the turn, then asks the questions if the class has them, then the next name.
+/// Saves the turn, then asks the class's questions, if it has any, and then for the next pupil's name.
 void ClassroomMode::next()
 {
     if (m_stage != Stage::Sculpting)
@@ -275,7 +276,7 @@ void ClassroomMode::saveThen(ClassTurn turn, std::function<void()> then)
     if (m_stage == Stage::Saving)
         return;
     m_program.window->viewport()->input()->finish();
-    if (m_stage == Stage::Sculpting) // an interrupted turn has its place in the lesson from the note instead
+    if (m_stage == Stage::Sculpting) // a turn recovered after a crash already has its place, from the note
         turn.lesson = m_lesson.stop();
     Document& document = *m_program.document;
     const auto stepOf = [](const ClassTurn& of) { return of.lesson ? of.lesson->step : 0; };

@@ -94,7 +94,7 @@ private:
     bool m_canLeave = false;
     TurnRecord m_recordBefore;          ///< steps made before the document's history begins
     std::optional<EndedTurn> m_resumed; ///< work from which the present turn was resumed; none: it was not resumed
-    TurnClock m_clock;                  ///< the turn of stage Sculpting; empty in other stages
+    TurnClock m_clock;                  ///< clock of the present turn; has no turn in stages Recovering and Asking
     std::function<void()> m_then;       ///< to be called when the model being opened is there
     bool m_isOpened = false;            ///< true: the model is open, and m_then is called next
     TurnNote m_note{m_paths.turnNote};

@@ -32,7 +32,7 @@ public:
     /// Returns the time since the end of the turn, 0 before it. Precondition: hasEnd().
     qint64 overMs() const;
     bool isWarned() const { return m_isWarned; }
-    /// Returns a notice that is due; each one is returned once a turn.
+    /// Returns the notice that is due now, or None. Each notice is returned once per turn.
     Notice takeNotice();
 
 private:

@@ -33,7 +33,7 @@ constexpr int pictureSize = 512;  ///< width and height, pixels
 constexpr int maxNameLength = 40; ///< characters of the nickname used in a folder name
 constexpr int maxNumber = 10'000;
 constexpr int staleHours = 24;
-constexpr qint64 maxTurnBytes = 64 << 10; ///< limit of the size of turn.json
+constexpr qint64 maxTurnBytes = 64 << 10; ///< largest size of turn.json that is read, bytes
 const QString unfinished = QStringLiteral(".unfinished-");
 const QString turnFile = QStringLiteral("turn.json"), modelFile = QStringLiteral("model.glb");
 const QString turnIdKey = QStringLiteral("id"), turnNameKey = QStringLiteral("name"),

@@ -35,7 +35,7 @@ struct CheckOptions
     CommandModels models;
     bool json = false, csv = false;
     bool table = false;    ///< whether to print a table: for several files, or a folder
-    bool hasWorks = false; ///< whether some models are pupils' work; then each object has pupil and turn, or null
+    bool hasWorks = false; ///< whether some models are pupils' works: results then include pupil and turn
     int nameColumns = 0;   ///< width of the table's first column, characters
     double unit = 1;       ///< unit of the files' coordinates, mm
     std::optional<core::PrintLimits> print; ///< limits given by --print; nothing: printability is not checked
@@ -69,7 +69,7 @@ Json doubtOf(const core::MeshReport& report)
     return doubt == core::UnitDoubt::None ? Json(nullptr) : Json(nameOf(doubt));
 }
 
-/// Appends the print results to the keys that every check has.
+/// Adds the results of the print check to the JSON object.
 void addPrint(Json& json, const CheckOptions& options, const Checked& checked)
 {
     const core::PrintReport& print = *checked.print;
@@ -109,7 +109,7 @@ Json toJson(const QString& file, const Checked& checked)
             {"time_spent_s", checked.work ? Json(std::llround(checked.work->seconds)) : Json(nullptr)}};
 }
 
-/// Appends the facts about the turn that made the model.
+/// Adds the pupil and the turn to the JSON object; null if the model is not a work.
 void addTurn(Json& json, const FoundModel& model)
 {
     const auto text = [](const QString& value) { return value.isEmpty() ? Json(nullptr) : Json(value.toStdString()); };

@@ -50,7 +50,7 @@ constexpr CommandRow commandTable[] = {
      QT_TRANSLATE_NOOP("app::CommandLine", "show what a brush preset contains, or why it is invalid")},
 };
 
-/// Returns null if there is no such command.
+/// Returns the table row of a command; null if there is no such command.
 const CommandRow* commandNamed(const QString& word)
 {
     const auto* const found =
@@ -82,14 +82,15 @@ bool isVersion(const QString& word)
     return word == QLatin1String("--version") || word == QLatin1String("-v");
 }
 
-/// Returns whether `is` accepts one of the options. Arguments after "--" are file names.
+/// Returns whether `is` returns true for one of the arguments before "--"; arguments after "--" are file names.
 bool hasOption(const QStringList& arguments, bool (*is)(const QString&))
 {
     const auto end = std::ranges::find(arguments, QStringLiteral("--"));
     return std::any_of(arguments.begin(), end, is);
 }
 
-/// Returns whether run() must handle the arguments, valid or not.
+/// Returns whether the arguments name a command, or ask for help or the version. If so, run() handles them, valid or
+/// not.
 bool isCommand(const QStringList& arguments)
 {
     if (arguments.isEmpty())
@@ -195,7 +196,8 @@ ExitStatus CommandLine::helpOn(const QString& word)
     return row->run({QStringLiteral("--help")});
 }
 
-/// Removes `--classroom FILE` from the arguments and returns the absolute path of the file; empty if it is missing.
+/// Removes `--classroom FILE` from the arguments and returns the absolute path of the file; empty if the option is
+/// missing. Throws CommandFailure if the file's name is missing.
 QString CommandLine::classFileIn(QStringList& arguments)
 {
     const qsizetype at = arguments.indexOf(QStringLiteral("--classroom"));

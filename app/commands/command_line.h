@@ -32,8 +32,8 @@ class CommandLine
     Q_DECLARE_TR_FUNCTIONS(app::CommandLine)
 
 public:
-    /// Returns whether the arguments (without the program's name) open the window: they neither name a subcommand,
-    /// which wins over file names, nor ask for help or the version, nor are wrong.
+    /// Returns whether the arguments (without the program's name) open the window. Returns false if they begin with a
+    /// subcommand (even if a file has that name), ask for help or the version, or are wrong.
     static bool opensWindow(const QStringList& arguments);
     /// Returns whether the subcommand draws text on pages: run() then needs a QGuiApplication, on any platform.
     static bool needsFonts(const QStringList& arguments);
@@ -50,8 +50,8 @@ public:
     /// Prints a remark to standard output, or to standard error if standard output carries a file.
     static void printRemark(const QString& text);
     static void printError(const QString& sentence);
-    /// Shows what is being done, in place of the previous text. Does nothing unless stderr is a terminal. Empty: clears
-    /// the line.
+    /// Shows what is being done, in place of the previous text; an empty text clears the line. Does nothing unless
+    /// standard error is a terminal.
     static void printProgress(const QString& what);
 
 private:

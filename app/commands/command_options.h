@@ -7,8 +7,8 @@
 
 namespace app
 {
-/// The parsed options of a subcommand. Checks values with the same error messages for all subcommands. Throws
-/// CommandFailure.
+/// The parsed options of a subcommand. Checks values with the same error messages for all subcommands. An option that
+/// is unknown, wrong, or not allowed makes the constructor or the checking function throw CommandFailure.
 class CommandOptions
 {
     Q_DECLARE_TR_FUNCTIONS(app::CommandOptions)
@@ -24,11 +24,11 @@ public:
     bool has(const QString& option) const { return m_parser.isSet(option); }
     QString text(const QString& option) const { return m_parser.value(option); }
 
-    /// Returns the index in `words` of the option's value; 0 if the option is not set.
+    /// Returns the index in `words` of the option's value; 0 if the option is not set. Fails for any other word.
     qsizetype choice(const QString& option, const QStringList& words) const;
-    /// Returns the option's value as a number from `min` to `max`.
+    /// Returns the option's value as a number. Fails if it is not a number from `min` to `max`, or is not set.
     double number(const QString& option, double min, double max) const;
-    /// Returns the option's value as an integer of at least `min`; `min` if the option is not set.
+    /// Returns the option's value as an integer; `min` if the option is not set. Fails for values below `min`.
     unsigned wholeNumber(const QString& option, unsigned min) const;
 
     /// Fails if both options are set.

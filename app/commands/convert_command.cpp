@@ -38,7 +38,7 @@ struct ConvertOptions
     double unit = 1;            ///< unit of IN's coordinates, mm
     std::optional<double> size; ///< longest side of OUT, mm
     std::optional<UpAxis> up;   ///< up axis of IN
-    std::size_t triangles = 0;  ///< most triangles of OUT; 0: no limit
+    std::size_t triangles = 0;  ///< largest number of triangles of OUT; 0: no limit
     std::optional<core::RepairOptions> repair;
 };
 
@@ -149,7 +149,7 @@ QString refusalText(const QString& file, const core::RepairResult& repaired, con
                                        : refusal;
 }
 
-/// A completed repair, reported only when it is known what was written.
+/// A completed repair. It is reported after decimation, which may change the losses.
 struct Repaired
 {
     core::RepairReport report;

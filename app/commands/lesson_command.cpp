@@ -88,7 +88,7 @@ void addLessonOptions(QCommandLineParser& parser)
     CommandOptions::addNoClobber(parser);
 }
 
-/// Sets the language of the program's own texts, too, if there is a translation.
+/// Sets the language of the program's own texts to that of the lesson's texts (--language), if there is a translation.
 void answerIn(const QString& language)
 {
     const QLocale locale(language);
@@ -96,7 +96,7 @@ void answerIn(const QString& language)
     if (!translator->load(locale, QStringLiteral("fettle"), QStringLiteral("_"), QStringLiteral(":/i18n")))
         return;
     QCoreApplication* const application = QCoreApplication::instance();
-    // English translates only a few texts; for all others, no other language may be used
+    // the English translation has only a few texts; for the others, an earlier translator would be used
     qDeleteAll(application->findChildren<QTranslator*>());
     translator->setParent(application);
     QCoreApplication::installTranslator(translator.release());

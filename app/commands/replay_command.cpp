@@ -35,7 +35,7 @@ namespace
 {
 constexpr double paperRadius = 1;
 constexpr int frameWidth = 1280, frameHeight = 720;
-constexpr unsigned maxEvery = 1000000; ///< limit of the strokes between pictures; larger values are clamped
+constexpr unsigned maxEvery = 1000000; ///< largest value of --every; larger values are clamped to it
 constexpr const char* standardInput = "/dev/stdin";
 
 class ReplayMessages
@@ -43,7 +43,8 @@ class ReplayMessages
     Q_DECLARE_TR_FUNCTIONS(app::ReplayCommand)
 };
 
-/// Choices of verifying dabs. None skips verification, for measurements only, so --out is refused with it.
+/// The ways to verify the result of each dab. None skips verification; it is for measurements only, so --out is
+/// refused.
 enum class Verify { Local, Full, None };
 
 struct ReplayOptions
@@ -203,7 +204,7 @@ core::MeshDelta play(core::Sculptor& sculptor, const core::Stroke& stroke, doubl
     return sculptor.endStroke();
 }
 
-/// Sets the model as opened in all resets, which restore it.
+/// Sets the start of all Reset commands: the model as it was opened, which they restore.
 void setStart(Entries& entries, const std::shared_ptr<const core::Snapshot>& start)
 {
     for (core::FileEntry& entry : entries) {

@@ -19,7 +19,8 @@ namespace
 {
 constexpr qint64 chunkSize = 1 << 20;
 
-/// Paths in a temporary folder that is removed with the process; empty: not used.
+/// Paths of the temporary files for standard input and output, and their folder, which is removed by flush() or at the
+/// end of the process. Empty: not used.
 struct Files
 {
     std::optional<QTemporaryDir> folder;

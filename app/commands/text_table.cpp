@@ -62,7 +62,7 @@ QString shortened(const QString& text, int columns)
     if (columnsOf(line) <= columns)
         return line;
     const QList<uint> signs = line.toUcs4();
-    const int right = (columns - 1) / 2; // columns for the end of the name
+    const int right = (columns - 1) / 2; // columns for the end of the text
     return part(signs, columns - 1 - right, true) + QChar(0x2026) + part(signs, right, false);
 }
 

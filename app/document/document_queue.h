@@ -46,13 +46,13 @@ public:
     /// Runs `move`, which moves along the undo stack. Calls `done` once the move is recorded.
     void move(const std::function<void()>& move, std::function<void()> done);
 
-    /// as the user sees it; the worker may not know of the stroke yet
+    /// Returns whether the user's stroke is open. The worker may not have begun it yet.
     bool isStrokeOpen() const { return m_isStrokeOpen; }
     bool hasUnreported() const;
     bool isMoving() const { return m_moves > 0; }
     bool isPaused(Pause pause) const { return m_pause == pause; }
-    /// Returns whether no request waits, and every stroke has ended and been reported. Document::historyChanged()
-    /// follows each change of this value.
+    /// Returns whether no request waits, every stroke has ended and been reported, every move is confirmed, and the
+    /// whole model is not being changed. Document::historyChanged() follows each change of this value.
     bool isSettled() const;
 
 private:

@@ -8,7 +8,7 @@ namespace app
 {
 namespace
 {
-constexpr int stepsPerMove = 8; ///< takes a few milliseconds for strokes
+constexpr int stepsPerMove = 8; ///< most steps undone or redone at once; takes a few ms for strokes
 } // namespace
 
 HistoryScrubber::HistoryScrubber(Document* document) : QObject(document), m_document(document)

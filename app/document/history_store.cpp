@@ -190,7 +190,8 @@ void HistoryStore::enforceCap()
     }
 }
 
-/// Returns the index of the entry in memory that is the most steps away; -1: none. The next undo and redo do not count.
+/// Returns the index of the entry in memory that is the most steps away; -1: none. The entries of the next undo and of
+/// the next redo are never returned.
 int HistoryStore::farthestInMemory() const
 {
     int farthest = -1, steps = 1;

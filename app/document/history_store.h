@@ -25,7 +25,8 @@ public:
     explicit StoredDelta(std::shared_ptr<core::MeshDelta> delta);
     ~StoredDelta();
 
-    /// Undoes or redoes the change. Returns null if its file cannot be read; the mesh is then unchanged.
+    /// Undoes or redoes the change, and returns it. Returns null if its file cannot be read; the mesh is then
+    /// unchanged.
     std::shared_ptr<core::MeshDelta> swap(core::Sculptor& sculptor);
     /// Moves the change from memory to a file in `folder`. Returns false if that fails; it then stays in memory.
     bool spill(const QString& folder);

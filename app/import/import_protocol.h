@@ -37,7 +37,7 @@ struct ImportLimits
         , triangles(2 * points)
     {}
 
-    std::uint64_t memory;  ///< bytes, beyond what the program uses anyway
+    std::uint64_t memory;  ///< bytes, in addition to what the process uses at its start
     std::uint64_t seconds; ///< CPU time; the wall-clock limit is twice as long
     std::uint64_t points, triangles;
 };

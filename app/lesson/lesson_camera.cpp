@@ -9,10 +9,10 @@ namespace app
 namespace
 {
 constexpr double degree = std::numbers::pi / 180;
-/// limits of the pitch that the view is turned to, radians
+/// smallest and largest pitch to which follow() turns the view, radians
 constexpr double lowest = -30 * degree, highest = 60 * degree;
 constexpr double border = 0.05; ///< share of the picture at each edge that counts as hidden
-/// largest share of the brush's distance from the model's centre that it may lie behind the centre
+/// the brush counts as hidden if its depth behind the model's centre exceeds this share of its distance from the centre
 constexpr double behind = 0.3;
 constexpr int betweenFlights = 800; ///< shortest time between two camera movements, ms
 

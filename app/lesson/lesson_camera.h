@@ -19,7 +19,7 @@ public:
 
     /// Moves the camera to the step's view, if it has one, so that the model and the whole demonstration are visible.
     void show(const core::LessonStep& step);
-    /// Follows the moving brush of the demonstration. `shown`: the brush at the place where it meets the model, mm.
+    /// Follows the moving brush of the demonstration. `shown`: sphere of the brush as displayed, model space, mm.
     void follow(const core::GhostBrush& ghost, const core::Sphere& shown);
     /// Forgets the last brush. Called when the demonstration begins or ends.
     void rest() { m_turned.reset(); }
@@ -28,7 +28,7 @@ private:
     bool isInSight(const core::Sphere& shown) const;
 
     QPointer<ui::Viewport> m_viewport;
-    /// rotation of the model on the turntable at the last movement of the brush, radians
+    /// turntable angle of the demonstration at the last call of follow(), radians; none: not called since rest()
     std::optional<double> m_turned;
     QElapsedTimer m_sinceFlight;
 };

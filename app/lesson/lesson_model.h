@@ -8,7 +8,7 @@
 namespace app
 {
 /// Makes a lesson's model for the window, bit for bit as core::LessonPlayback does: the result of its first `steps`
-/// steps, or its start.
+/// steps; if `steps` is 0, the model with which the lesson begins.
 struct LessonModel
 {
     std::shared_ptr<const core::Lesson> lesson;

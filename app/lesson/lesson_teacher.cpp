@@ -64,7 +64,8 @@ LessonTeacher::Hand LessonTeacher::changedBy() const
     return m_document->history().stack().index() > m_starts.back() ? Hand::Pupils : Hand::Nobodys;
 }
 
-/// Forgets the demonstration when the step is undone to its start, and restores that when it is redone.
+/// Updates whether the model contains strokes of the demonstration: not after undo has reached the start of the step,
+/// but again after a redo.
 void LessonTeacher::onIndexChanged(int index)
 {
     if (!hasLesson() || m_starts.empty() || m_timer.isActive())

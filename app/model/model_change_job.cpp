@@ -19,7 +19,7 @@ namespace app
 {
 namespace
 {
-/// progress after reading and repairing the inserted model, 0 to 1
+/// progress after reading the inserted model, and after repairing it, 0 to 1
 constexpr double afterInsertReading = 0.2, afterInsertRepair = 0.8;
 } // namespace
 

@@ -19,7 +19,8 @@ namespace app
 {
 namespace
 {
-/// Progress at the end of decimating, and of writing within the remaining part, 0 to 1.
+/// afterDecimating: progress when the model is decimated, 0 to 1. afterWriting: share of the remaining progress that is
+/// reached when the file is written.
 constexpr double afterDecimating = 0.85, afterWriting = 0.2;
 } // namespace
 

@@ -33,7 +33,7 @@ struct ExportRequest
 struct ExportOutcome
 {
     QString problem; ///< one sentence: the file was not written, or its content is wrong; empty: neither
-    QString verdict; ///< one line about the written file; empty if there is a problem or writing was cancelled
+    QString verdict; ///< one line about the written file; empty if there is a problem or no file was written
 };
 
 /// Writes a copy of the model to a file, decimated if requested, and reads the file back to verify it. The document's

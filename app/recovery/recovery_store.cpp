@@ -30,7 +30,7 @@ std::string text(const QString& string)
 
 constexpr std::chrono::milliseconds defaultRetryInterval = std::chrono::seconds(10),
                                     maxRetryInterval = std::chrono::minutes(5);
-/// estimated size of a journal's start and base records, including unused slots
+/// estimated size of a journal's start and base records, including unused slots, bytes per face
 constexpr std::uintmax_t bytesPerFace = 128;
 
 /// Returns a new journal folder; null if the disk has too little space or the folder cannot be made.

@@ -50,8 +50,8 @@ struct Question
 
 std::int64_t steadyNs();
 
-/// Returns whether sample `i` of `count` waiting samples is dropped: every second one, except the stroke's first sample
-/// and the last one.
+/// Returns whether sample `i` of `count` waiting samples is dropped: every second one, except the last and the stroke's
+/// first sample. `isFirst`: it is the stroke's first sample.
 constexpr bool isThinnedOut(std::size_t i, std::size_t count, bool isFirst)
 {
     return !isFirst && i + 1 != count && i % 2 == 0;

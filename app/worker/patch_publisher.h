@@ -30,9 +30,9 @@ public:
     /// Puts the sculptor's patch into every inbox and returns it. Returns nothing if the patch is empty or patches are
     /// hidden.
     std::optional<core::MeshPatch> flush(core::Sculptor& sculptor);
-    /// Returns whether the last flush was more than half a frame ago.
+    /// Returns whether the last flush was more than half a frame (8 ms) ago.
     bool isDue() const;
-    /// Sets whether patches are hidden: then flush() does nothing.
+    /// Sets whether patches are hidden. While they are, flush() does nothing, and changes accumulate in the sculptor.
     void setHidden(bool isHidden) { m_isHidden = isHidden; }
     void beginSample(std::int64_t postedNs) { m_sampledNs = postedNs; }
     void endSample() { m_sampledNs = 0; }

@@ -21,10 +21,10 @@ struct MeshFacts
 {
     quint64 vertices = 0;
     quint64 faces = 0;
-    core::Box box;            ///< mm; larger than the mesh until a scan after the stroke has ended
-    double area = 0;          ///< mm^2; may be out of date until a scan after the stroke has ended
-    double uniformDetail = 0; ///< d_detail of uniform topology, mm
-    double minDetail = 0;     ///< finest d_detail that the lattice supports, mm
+    core::Box box;            ///< mm; may be larger than the mesh until the scan after the stroke has finished
+    double area = 0;          ///< mm^2; may be out of date until the scan after the stroke has finished
+    double uniformDetail = 0; ///< edge length above which Topology::Uniform splits (d_detail), mm
+    double minDetail = 0;     ///< smallest d_detail that the mesh's lattice allows, mm
 };
 
 /// The result of a finished stroke. Reports come in the order in which the strokes began.

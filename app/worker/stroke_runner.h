@@ -20,7 +20,7 @@ public:
         core::Shortfall shortfall = core::Shortfall::None;
     };
 
-    /// Sets the sculptor and its after-dab hook. It must stay valid until the next call. Null: strokes do nothing.
+    /// Sets the sculptor, which must stay valid until the next call, and its after-dab hook. Null: strokes do nothing.
     void setSculptor(core::Sculptor* sculptor);
 
     void begin(const BeginStroke& stroke);

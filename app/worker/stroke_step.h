@@ -39,8 +39,8 @@ public:
     static QString textOfAdding(bool isModel);
     /// Returns the name and details of a reported stroke. Thread: any.
     static StepDescription descriptionOf(const StrokeReport& report);
-    /// Returns the report that descriptionOf() was called with; nothing if the step is not a stroke, or if repeating it
-    /// needs an alpha or model file.
+    /// Returns a report that gives the same description and recorded step, without delta and facts. Returns nothing if
+    /// the step is not a stroke, or if repeating it needs an alpha or model file.
     static std::optional<StrokeReport> reportOf(const StepMarks& marks);
     static core::JournalStep forJournal(const QString& text, const StepMarks& marks);
     static StepDescription fromJournal(const core::JournalStep& step);
