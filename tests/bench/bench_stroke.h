@@ -12,7 +12,7 @@ struct GreatCircle
     core::Tool tool = core::Tool::Pull;
     double radius = 0.25;
     double strength = 0.2; ///< strength 0.2: each dab moves the surface by 0.02 radii of the brush
-    double detail = 1;     ///< factor of d_detail, which is sqrt(0.05) brush radii
+    double detail = 1;     ///< factor of d_detail; with factor 1, d_detail is sqrt(0.05) brush radii
     int dabs = 200;
     double spacing = 0.126; ///< distance between dabs, in radii of the brush
 };

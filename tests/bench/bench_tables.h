@@ -39,7 +39,7 @@ private:
     struct Row
     {
         std::string label;
-        std::map<std::string, double> least; ///< key: name of the counter
+        std::map<std::string, double> least; ///< smallest value of each counter; key: its name
     };
     using Rows = std::map<std::int64_t, Row>; ///< key: order of registration
 

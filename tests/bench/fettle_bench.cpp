@@ -1,9 +1,10 @@
-// Prints tables of the cost of a dab: the paper's Table 1, scale, large dabs, strength, memory. Run by hand, on a
-// release build:
+// Prints tables of costs: of a dab (the paper's Table 1, scale, large dabs, strength, tools), drawings, the print
+// check, files, booleans, the journal and memory. Run by hand, on a release build:
 //   fettle_bench
-//   [--benchmark_filter=table1|peersStroke|largeDab|strength|tools|drags|drawing|print|files|memory|boolean]
+//   [--benchmark_filter=table1|peersStroke|largeDab|strength|tools|drags|drawing|print|files|memory|boolean|journal]
 //   FETTLE_AGED_DABS=100000 fettle_bench --benchmark_filter=agedStroke
-// Each row is run five times, interleaved, and the best run counts. --benchmark_repetitions=1 gives a quick estimate.
+// Each row is run five times, interleaved; the smallest value of each counter is printed. A quick estimate:
+// --benchmark_repetitions=1.
 
 #include "tests/bench/bench_tables.h"
 

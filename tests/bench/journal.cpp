@@ -1,5 +1,5 @@
-// Measures the cost of crash safety: the same strokes without and with a journal, on two models, while the journal
-// writes a new base.
+// Measures the cost of crash safety: the same strokes without and with a journal, on two models. The journal also
+// writes new bases during the strokes.
 #include "tests/bench/bench_models.h"
 #include "tests/bench/bench_stroke.h"
 

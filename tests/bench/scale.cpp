@@ -27,8 +27,8 @@ core::TriangleMesh source(Slot cuts, Order order)
     return order == Shuffled ? bench::shuffled(bench::geodesicSphere(cuts)) : bench::geodesicSphere(cuts);
 }
 
-/// Strokes that touch about 160 vertices per dab. Arguments: cuts of each edge of the icosahedron, radius in units of
-/// 1e-6, order of the file.
+/// Measures strokes that touch about 160 vertices per dab. Arguments: parts into which each edge of the icosahedron is
+/// cut, brush radius in units of 1e-6 sphere radii, order of the file.
 void peersStroke(benchmark::State& state)
 {
     const auto cuts = static_cast<Slot>(state.range(0));
@@ -54,7 +54,7 @@ BENCHMARK(peersStroke)
     ->UseManualTime()
     ->Unit(benchmark::kMicrosecond);
 
-/// Sculpts all over the model with a brush of the measured radius: pull, push, flatten and smooth in equal parts.
+/// Makes `dabs` dabs all over the model, in strokes of 20 dabs with pull, push, flatten or smooth, chosen at random.
 void age(Sculptor& sculptor, double radius, std::uint64_t dabs)
 {
     constexpr core::Tool tools[] = {core::Tool::Pull, core::Tool::Push, core::Tool::Flatten, core::Tool::Smooth};
@@ -106,8 +106,8 @@ BENCHMARK(agedStroke)
     ->UseManualTime()
     ->Unit(benchmark::kMicrosecond);
 
-/// Dabs of large regions, with edges as long as the model's. Arguments: cuts of each edge of the icosahedron, radius in
-/// units of 1e-6, detail in units of 1e-4, dabs.
+/// Measures dabs of large regions, at a detail that matches the model's edges. Arguments: parts into which each edge of
+/// the icosahedron is cut, brush radius in units of 1e-6 sphere radii, detail in units of 1e-4, number of dabs.
 void largeDab(benchmark::State& state)
 {
     const auto cuts = static_cast<Slot>(state.range(0));
@@ -130,8 +130,8 @@ BENCHMARK(largeDab)
     ->UseManualTime()
     ->Unit(benchmark::kMicrosecond);
 
-/// Dabs of different displacements. Arguments: cuts of each edge of the icosahedron, radius in units of 1e-6, strength
-/// in percent.
+/// Measures dabs of different displacements. Arguments: parts into which each edge of the icosahedron is cut, brush
+/// radius in units of 1e-6 sphere radii, strength in percent.
 void strength(benchmark::State& state)
 {
     const auto cuts = static_cast<Slot>(state.range(0));

@@ -33,7 +33,7 @@ double at(std::vector<double> values, double share)
     return values.empty() ? 0 : values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
 }
 
-/// Returns a script that pulls the trigger over the side of a ball of 0.5 m that faces the user, frame after frame.
+/// Returns a script that moves the controller with a pulled trigger over the front of a ball 0.5 m in diameter.
 QByteArray script()
 {
     QByteArray steps;

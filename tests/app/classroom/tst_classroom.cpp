@@ -102,7 +102,7 @@ std::uint64_t replayed(core::Starter starter, const QString& record)
     return model.sculptor->mesh().meshHash();
 }
 
-/// Folders of a class and of its computer.
+/// The class folder, and the folders for the class on this computer.
 struct Home
 {
     explicit Home(const QString& path) : root(path)

@@ -58,14 +58,14 @@ struct KeptClass
 {
     KeptClass() { QDir().mkpath(works); }
     WorkArchive archive() const { return {works, outbox}; }
-    /// Returns the folder of the work on this computer. Works of one turn differ in their number of steps.
+    /// Saves a work on this computer and returns its folder. Works of one turn differ in their number of steps.
     QString add(const QString& id, const QString& pupil, int steps = 0) const
     {
         TurnWork work{id, pupil, noon, noon.addSecs(600), steps, nullptr, 0, {}, {}};
         work.mesh = std::make_shared<core::TriangleMesh>(core::starterModel(core::Starter::Cube));
         return archive().add(work).folder;
     }
-    /// Returns what went wrong, or an empty text.
+    /// Saves a work with answers. Returns the error message, or an empty text.
     QString keepWith(const QString& id, const QString& pupil, const std::array<int, ui::questionCount>& answers,
                      int steps = 0) const
     {

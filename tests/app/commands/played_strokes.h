@@ -19,7 +19,7 @@ template <> struct nlohmann::adl_serializer<core::Vec3>
     static void to_json(json& array, const core::Vec3& point) { array = {point.x(), point.y(), point.z()}; }
 };
 
-/// Stroke files that tests create like a user would, and replaying them with the program.
+/// Creates stroke files as a user would, and replays them with the program.
 namespace played_strokes
 {
 struct Brush
@@ -29,7 +29,7 @@ struct Brush
     double strength = 1;
 };
 
-/// A sample of a ray ("place": "ray").
+/// Position and direction of one sample of a stroke with "place": "ray".
 struct Hand
 {
     core::Vec3 position, direction;

@@ -20,15 +20,15 @@ struct ReferenceExample
     QString language, text;
 };
 
-/// A page of resources/reference, as far as tests compare it with the program.
+/// The parts of a page of resources/reference that tests compare with the program.
 class ReferencePage
 {
 public:
     /// Reads a page. `name`: file name without its ending.
     explicit ReferencePage(const QString& name);
 
-    /// Returns the first table whose first heading is `head`, starting at the section if one is given, or an empty
-    /// table.
+    /// Returns the first table whose first heading is `head`, or an empty table. `section`: title of the only section
+    /// to be searched; empty: the whole page.
     ReferenceTable table(const QString& head, const QString& section = {}) const;
     /// Returns the examples in a language, in page order.
     QStringList examples(const QString& language) const;

@@ -90,7 +90,7 @@ std::vector<Berry> bunch()
     {
         double height, radius;
         int berries;
-        double turn; ///< angle offset of the row, in berries
+        double turn; ///< rotation of the row as a share of the angle between two berries
     } rows[] = {{5, 28, 7, 0},     {-17, 38, 9, 0.5},    {-39, 37, 9, 0},      {-61, 36, 8, 0.5},
                 {-83, 28.5, 7, 0}, {-104, 19.5, 5, 0.3}, {-121, 10.5, 3, 0.1}, {-138, 0, 1, 0}};
     std::vector<Berry> berries;
@@ -554,7 +554,7 @@ void TestGrapes::berries_beginInTheBody()
             bodyBalls, [&](const Ball& part) { return (berry.middle - part.middle).norm() < part.radius; }));
 }
 
-/// Checks the centre of each berry's visible side, up to an angle of 37 degrees, which no other berry covers.
+/// Checks the roundness of each berry up to 37 degrees from its outward direction, except where another berry is near.
 void TestGrapes::berries_areRound()
 {
     const std::vector<Berry> berries = bunch();

@@ -236,7 +236,7 @@ QString valueFor(const QString& key)
     return values.value(key, QStringLiteral("1"));
 }
 
-/// Extracts the lists of known keys from the source of the lesson reader, by the object that has them.
+/// Extracts the known keys of each JSON object from the source of the lesson reader. Map key: name of the object.
 QMap<QString, QStringList> keysOfLessonReader()
 {
     static const QRegularExpression list(QStringLiteral("knowsOnly\\(\\w+, \"?(\\w*)\"?, \\{([^}]*)\\}\\)"));

@@ -120,7 +120,8 @@ QString titleOf(const QString& command)
     return QStringLiteral("fettle ") + command;
 }
 
-/// Reads the options of a command from the reference: its own table, and the shared tables in its line "Also".
+/// Reads the options of a command from the reference: those of its own table, and the shared ones that its line "Also:"
+/// names.
 OptionRows optionsInReference(const QString& command)
 {
     OptionRows rows;

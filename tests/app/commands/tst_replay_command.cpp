@@ -90,7 +90,8 @@ core::TriangleMesh potato(const Vec3& middle)
 
 using Turned = std::function<Vec3(const Vec3&)>;
 
-/// Checks that the distance of both meshes is within the precision of two lattices and of float32 far from the origin.
+/// Checks that `mesh`, moved by -`shift`, is at most 2e-3 from `other`: the precision of two lattices and of float32
+/// far from the origin.
 #define VERIFY_ALIKE(mesh, other, shift)                                                                               \
     do {                                                                                                               \
         core::TriangleMesh back = mesh;                                                                                \

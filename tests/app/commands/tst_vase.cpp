@@ -28,7 +28,7 @@ using played_strokes::Brush;
 using played_strokes::Hand;
 
 const Vec3 up = {0, 1, 0}, down = {0, -1, 0}, inwards = {-1, 0, 0}, outwards = {1, 0, 0};
-constexpr double far = 4; ///< distance outside of the model
+constexpr double far = 4; ///< coordinate or distance from the axis that is outside of the model
 constexpr double ringRadius = 1.5, ringHeight = -0.15;
 constexpr double turnSpeed = 36; ///< degrees per second of the turntable
 

@@ -65,7 +65,7 @@ void writeCrossingBalls(const QString& path)
                     shapes::together(core::icosphere(2, 10), shapes::moved(core::icosphere(2, 10), {9, 0, 0})));
 }
 
-/// Counts the questions about unsaved changes, and answers them.
+/// Counts the questions about unsaved changes, and answers each one with `mayLose`.
 struct Asked
 {
     Asked(Program& program, bool mayLose)

@@ -36,7 +36,7 @@ void open(Program& program, const core::TriangleMesh& mesh, const QTemporaryDir&
     openFile(program, path);
 }
 
-/// Returns a cube and a plate of 0.5 mm.
+/// Returns a cube, and beside it a plate 0.5 mm thick.
 core::TriangleMesh plateAndCube()
 {
     return shapes::together(shapes::moved(shapes::cube(20), {-40, -10, -10}), clay::slab(30, 0.5, 6));

@@ -24,7 +24,7 @@ namespace app
 class HeadsetHand
 {
 public:
-    /// Pixels of an eye's picture: for tests that do not look at it, and for tests that do.
+    /// Sizes of an eye's picture, pixels: `few` for tests that ignore the picture, `enough` for tests that examine it.
     static constexpr QSize few{54, 60}, enough{216, 240};
 
     explicit HeadsetHand(Program& program, const QSize& pixels = few) : m_program(program)
@@ -68,8 +68,7 @@ public:
         m_program.window.action(QStringLiteral("vr.enter"))->trigger();
         waitUntilOut();
     }
-    /// Waits until the session has ended. A session ends within frames, so the runtime must run without steps
-    /// meanwhile.
+    /// Waits until the session has ended. Ending a session takes frames, so the runtime advances by itself meanwhile.
     void waitUntilOut()
     {
         m_headset.step("{'pace': 'fast'}");
@@ -223,7 +222,7 @@ public:
         return m_ahead.emplace(layout.kind, place).first->second;
     }
     void forgetPanels() { m_ahead.clear(); }
-    /// Opens a panel by its button on the tool panel, whose place it takes.
+    /// Opens a panel by its button on the tool panel. The panel replaces the tool panel.
     void openFromTools(const vr::ToolPanel& tools, vr::PanelKind kind)
     {
         click(tools, vr::ShowPanel{kind});

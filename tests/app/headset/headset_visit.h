@@ -12,7 +12,7 @@
 
 namespace app
 {
-/// The window with a ball of 100 mm from a file. The headset is ready, but not in use.
+/// The window with a ball 100 mm in diameter, opened from a file. The headset is ready, but not in use.
 struct HeadsetFixture
 {
     /// `pixels`: size of an eye's picture.
@@ -114,7 +114,7 @@ inline double distanceAt(const QImage& depth, const QPoint& at, double nearest =
     return nearest * farthest / (farthest - share * (farthest - nearest));
 }
 
-/// Returns the number of haptic pulses with the frequency of this feeling.
+/// Returns how many haptic pulses of the controller had the frequency that `feeling` produces.
 inline int pulsesOf(HeadsetHand& hand, vr::Side side, const vr::HapticInput& feeling)
 {
     std::array<vr::HapticInput, vr::sideCount> hands;

@@ -31,7 +31,7 @@ vr::ToolPanel tools()
     return panel;
 }
 
-/// An Alone with the tool panel open and painted, held beside the model.
+/// A visit as Alone, with the tool panel open and painted, held beside the model.
 struct AtTools : Alone
 {
     explicit AtTools(const vr::HeadsetSettings& settings = {}, const QSize& pixels = HeadsetHand::few)
@@ -72,7 +72,7 @@ struct AtTools : Alone
         hand.put(Side::Right, {0.5, 1.1, -0.1});
         hand.waitForPanels();
     }
-    /// Returns the visible area of a panel in front of the user.
+    /// Returns the part of the eye's picture that shows `area` of a panel in front of the user.
     QImage areaOf(const vr::PanelLayout& layout, const QRectF& area)
     {
         putWandsAside();

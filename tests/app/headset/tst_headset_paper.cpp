@@ -72,7 +72,7 @@ void TestHeadsetPaper::turns(double x, int sign)
     QVERIFY(v.isUntouched());
 }
 
-/// A small brush does not refine the mesh in uniform topology.
+/// Toggles uniform topology, in which a small brush does not refine the mesh. `y`: place on the pad, -1 to 1.
 void TestHeadsetPaper::togglesTopology(double y)
 {
     Alone v;

@@ -30,7 +30,7 @@ using core::Vec3;
 
 namespace
 {
-/// The program with a ball of 100 mm, started with --vr-simulator.
+/// The program with a ball 100 mm in diameter, as if started with --vr-simulator.
 struct SimulatorFixture
 {
     explicit SimulatorFixture(const vr::HeadsetSettings& settings = {})
@@ -71,7 +71,7 @@ struct SimulatorFixture
     {
         sendMouse(view, QEvent::MouseMove, view->placeOf(place).toPoint(), button, modifiers);
     }
-    /// Returns the place in the eye's view of a point in the room.
+    /// Returns where a point in the room appears in the eye's view: -1 to 1 from left to right and from bottom to top.
     Eigen::Vector2d placeOf(const Vec3& point) const
     {
         const Vec3 own = view->controls().head().inverse() * point;

@@ -247,7 +247,7 @@ float distanceTo(const std::vector<Vec3f>& points, const Vec3f& point)
     return least;
 }
 
-/// Returns a ball of 20 mm in metres, the unit of glTF.
+/// Returns a ball 20 mm in diameter, with coordinates in metres, the unit of glTF.
 TriangleMesh ball()
 {
     return core::icosphere(2, 0.01);

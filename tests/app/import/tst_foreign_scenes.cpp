@@ -359,7 +359,7 @@ void TestForeignScenes::fbx_scalesAreInherited()
          {fbx({{scale}, {.properties = inherit + child, .parent = 0}}),
           fbx({{scale}, {.properties = child, .parent = 0}}, {}, cube(), templateOf(inherit))}) {
         core::TriangleMesh mesh = readFbx(bytes).mesh;
-        // points of the parent, whose mesh is scaled to its origin
+        // removes the parent's points: GeometricScaling 0 moves them to the origin
         std::erase_if(mesh.points, [](const Vec3f& p) { return p.isZero(); });
         const Box box = boxOf(mesh);
         COMPARE_VECTORS(box.size(), x, y, 10);

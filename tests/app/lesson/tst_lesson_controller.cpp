@@ -80,7 +80,8 @@ bool isSettled(Program& program)
     return program.document.queue().isSettled() && !program.document.job().isBusy();
 }
 
-/// Opens the mug at its third step, to which the teacher is still playing the first two steps.
+/// Goes to the third step of the mug and requests the teacher's model for it. Returns while the teacher is still
+/// playing the first two steps.
 void beginOnTheWay(Program& program)
 {
     begin(program, QStringLiteral("A mug with a handle"));

@@ -36,7 +36,7 @@ namespace fs = std::filesystem;
 namespace
 {
 constexpr core::Rgb red{250, 10, 20};
-/// small limits, so that bases are written, too
+/// small limits (bytes), so that the journal writes bases, too
 constexpr core::JournalLimits smallLimits{.segmentBytes = 256 << 10, .logBytes = 2 << 20};
 
 /// State after a change. The killed process prints it for each change, and recovery must restore it.
@@ -94,7 +94,7 @@ struct Session
             return !document.job().isBusy() && document.queue().isSettled() && document.modelInfo().faces > 0;
         });
     }
-    /// Returns the current state. `recorded`: waits until it would survive the end of the program.
+    /// Returns the current state. `recorded`: whether to wait until the state would survive a crash of the program.
     State state(bool recorded = true)
     {
         std::optional<State> answer;
@@ -138,7 +138,8 @@ struct Session
         document.changer().apply(command);
         wait();
     }
-    /// Makes one random change. Returns whether strokeFinished() reports its end; otherwise the end must be awaited.
+    /// Makes one random change and waits for its end. Returns whether it is a stroke, which is then already recorded;
+    /// for other changes, recording must be awaited.
     bool act(StrokeFuzzer& random)
     {
         const auto steps = static_cast<std::uint64_t>(document.history().stack().count());

@@ -247,7 +247,8 @@ void TestEndToEnd::closing_asksOnlyWithChanges()
     QCOMPARE(asked, 1);
 }
 
-/// The window closes while it is still unknown whether a press is on the model.
+/// Closing the window is requested while it is still unknown whether a press is on the model. The press becomes a
+/// stroke first.
 void TestEndToEnd::closing_waitsForThePress()
 {
     Program program;

@@ -27,7 +27,7 @@ using namespace app;
 namespace
 {
 constexpr int smallSeconds = 4, longSeconds = 8, soakSeconds = 150;
-constexpr quint64 maxVertices = 60'000; ///< with more vertices a new model is opened
+constexpr quint64 maxVertices = 60'000; ///< a model with more vertices is reset to its start
 
 /// A simulated user who presses, drags, types and chooses at random in the window and in every dialog that opens.
 class RandomInput

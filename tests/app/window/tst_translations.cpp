@@ -114,8 +114,8 @@ QStringList languages()
     return all;
 }
 
-/// Returns the placeholders of a text: "%1", "%L2", "%n", "[*]", patterns of file filters. A translation must contain
-/// each as often as the source.
+/// Returns the marks of a text that a translation must contain as often as the source: "%1", "%L2", "%n", "[*]", "(*)"
+/// of file filters, and "…".
 QStringList marks(const QString& text)
 {
     static const QRegularExpression mark(QStringLiteral(R"(%L?(\d|n)|\[\*\]|\(\*\)|…)"));
@@ -171,7 +171,7 @@ qsizetype formsIn(const QString& language)
     return language.startsWith(QStringLiteral("zh")) ? 1 : 2;
 }
 
-/// Returns the program's output in a language, which need not be installed.
+/// Returns the program's output in a language. The system need not have a locale for it.
 QString fettle(const QStringList& arguments, const QString& language)
 {
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
