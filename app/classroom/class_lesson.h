@@ -35,7 +35,8 @@ public:
     void resume(const LessonPlace& place) const;
     /// Returns the present place in the lesson; nothing if no lesson is open.
     std::optional<LessonPlace> place() const;
-    /// Returns the place that was noted, with the lesson filled in; nothing if the class now has another lesson.
+    /// Returns the noted place with its lesson filled in; nothing if the class now has another lesson, or one without
+    /// that step.
     std::optional<LessonPlace> find(const LessonPlace& noted) const;
     /// Stops the lesson's demonstration. Returns the present place in the lesson; nothing if no lesson is open.
     std::optional<LessonPlace> stop() const;

@@ -24,7 +24,7 @@ struct ClassTurn
     QString id;
     QString pupil;
     QDateTime begun;
-    qint64 usedMs = 0;                      ///< time used before the turn was interrupted
+    qint64 usedMs = 0;                      ///< time used until this object was made, without pauses
     QDateTime ended = {};                   ///< invalid: the turn has not ended
     bool isResumed = false;                 ///< whether the turn continues an earlier work instead of a starter
     std::optional<LessonPlace> lesson = {}; ///< place in the lesson; none: the turn has no lesson

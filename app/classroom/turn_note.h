@@ -15,8 +15,8 @@ public:
     void write(const ClassTurn& turn);
     /// Writes the note again if the turn's place in its lesson has changed.
     void update(const ClassTurn& turn);
-    /// Returns the noted turn, ended at the time `interrupted`; nothing if there is no note. Its place in the lesson
-    /// has only the path of the lesson.
+    /// Returns the noted turn, ended at the time `interrupted`; nothing if there is no valid note. Its place in the
+    /// lesson has the path of the lesson but no lesson.
     std::optional<ClassTurn> read(const QDateTime& interrupted) const;
 
 private:

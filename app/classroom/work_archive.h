@@ -91,7 +91,7 @@ public:
     static QStringList worksIn(const QString& classFolder);
     /// Returns whether a folder contains a complete work.
     static bool isWork(const QString& folder);
-    /// Returns the facts in the turn.json of a work's folder.
+    /// Returns the facts in the turn.json of a work's folder. Missing and unreadable values are empty.
     static TurnFacts turnOf(const QString& work);
     /// Returns the path of the model file in a work's folder.
     static QString modelOf(const QString& work);

@@ -16,6 +16,7 @@ struct CommandModels
 };
 
 /// Returns the models named by the arguments. A folder is replaced by its models, sorted by name, or by the pupils'
-/// works if it belongs to a class; "-" is standard input. Throws CommandFailure if no file was given.
+/// works if it belongs to a class; "-" is standard input. Throws CommandFailure if no file was given or standard input
+/// cannot be read.
 CommandModels commandModels(const CommandOptions& options);
 } // namespace app

@@ -69,7 +69,7 @@ public Q_SLOTS:
     void recover(quint64 offer, const QString& name);
 
 Q_SIGNALS:
-    /// Emitted if the model of a file is not sound. openRepaired() may succeed.
+    /// Emitted if the model of a file is refused, for example because it is not sound. openRepaired() may succeed.
     void repairable(const QString& path, const QString& problem);
     /// Emitted with the repairs made to the opened model, one sentence each.
     void repaired(const QString& name, const QStringList& steps);

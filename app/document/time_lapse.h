@@ -18,10 +18,10 @@ struct TimeLapseRequest
     core::ThumbnailView view;
 };
 
-/// Result of a time-lapse. Without frames and problem it was cancelled.
+/// Result of a time-lapse. If there are neither frames nor a problem, it was cancelled and its files were deleted.
 struct TimeLapseOutcome
 {
-    QString problem; ///< one sentence; all its frames are then deleted again
+    QString problem; ///< one sentence if it failed; all files that it wrote are then deleted
     int frames = 0;
 };
 
@@ -34,8 +34,8 @@ class TimeLapse
 public:
     /// Returns the file names for the states from `first` to `last`, inclusive.
     static QStringList frameNames(int first, int last, int every);
-    /// Returns one sentence if the frames cannot be written: the folder or a free file name is missing. Returns an
-    /// empty string otherwise.
+    /// Returns one sentence if the frames cannot be written, because the folder does not exist or already contains one
+    /// of the file names. Returns an empty string otherwise.
     static QString obstacle(const QString& folder, const QStringList& frames);
     /// Writes the frames. Undoes steps in `history.mesh`, which must not be used afterwards.
     static TimeLapseOutcome run(const TimeLapseRequest& request, const ModelHistory& history,

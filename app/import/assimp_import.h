@@ -9,8 +9,8 @@ inline constexpr const char* importWord = "read-foreign";
 
 /// Runs the import process: reads the file with Assimp (or glTF with Draco) and writes the result to standard output
 /// (import_protocol.h). First restricts itself: memory and time to ImportLimits, no other programs, no network, no
-/// writing of files. Opens only files in the folder of `file`. `bytes`: size of the file and of the files it refers to,
-/// in decimal. Returns the exit status.
+/// writing of files. Opens only files in the folder of `file` and its subfolders. `bytes`: size of the file and of the
+/// files it refers to, in decimal. Returns the exit status.
 int runImport(const char* file, const char* bytes);
 
 /// Returns whether files with this extension define a unit of length.

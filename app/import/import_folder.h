@@ -16,9 +16,9 @@
 
 namespace app
 {
-/// File access for Assimp: lets it read files in one folder and write none. Symbolic links are resolved first. Some
-/// files are modified on reading: X3D is expanded, COLLADA becomes UTF-8 with correct counts, and FBX gets rotations
-/// that Assimp applies correctly.
+/// File access for Assimp: lets it read the files in one folder and its subfolders, and write none. Symbolic links are
+/// resolved first. Some files are modified on reading: X3D is expanded, COLLADA becomes UTF-8 with correct counts, and
+/// FBX gets rotations that Assimp applies correctly.
 class ImportFolder : public Assimp::DefaultIOSystem
 {
 public:

@@ -36,6 +36,6 @@ struct ReadLesson
     std::shared_ptr<const core::Lesson> lesson;
     QString problem;
 };
-/// Reads a lesson by calling `read`. Never throws. Thread: any.
+/// Reads a lesson by calling `read`. A LessonError or FileError is returned as `problem`, not thrown. Thread: any.
 ReadLesson tryToReadLesson(const QString& pathOrName, core::Lesson (*read)(const QString& pathOrName) = readLesson);
 } // namespace app

@@ -98,8 +98,8 @@ private:
         bool isCentred = false;                 ///< whether the centre of the model is moved to the origin
         core::Vec3 origin = core::Vec3::Zero(); ///< position of the mesh's origin in the space of the file
     };
-    /// Builds `loaded.sculptor` from the mesh, or sets `loaded.problem`. Returns the check report of the unchanged
-    /// input mesh.
+    /// Builds `loaded.sculptor` from the mesh, or sets `loaded.problem`; does neither if cancelled. Returns the check
+    /// report of the unchanged input mesh.
     static core::MeshReport build(LoadedModel& loaded, const core::TriangleMesh& mesh, const Placing& placing,
                                   const core::JobControl& control);
 };

@@ -250,8 +250,8 @@ void RecoveryStore::findAbandoned()
                      });
 }
 
-/// Reads the journals left by earlier runs. Removes those of documents that were saved or never changed, and sets
-/// damaged ones aside.
+/// Reads the journals left by earlier runs and returns those with unsaved changes. Of the others, sets damaged ones
+/// aside and removes the rest.
 RecoveryStore::ScanResult RecoveryStore::scan(const std::filesystem::path& root)
 {
     ScanResult found;

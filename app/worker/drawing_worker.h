@@ -92,7 +92,7 @@ private:
     // State of the drawing thread.
     std::optional<core::IncrementalLineDrawing> m_incremental; ///< exists while the preview is visible
     std::shared_ptr<PatchInbox> m_inbox;                       ///< the inbox whose patches m_incremental contains
-    bool m_isFine = true; ///< false: the last drawing was interim, so a fine one is due
+    bool m_isFine = true; ///< false: the last drawing was interim or cancelled, so a fine one is due
     /// time of the oldest stroke change not shown in a drawing, ns of the steady clock; 0: none
     std::int64_t m_changedNs = 0;
 

@@ -52,8 +52,8 @@ public:
     void setModel(std::shared_ptr<core::Sculptor> sculptor, std::shared_ptr<core::Journal> journal = {});
     /// Records later changes in another journal.
     void setJournal(std::shared_ptr<core::Journal> journal);
-    /// Runs a job on the mesh thread, between strokes and samples. Viewers get its changes. Without a model the job is
-    /// dropped.
+    /// Runs a job on the mesh thread, in order with strokes and samples. Viewers get its changes. Without a model the
+    /// job is dropped.
     void post(std::function<void(core::Sculptor&)> job);
     /// Emits confirmed() once everything posted before is done and recorded, so that it would survive a crash.
     void confirm();
@@ -76,8 +76,9 @@ Q_SIGNALS:
                          const std::shared_ptr<const core::Footprint>& footprint, quint64 epoch);
     /// Answers ask(Source::Simulator, ...).
     void answeredSimulator(const std::optional<core::SurfaceHit>& hit);
-    /// Emitted after each sample of the headset. `fusions`: number of surfaces joined or parted. `shortfall`: the most
-    /// important shortfall of the sample's dabs. Thread: mesh; use a direct connection.
+    /// Emitted after each sample of the headset that the stroke has used. `fusions`: number of times that surfaces
+    /// joined or parted. `shortfall`: the most important shortfall of the sample's dabs. Thread: mesh; use a direct
+    /// connection.
     void sampledHeadset(quint64 fusions, core::Shortfall shortfall);
     /// Emitted with the exact facts some time after the last change.
     void factsChanged(const app::MeshFacts& facts);
