@@ -21,7 +21,7 @@ namespace app
 {
 namespace
 {
-constexpr int keyLength = 16; ///< hexadecimal digits of the hash that identifies a class
+constexpr int keyLength = 16; ///< number of hexadecimal digits of the hash that identifies a class
 
 QDir classesRoot()
 {

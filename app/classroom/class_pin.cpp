@@ -18,7 +18,7 @@ const QLatin1StringView method{"pbkdf2-sha256"};
 
 struct PinRecord
 {
-    int rounds = 0; ///< 0: not a valid record
+    int rounds = 0; ///< iterations of PBKDF2; 0: not a valid record
     QByteArray salt, key;
 };
 

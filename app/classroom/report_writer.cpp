@@ -17,7 +17,7 @@ namespace app
 {
 namespace
 {
-constexpr int picturePixels = 192; ///< 18 mm on paper, about 270 pixels per inch
+constexpr int picturePixels = 192; ///< side of a picture, which is 18 mm on paper: about 270 pixels per inch
 
 /// Returns the folder's name, also for the paths "." and "..".
 QString folderName(const std::filesystem::path& folder)

@@ -15,7 +15,7 @@ namespace app
 {
 namespace
 {
-constexpr int pictureSide = 256; ///< pixels
+constexpr int pictureSide = 256; ///< width and height of the picture, pixels
 
 class BrushCommandMessages
 {

@@ -23,7 +23,7 @@ namespace
 using core::PrintBed; // lupdate misparses functions whose return type is written core::PrintBed
 using Json = nlohmann::ordered_json;
 
-constexpr double minLength = 0.001, maxSide = 1e5; ///< limits of lengths given as options, mm
+constexpr double minLength = 0.001, maxSide = 1e5; ///< smallest length in options and largest bed side, mm
 
 class CheckMessages
 {
@@ -36,7 +36,7 @@ struct CheckOptions
     bool json = false, csv = false;
     bool table = false;    ///< whether to print a table: for several files, or a folder
     bool hasWorks = false; ///< whether some models are pupils' works: results then include pupil and turn
-    int nameColumns = 0;   ///< width of the table's first column, characters
+    int nameColumns = 0;   ///< width of the table's first column, terminal columns
     double unit = 1;       ///< unit of the files' coordinates, mm
     std::optional<core::PrintLimits> print; ///< limits given by --print; nothing: printability is not checked
     bool hasBed = false;

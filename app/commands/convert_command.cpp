@@ -27,7 +27,7 @@ class ConvertMessages
     Q_DECLARE_TR_FUNCTIONS(app::ConvertCommand)
 };
 
-constexpr double minSize = 0.001, maxSize = 1e6; ///< limits of lengths given as options, mm
+constexpr double minSize = 0.001, maxSize = 1e6; ///< smallest and largest length allowed in options, mm
 constexpr unsigned fewestTriangles = 4;          ///< least number of triangles of a solid
 const QString repairOption = QStringLiteral("repair"), wrap = QStringLiteral("wrap"),
               largeHoles = QStringLiteral("large-holes"), innerParts = QStringLiteral("inner-parts");

@@ -12,7 +12,7 @@ namespace app
 struct ReplayedDab
 {
     core::DabReport report;
-    double cpuMs = 0; ///< CPU time of the thread that sculpts, ms
+    double cpuMs = 0; ///< CPU time that the dab took on the sculpting thread, ms
     std::optional<core::SelectionQuality> quality;
 };
 

@@ -58,7 +58,7 @@ public:
 private:
     struct Request
     {
-        bool waitsForReports; ///< whether it waits until all earlier strokes are reported
+        bool waitsForReports; ///< whether the request waits until all earlier strokes are reported
         std::function<void()> run;
     };
 

@@ -14,7 +14,7 @@ namespace app
 struct TimeLapseRequest
 {
     QString folder; ///< existing folder
-    int every = 1;  ///< steps between two pictures; the last state always has a picture
+    int every = 1;  ///< steps from one picture to the next; the last state always has a picture
     core::ThumbnailView view;
 };
 

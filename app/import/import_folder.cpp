@@ -20,7 +20,7 @@ namespace
 {
 namespace fs = std::filesystem;
 
-/// limit of X3D files opened for one scene, because an Inline node may refer to its own file
+/// largest number of X3D files opened for one scene, because an Inline node may refer to its own file
 constexpr int maxOpened = 256;
 
 /// Returns the file names that a URL may mean: the URL itself, without its fragment ("#..."), and percent-decoded.

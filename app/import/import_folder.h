@@ -27,7 +27,7 @@ public:
     {
         std::string outside;        ///< name of a requested file that is outside of the folder; empty: none
         std::exception_ptr problem; ///< the exception of a file that could not be provided
-        std::size_t unread = 0;     ///< number of surface nodes that are left out
+        std::size_t unread = 0; ///< number of X3D surface nodes left out, and of Inline nodes whose files are missing
         /// false: an FBX file was passed on unmodified, because its records could not be parsed
         bool isFollowed = true;
         std::vector<FbxModel> models; ///< models of the FBX file

@@ -11,7 +11,7 @@ namespace
 constexpr double degree = std::numbers::pi / 180;
 /// smallest and largest pitch to which follow() turns the view, radians
 constexpr double lowest = -30 * degree, highest = 60 * degree;
-constexpr double border = 0.05; ///< share of the picture at each edge that counts as hidden
+constexpr double border = 0.05; ///< share of the view's width and height at each edge; a brush there counts as hidden
 /// the brush counts as hidden if its depth behind the model's centre exceeds this share of its distance from the centre
 constexpr double behind = 0.3;
 constexpr int betweenFlights = 800; ///< shortest time between two camera movements, ms

@@ -195,8 +195,8 @@ void LessonController::showEnd()
     m_panel->showPage(m_progress.endOf(*m_lesson, canExport), m_progress.marksOf(*m_lesson));
 }
 
-/// Moves to a step. Going forward keeps the model, or first completes a demonstration in progress. Going back restores
-/// the model as it was in that step.
+/// Moves to a step. Going forward keeps the model, but first completes a demonstration in progress. Going back restores
+/// the model as it was when that step was entered. From the end page, returns to the last step.
 void LessonController::goTo(int step)
 {
     const auto target = static_cast<std::size_t>(step);

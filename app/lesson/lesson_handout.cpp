@@ -19,8 +19,8 @@ namespace app
 namespace
 {
 constexpr int dotsPerInch = 300;
-constexpr double mm = dotsPerInch / 25.4; ///< dots per mm
-constexpr double margin = 18, pictureSide = 38, distance = 6;
+constexpr double mm = dotsPerInch / 25.4;                     ///< dots per mm
+constexpr double margin = 18, pictureSide = 38, distance = 6; ///< mm
 constexpr double textPoints = 13, titlePoints = 15, headPoints = 22;
 
 /// Lays out blocks from top to bottom, page after page.

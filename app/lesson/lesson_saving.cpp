@@ -21,8 +21,8 @@ namespace app
 {
 namespace
 {
-constexpr int pictureSide = 160;      ///< pixels
-constexpr double afterPlaying = 0.95; ///< progress after playing the lesson, 0 to 1
+constexpr int pictureSide = 160;      ///< width and height of a picture, pixels
+constexpr double afterPlaying = 0.95; ///< progress when the lesson has been played, 0 to 1
 
 std::string pngOf(const QImage& image)
 {

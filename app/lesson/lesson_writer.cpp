@@ -21,7 +21,7 @@ namespace app
 {
 namespace
 {
-constexpr qsizetype maxRemarks = 8; ///< number of remarks shown
+constexpr qsizetype maxRemarks = 8; ///< largest number of remarks shown
 } // namespace
 
 LessonWriter::LessonWriter(ui::MainWindow& window, Document& document, const core::LessonDraft* draft,

@@ -23,8 +23,8 @@ class Document;
 class LessonRecorder;
 struct CheckedLesson;
 
-/// Writes the edited lesson. First plays it to its end, and asks the user if any of its goals is not met. Thread: gui;
-/// lessons are played and written on a background thread.
+/// Writes the edited lesson. First plays it to its end, and asks the user whether to continue if it has defects, such
+/// as unmet goals. Thread: gui; lessons are played and written on a background thread.
 class LessonWriter : public QObject
 {
     Q_OBJECT

@@ -29,7 +29,7 @@ private:
     struct Before
     {
         core::Tool tool;    ///< the selected tool
-        double radiusShare; ///< radius share of the selected tool, or of all tools
+        double radiusShare; ///< radius of the selected tool (or of all tools), as a share of the model's longest side
         QList<core::Tool> offered;
         std::map<core::Tool, ui::ToolValues> values;
     };

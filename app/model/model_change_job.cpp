@@ -19,7 +19,7 @@ namespace app
 {
 namespace
 {
-/// progress after reading the inserted model, and after repairing it, 0 to 1
+/// progress when the inserted model is ready, 0 to 1: without a repair, and with one
 constexpr double afterInsertReading = 0.2, afterInsertRepair = 0.8;
 } // namespace
 

@@ -22,7 +22,7 @@ namespace app
 struct ExportRequest
 {
     QString path;                         ///< file to write; its extension determines the format
-    quint64 maxTriangles = 0;             ///< limit to which the model is decimated; 0: no limit
+    quint64 maxTriangles = 0;             ///< a model with more triangles is decimated to this number; 0: no limit
     bool slices = false;                  ///< whether to test the file with an installed slicer
     core::DocumentMetadata metadata = {}; ///< metadata of the mesh; not written if the model is decimated
     /// a copy of the model, which is consumed; null: there was not enough memory for a copy

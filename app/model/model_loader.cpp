@@ -25,7 +25,9 @@ namespace app
 namespace
 {
 constexpr int paperSubdivisions = 4;
-constexpr double afterReading = 0.1, afterRepair = 0.8; ///< progress after reading and after repair, 0 to 1
+/// afterReading: progress when the file has been read, 0 to 1. afterRepair: share of the remaining progress that is
+/// reached when the model has been repaired.
+constexpr double afterReading = 0.1, afterRepair = 0.8;
 } // namespace
 
 std::filesystem::path toPath(const QString& path)

@@ -37,14 +37,14 @@ struct StrokeReport
     quint64 dabs = 0;
     quint64 fusions = 0;
     core::Shortfall shortfall = core::Shortfall::None; ///< the most important shortfall of the stroke's dabs
-    bool added = false;                                ///< whether it added a sphere or the brush's model
+    bool added = false;                                ///< whether the stroke added a sphere or the brush's model
     bool hasModel = false;                             ///< whether the brush is a model
     /// whether some mirrored dabs were done one after the other, because the model is not symmetric
     bool asymmetric = false;
     /// whether some dabs of a radial stroke were done one after the other: the model is not radially symmetric, or the
     /// brush reached over the axis
     bool sequential = false;
-    bool isReplacement = false; ///< whether it is from SculptWorker::replaceLastStroke()
+    bool isReplacement = false; ///< whether the stroke was made by SculptWorker::replaceLastStroke()
     MeshFacts facts;
 
     /// Returns the recorded stroke; null if nothing changed.
