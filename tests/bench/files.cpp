@@ -85,8 +85,8 @@ core::TriangleMesh scaled(core::TriangleMesh ball)
     return ball;
 }
 
-/// The file that is read has its faces in random order, the worst case. The mesh that is written is in a document's
-/// order.
+/// Measures one format. The file that is read has its faces in random order, the worst case. The mesh that is written
+/// is in a document's order.
 void files(benchmark::State& state)
 {
     const auto format = static_cast<std::size_t>(state.range(0));

@@ -1586,7 +1586,7 @@ void TestClassroom::aSmallWindow_hasAllBars()
     verifyBars();
 }
 
-/// Esc cancels the next starter, which is prepared behind the form. It is prepared again, and the form is not shown a
+/// Esc cancels opening the next starter behind the form. The starter is then opened again, and the form is not shown a
 /// second time.
 void TestClassroom::stopping_keepsTheForm()
 {

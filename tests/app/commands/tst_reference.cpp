@@ -123,7 +123,7 @@ QString writtenAgain(const QString& entry)
 const QString plainSample = QStringLiteral(R"({"position":[0,0,0]})");
 const QString plainStroke = QStringLiteral(R"({"tool":"paint","radius":1,"samples":[{"position":[0,0,0]}]})");
 
-/// Inserts a sample into a stroke without rays.
+/// Returns a stroke whose only sample is `sample`, and which has no rays.
 QString strokeOf(const QString& sample)
 {
     return withKey(plainStroke, QStringLiteral("samples"), u'[' + sample + u']');

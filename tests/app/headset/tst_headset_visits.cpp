@@ -121,7 +121,7 @@ private Q_SLOTS:
 
 private:
     static void keep(const char* fault, const HeadsetFixture& fixture, const char* kept);
-    static inline QStringList s_table; ///< columns: fault, message at the desktop, what is kept
+    static inline QStringList s_table; ///< rows of Markdown: fault, message at the desktop, what is kept
 };
 
 void TestHeadsetVisits::keep(const char* fault, const HeadsetFixture& fixture, const char* kept)
@@ -130,7 +130,7 @@ void TestHeadsetVisits::keep(const char* fault, const HeadsetFixture& fixture, c
                    .arg(QLatin1StringView(fault), sentence(fixture.program), QLatin1StringView(kept));
 }
 
-/// Edits continue through all visits, and each change is one step.
+/// Changes made at the desktop and in the headset are kept across all visits, and each is one step.
 void TestHeadsetVisits::repeatedVisits()
 {
     HeadsetFixture fixture;
@@ -455,7 +455,7 @@ void TestHeadsetVisits::faults_beforeAVisit_data()
                                               << "OpenGL";
 }
 
-/// Switches the validation layer off, which would replace this fault by an answer of its own.
+/// The validation layer is switched off, because it would replace this fault by an answer of its own.
 void TestHeadsetVisits::faults_beforeAVisit()
 {
     QFETCH(QString, step);
@@ -623,7 +623,8 @@ void TestHeadsetVisits::framesThatComeLate()
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 
-/// The stroke ends at the last place before recentring, and the model is in front of the user again.
+/// When the runtime recentres, the stroke ends at its last place before that, and the model is placed in front of the
+/// user again.
 void TestHeadsetVisits::recentredByTheRuntime()
 {
     Visit v;
