@@ -25,7 +25,8 @@ constexpr bool isSlowBuild = false;
 constexpr bool isSlowBuild = true; ///< sanitizer and debug builds are 5 to 30 times slower
 #endif
 
-/// Milliseconds after which a test stops waiting and fails. Generous, so that a busy machine fails no test.
+/// Milliseconds after which a test stops waiting and fails. Generous, so that no test fails only because the machine is
+/// busy.
 constexpr int longestWait = isSlowBuild ? 1'200'000 : 120'000;
 
 /// Returns the count (rounds, files, dabs …) for the effort of this run. Without a soak count, a soak run uses the long

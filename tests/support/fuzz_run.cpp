@@ -27,8 +27,8 @@ using mesh_asserts::sculptable;
 
 namespace
 {
-/// Limits on the number of faces, beyond which a run ends: a larger mesh only takes more time, and one of fewer faces
-/// has been sculpted away.
+/// A run ends if its mesh has more or fewer faces: a larger one only takes more time, and a smaller one has been
+/// sculpted away.
 constexpr Slot maxFaces = 10'000, minFaces = 64;
 constexpr int dabsPerPairCheck = 8, dabsPerJudge = 100;
 /// Average number of steps per command to the whole model, and per undo.
@@ -167,7 +167,7 @@ Stroke FuzzRun::nextStroke()
 core::ModelCommand FuzzRun::nextCommand()
 {
     const Mesh& mesh = m_sculptor.mesh();
-    // half of the mask commands clear the mask, so that enough of the model stays sculptable
+    // at least half of the mask commands clear the mask, so that enough of the model stays sculptable
     if (m_fuzzer.below(2) == 0)
         return core::MaskOperation{
             static_cast<How>(m_fuzzer.below(2) == 0 ? m_fuzzer.below(maskChanges) : std::uint64_t(How::Clear)), {}};

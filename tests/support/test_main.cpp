@@ -1,5 +1,5 @@
 // main() of every test program:  test_core_mesh [CLASS] [QTEST ARGUMENTS]
-// Every class is run, each in a process of its own, if CLASS is missing. `--list` prints the names of the classes.
+// Runs every class if CLASS is missing, each in a process of its own. `--list` prints the names of the classes.
 #include "tests/support/test_main.h"
 
 #include <QFileInfo>
@@ -27,7 +27,8 @@ std::vector<TestClass>& testClasses()
 const char* s_running = "";
 QString s_path;
 
-/// Runs every class. Returns the exit status of the first failing class, or 0.
+/// Runs every class in a child process. Returns the exit status of the first class that fails, or 0; skipped classes do
+/// not fail.
 int runAll(char* argv[])
 {
     int status = 0;

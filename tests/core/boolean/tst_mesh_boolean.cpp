@@ -78,7 +78,8 @@ QString faultOf(const SolidPair& pair)
     box.extend(boxOf(pair.b));
     const MeshReport a = checkMesh(pair.a), b = checkMesh(pair.b);
     const double all = *a.volume + *b.volume;
-    const double unit = 0x1p-19 * box.max().cwiseAbs().cwiseMax(box.min().cwiseAbs()).maxCoeff(); // at most
+    // upper bound of the lattice unit
+    const double unit = 0x1p-19 * box.max().cwiseAbs().cwiseMax(box.min().cwiseAbs()).maxCoeff();
     const WindingNumber inA = windingOf(pair.a), inB = windingOf(pair.b);
     for (std::size_t i = 0; i < 3; ++i) {
         const auto [mesh, fault] = outcomeOf(operations[i], solids);
@@ -264,7 +265,7 @@ void TestMeshBoolean::stopped_answersNothing()
     QVERIFY(result.refusal == BooleanRefusal::Stopped);
 }
 
-/// Has pairs that once had no result or a wrong one.
+/// Adds pairs for which combine() once gave no result or a wrong one.
 void TestMeshBoolean::hardPairs_addUp_data()
 {
     QTest::addColumn<SolidPair>("pair");

@@ -29,7 +29,8 @@ using core::TriangleMesh;
 using core::Vec3f;
 using Kind = core::FileErrorKind;
 
-/// Returns a corner of the box of all tests, 10 x 20 x 30. Bits 0, 1, 2 of `i` select the far side in x, y, z.
+/// Corners of the sides of the box of all tests, 10 x 20 x 30, counter-clockwise as seen from outside. Bits 0, 1, 2 of
+/// a corner number select the far side in x, y, z.
 const std::vector<std::vector<int>> quads{{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
                                           {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
 
@@ -230,7 +231,7 @@ std::string strips(const std::string& format, bool isUnsigned = false)
     return isUnsigned ? replaced(ply.text(), "-1", "4294967295") : ply.text();
 }
 
-/// Returns one strip of all quads. Degenerate triangles connect them, an even or an odd number of them.
+/// Returns a PLY file in which a single triangle strip contains all quads. Degenerate triangles connect the quads.
 std::string sewnStrip(const std::string& format)
 {
     Ply ply{.format = format};
@@ -292,13 +293,13 @@ std::string offOf(const std::string& keyword, const std::string& sizes, const st
     return text;
 }
 
-/// An OFF file of a torus in any layout. Wraps: number of words of the vertices, or of the faces, per line; 0: one
-/// element per line.
+/// An OFF file of a torus in any layout. `vertexWrap` and `faceWrap` are the words per line of the vertices and of the
+/// faces; 0: one element per line.
 struct OffLayout
 {
     std::string keyword = "OFF", vertexMore = {}, faceMore = {};
     std::size_t vertexWrap = 0, faceWrap = 0;
-    std::string badVertex = {}, badCorner = {}; ///< invalid word that replaces one in the middle; empty: none
+    std::string badVertex = {}, badCorner = {}; ///< invalid word for the middle element; empty: none
 
     static TriangleMesh mesh() { return shapes::moved(shapes::torus(), {0.3F, 0.4F, 0.6F}); }
 
@@ -355,7 +356,7 @@ private:
 /// Returns all layouts of OFF files that are tested.
 std::vector<OffLayout> offLayouts()
 {
-    constexpr std::size_t allOnOne = 420'000; // a multiple of the number of all words, so that one line contains all
+    constexpr std::size_t allOnOne = 420'000; // more words than a file has, and a multiple of any vertex's words
     std::vector<OffLayout> all;
     for (const auto& [keyword, more] :
          std::vector<std::pair<std::string, std::string>>{{"OFF", ""},

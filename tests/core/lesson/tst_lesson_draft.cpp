@@ -30,7 +30,8 @@ Lesson readBack(const Lesson& lesson)
     return readLesson(path);
 }
 
-/// Result of playing a lesson: the check of each step, the steps in order, hash and defects of the last model.
+/// Result of playing a lesson: the check of each step, the step indices in the order in which they were played, and the
+/// hash and the first defect of the last model.
 struct Played
 {
     std::vector<StepCheck> checks;

@@ -135,7 +135,7 @@ private Q_SLOTS:
                 row(name, lesson, step, "torus", starterModel(Starter::Torus), false);
                 row(name, lesson, step, "in two pieces", withCrumb(model), false);
                 const bool onlySmooths = lesson.steps[step].tools == std::vector{Tool::Smooth};
-                // in a smoothing step the goals cannot tell; the window requires a stroke there
+                // the goals of a smoothing step do not detect a missing stroke; the window requires one instead
                 if (step > 0 && !onlySmooths)
                     row(name, lesson, step, "as it began", teachers[step - 1], false);
             }

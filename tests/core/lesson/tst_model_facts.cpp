@@ -42,7 +42,7 @@ TriangleMesh wavy(int waves, double depth)
 {
     TriangleMesh mesh = icosphere(6, radius);
     for (Vec3f& p : mesh.points) {
-        // share of the middle half of the height, 0 to 1
+        // position within the middle half of the height: 0 at its bottom, 1 at its top
         const double share = static_cast<double>(p.y()) / radius + 0.5;
         if (share <= 0 || share >= 1)
             continue;

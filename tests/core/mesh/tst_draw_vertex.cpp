@@ -61,7 +61,7 @@ void TestDrawVertex::box_isSharpAlongItsEdgesOnly()
         QCOMPARE(vertex.crease[3], std::int8_t(ends > 1 ? 127 : 0));
         const Vec3 line = creaseOf(vertex);
         QCOMPARE(line.norm() > 0.5, ends == 2);
-        if (ends == 2) // the crease is along the axis in which the vertex is not at an end of the box
+        if (ends == 2) // on an edge of the box; the crease is parallel to that edge
             for (Eigen::Index axis = 0; axis < 3; ++axis)
                 QCOMPARE(std::abs(line[axis]) > 0.99, std::abs(away[axis]) > 1e-3F);
         corners += ends == 3;

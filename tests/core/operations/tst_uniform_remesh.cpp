@@ -32,8 +32,8 @@ Remeshed remeshed(const TriangleMesh& shape, double timesDetail)
     return result;
 }
 
-/// Returns the largest distance of a mesh from the other surface, measured at vertices and at midpoints of edges and
-/// faces.
+/// Returns the largest distance of a mesh from the other surface, measured at vertices, midpoints of edges and centres
+/// of faces.
 double farthestFrom(const Mesh& other, const Mesh& mesh)
 {
     const FaceOctree octree(other);
@@ -53,14 +53,15 @@ double farthestFrom(const Mesh& other, const Mesh& mesh)
     return farthest;
 }
 
-/// Returns the change of volume as a share, 0 to 1.
+/// Returns the absolute change of volume as a share of the original volume.
 double volumeChange(const Remeshed& result, const TriangleMesh& shape)
 {
     const double volume = checkMesh(shape).volume.value();
     return std::abs(volumeOf(*result.mesh) - volume) / volume;
 }
 
-/// Returns the distance between the surfaces, measured both ways, in units of d.
+/// Returns the distance between the surfaces, measured both ways, in units of d, the shortest edge length that
+/// remeshing aims at.
 double distanceApart(const Remeshed& result, const TriangleMesh& shape)
 {
     const auto before = buildMesh(shape).mesh;

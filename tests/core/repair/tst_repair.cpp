@@ -255,7 +255,7 @@ void TestRepair::cracks_areJoinedAndNothingElseMoves_data()
     QTest::addColumn<QString>("name");
     QTest::addColumn<double>("farthest");
     QTest::addColumn<qulonglong>("vertices");
-    // diagonal of the cube within which points were displaced, mm
+    // `farthest`: largest distance in mm between joined points, and between the surfaces before and after
     QTest::newRow("everywhere") << u"cracked everywhere"_s << 0.0104 << qulonglong(642);
     QTest::newRow("seam") << u"cracked seam"_s << 0.0055 << qulonglong(2562);
     QTest::newRow("T junctions") << u"T junctions"_s << 0.02 << qulonglong(0);

@@ -74,7 +74,7 @@ void TestDabPipeline::flatten_leavesAPlatform()
             highest = std::max(highest, p.z());
         }
     });
-    // the ball's height would vary by 0.02 there
+    // within this area, the height of an unflattened ball varies by 0.02
     QVERIFY2(highest - lowest < 0.002, qPrintable(QString::number(highest - lowest)));
     QVERIFY(isSound(*sculptor));
 }

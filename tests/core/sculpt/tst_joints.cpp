@@ -74,8 +74,8 @@ std::vector<Vec3> arc(const Vec3& center, double radius, double from, double to,
     return path;
 }
 
-/// Returns the points where edges cross a half plane, at most `within` from `place`. The half plane is at `angle` about
-/// an axis parallel to z through `center`.
+/// Returns the points where edges cross the plane through `center` that contains the z direction and is at `angle`, in
+/// radians, from the x axis. Only edges whose first end is less than `within` from `place` count.
 std::vector<Vec3> sectionAt(const Sculptor& sculptor, const Vec3& center, double angle, const Vec3& place,
                             double within)
 {

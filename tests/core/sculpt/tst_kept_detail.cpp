@@ -132,8 +132,8 @@ private Q_SLOTS:
     void adaptive_losesDetail();
 };
 
-/// 95 % of the target positions must be within a tenth of an edge of the new surface, and all within one edge. The area
-/// must not lose vertices.
+/// The new surface must be near each vertex's target position: within a tenth of the vertex's shortest edge for 95 % of
+/// the vertices, and within that edge for all. The area must not lose vertices.
 void TestKeptDetail::refine_movesEachVertexByTheField()
 {
     QFETCH(Tool, tool);

@@ -256,7 +256,7 @@ void TestPaperFigures::figure11_fourToolsOnOnePart()
     if (tool == Tool::Flatten || tool == Tool::Smooth)
         QVERIFY2(before < 0.6 * start, qPrintable(QStringLiteral("%1 of %2").arg(before).arg(start)));
     else
-        QVERIFY(std::abs(before - start) > 0.01); // of a total volume of 4.19
+        QVERIFY(std::abs(before - start) > 0.01); // change of the ball's volume, which was 4.19
     QVERIFY2(unsound.empty(), unsound.c_str());
     VERIFY_VALID(sculptor.mesh());
 }

@@ -85,7 +85,7 @@ double smallestAngle(const Mesh& mesh, Slot f)
 
 const core::Sphere brush = {{0, 0, 1}, 0.6};
 
-/// The noise of 0.008 compares with a mean edge length of 0.07.
+/// Returns a ball of radius 1 with noise of up to 0.008 in each coordinate. Its mean edge length is 0.07.
 core::TriangleMesh noisyBall()
 {
     return shapes::noisy(core::icosphere(4, 1), 0.008f, 11);

@@ -308,8 +308,8 @@ void TestStrokeOnSurface::airbrush_goesOnWhereTheHandRests_data()
     }
 }
 
-/// An airbrush gives ten dabs per second, for two seconds of 90 samples each, whatever the brush raises under the
-/// pointer.
+/// An airbrush gives ten dabs per second, whatever the brush raises under the pointer. The stroke takes two seconds,
+/// with 90 samples per second.
 void TestStrokeOnSurface::airbrush_goesOnWhereTheHandRests()
 {
     QFETCH(Tool, tool);

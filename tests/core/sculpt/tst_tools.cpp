@@ -336,7 +336,7 @@ void TestTools::grab_alongRaysKeepsToThePlane()
     double farthest = 0;
     forEachPoint(sculptor->mesh(),
                  [&](const Vec3& p) { farthest = p.z() > 49 ? std::max(farthest, p.x()) : farthest; });
-    double field = 0; // the foremost vertex was slightly before the centre of the brush
+    double field = 0; // expected x of the foremost vertex, which began ahead of the brush's centre
     for (double x = 0; x < 20; x += 0.1)
         field = std::max(field, x + 30 * core::falloff(x / 20, settings.falloff));
     QVERIFY2(std::abs(farthest - field) < 1, qPrintable(QStringLiteral("%1 for %2").arg(farthest).arg(field)));

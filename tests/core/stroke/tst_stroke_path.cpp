@@ -94,7 +94,7 @@ void TestStrokePath::spacingZero_isOneDabASample()
         QCOMPARE(dabs.size(), std::size_t(1));
         QVERIFY(dabs.front().position == Vec3(i % 2, 0, 0));
     }
-    QCOMPARE(dabsOf(path, at({0, 0, 0})).size(), std::size_t(1)); // at the position of the last sample
+    QCOMPARE(dabsOf(path, at({0, 0, 0})).size(), std::size_t(1)); // a sample that has not moved gives a dab, too
 }
 
 void TestStrokePath::firstSample_isADab()
@@ -129,7 +129,7 @@ void TestStrokePath::corner_isMeasuredAlongThePath()
     dabsOf(path, at({0, 0, 0}));
     QVERIFY(dabsOf(path, at({2.4, 0, 0})).empty());
     const auto dabs = dabsOf(path, at({2.4, 3, 0}));
-    QCOMPARE(dabs.size(), std::size_t(5)); // two dabs before the corner, at 1 and 2, and 0.4 remain to the corner
+    QCOMPARE(dabs.size(), std::size_t(5)); // two before the corner, at x = 1 and 2, and three after it
     QVERIFY((dabs[1].position - Vec3(2, 0, 0)).norm() < 1e-12);
     QVERIFY((dabs[2].position - Vec3(2.4, 0.6, 0)).norm() < 1e-12);
     QVERIFY((dabs[4].position - Vec3(2.4, 2.6, 0)).norm() < 1e-12);
@@ -195,7 +195,7 @@ void TestStrokePath::rotation_turnsBack()
     sample.direction = {0, 0, -1};
     sample.rotation = Eigen::Quaterniond(std::sqrt(0.5), 0, std::sqrt(0.5), 0); // a quarter turn about y
     const auto dabs = dabsOf(path, sample);
-    // the point of the model that is now under the brush
+    // in model space: the sample's position and direction, rotated back by the quarter turn
     QVERIFY((dabs.front().position - Vec3(0, 0, 1)).norm() < 1e-12);
     QVERIFY((dabs.front().direction - Vec3(1, 0, 0)).norm() < 1e-12);
 }

@@ -21,7 +21,7 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("language");
         QTest::addColumn<QString>("word");
-        QTest::addColumn<QString>("meant"); ///< one of these, separated by spaces
+        QTest::addColumn<QString>("meant"); ///< ids of acceptable commands, separated by spaces
         const auto add = [](const char* language, std::initializer_list<std::pair<const char*, const char*>> wishes) {
             for (const auto& [word, meant] : wishes)
                 QTest::addRow("%s %s", language, word)

@@ -281,7 +281,8 @@ void TestBrushFiles::window_choosesModels()
     QVERIFY(!window.brush()->stroke().model);
 }
 
-/// The own model can be requested from the menu or the list; until it arrives, the list shows the present shape.
+/// The document's model can be requested as the brush shape from the menu or the list. Until it arrives, the list shows
+/// the present shape.
 void TestBrushFiles::window_takesItsOwnModel()
 {
     core::writeMesh(path("own.glb").toStdString(), core::starterModel(core::Starter::Cube));

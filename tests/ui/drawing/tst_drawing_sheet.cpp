@@ -72,9 +72,9 @@ private Q_SLOTS:
         const ui::DrawingSheet sheet = sheetOf(side);
         const double scale = ui::sheetScale(sheet), two = 2 * static_cast<double>(side);
         QVERIFY(isRound(scale >= 1 ? scale : 1 / scale));
-        QVERIFY(two * scale < 210); // two views fit above each other,
+        QVERIFY(two * scale < 210); // two views fit above each other on the sheet
         QVERIFY(two * scale >
-                0.25 * 210); // but not at the next scale, which is at most 2.5 times as large, with texts and frame
+                0.25 * 210); // they would not fit, with texts and frame, at the next scale (at most 2.5 times larger)
         const QRectF bar = ui::sheetScaleBar(sheet);
         QVERIFY(isRound(bar.width() / scale));
         QVERIFY(bar.width() >= 20 && bar.width() <= 50);

@@ -303,7 +303,7 @@ private Q_SLOTS:
         }
         r.input.setHover(somewhere);
         QCOMPARE(r.log, strokeOf(2));
-        for (int i = 0; i < 3; ++i) // the move's request may be before the press's
+        for (int i = 0; i < 3; ++i) // the request of a move may be answered before that of the second press
             r.input.setHover(somewhere);
         QCOMPARE(r.log, strokeOf(2) + strokeOf(2));
     }

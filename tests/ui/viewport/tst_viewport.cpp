@@ -287,8 +287,8 @@ private Q_SLOTS:
         QCOMPARE(sampled[1][0].value<core::StrokeSample>().pressure, 0.75);
     }
 
-    /// A flight ends where the whole box is visible from the given side. Clearing a mark that does not exist does not
-    /// end the flight.
+    /// A flight ends where the whole box is visible at the given yaw and pitch. Clearing a mark that does not exist
+    /// does not end the flight.
     void aFlightGoesToWhereABoxIsSeen()
     {
         Stage s;
@@ -392,7 +392,7 @@ private Q_SLOTS:
                 const bool clay = color.red() > color.blue() + 8;
                 wrong += clay != s.model.hit(s.viewport.camera().ray({x + 0.5, y + 0.5})).has_value();
             }
-        QVERIFY2(wrong < 40, qPrintable(QString::number(wrong))); // pixels on the rim, of 13400
+        QVERIFY2(wrong < 40, qPrintable(QString::number(wrong))); // of 13,400 pixels, only some at the rim may differ
     }
 
     /// Panning an orthographic view changes no shade: the view direction is constant, so shading depends on the normal
@@ -413,7 +413,7 @@ private Q_SLOTS:
         for (int y = 90; y < 210; ++y)
             for (int x = 140; x < 260; ++x)
                 other += before.pixel(x, y) != after.pixel(x + 70, y - 30);
-        QVERIFY2(other < 50, qPrintable(QString::number(other))); // pixels that differ at the faces' edges, of 14400
+        QVERIFY2(other < 50, qPrintable(QString::number(other))); // of 14,400 pixels, only some at edges of faces
     }
 
     void strokesHitInParallelToo()

@@ -121,7 +121,7 @@ private:
     unsigned int m_format, m_texture = 0, m_depth = 0, m_framebuffer = 0;
 };
 
-/// Tangents of an eye's half field of view to each side, all positive.
+/// Tangents of the angles from an eye's view direction to each side of its field of view. All are positive.
 struct Tangents
 {
     double left = 1, right = 1, up = 1, down = 1;

@@ -1,4 +1,4 @@
-// Run a second time in an environment where Qt creates OpenGL contexts by EGL.
+// Tests the binding of OpenGL to OpenXR. CMake adds a second run, in which Qt creates OpenGL contexts by EGL.
 #include "tests/support/test_main.h"
 #include "tests/vr/gl/connection_glx.h"
 #include "tests/vr/simulator/scripted_headset.h"

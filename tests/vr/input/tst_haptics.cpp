@@ -57,7 +57,8 @@ HapticInput one(Sensation what)
     return feeling;
 }
 
-/// Returns the pulses after a sensation lasted for two steps: texture is felt only after contact.
+/// Returns the pulses of a sensation that lasts for two steps. Two are needed because texture is felt only
+/// after contact.
 std::vector<HapticPulse> pulsesOf(Sensation what, const HapticLevels& levels = {})
 {
     Haptics haptics(levels);

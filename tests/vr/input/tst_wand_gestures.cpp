@@ -414,7 +414,8 @@ private Q_SLOTS:
                 sum += gestures.pad.slide.y();
                 before = time;
             }
-            const double ramp = (1 - vr::stickDeadZone) / 2; // average of second 1 to 2
+            // mean slide speed while the stick tilts, as a share of stickSlide
+            const double ramp = (1 - vr::stickDeadZone) / 2;
             QVERIFY(std::abs(sum - vr::stickSlide * (ramp + 1)) < 0.25 / rate);
 
             QVERIFY(!reader.read(pushing({0, 1}), 1 / rate).pad.pressed); // not clicked any more, but still pushed

@@ -390,7 +390,7 @@ void TestPanelPointer::aPoke_actsWhenItIsDrawnBack()
         QVERIFY(!wand.poke(0, paint, -0.03));
         QVERIFY(!wand.poke(0, paint, depth));
         QVERIFY((wand.pointer.touch(vr::PanelKind::Tools) == vr::PanelTouch{paint, true, 0}));
-        QVERIFY(wand.pointer.spot()); // also for the trigger: it presses instead of sculpting
+        QVERIFY(wand.pointer.spot()); // while there is a spot, the trigger presses instead of sculpting
         QVERIFY(wand.poke(0, paint, -0.01) == paint);
         QVERIFY(!wand.poke(0, paint, -0.03));
     }

@@ -19,7 +19,7 @@ struct MemoryBuffer
 
     std::vector<core::DrawVertex> vertices;
     std::vector<core::Triangle> faces;
-    std::size_t maxBytes = 0; ///< most bytes in one patch
+    std::size_t maxBytes = 0; ///< size of the largest patch applied, bytes
     Counters sent;
 
     void create(int*) {}

@@ -218,7 +218,7 @@ private:
             done.insert(how + wordOf(commandName(command)));
         return done;
     }
-    /// Returns the effect of a trigger that has none alone: it may change the effect of the other hand's trigger.
+    /// Returns `done`. If it is empty, adds "Smooth" if holding this trigger makes the other hand's trigger smooth.
     std::set<QString> withOther(Side side, std::set<QString> done)
     {
         const Side other = side == Side::Left ? Side::Right : Side::Left;

@@ -22,7 +22,7 @@ constexpr double pi = std::numbers::pi;
 constexpr double ringHeight = 0.4; ///< height of the ring on a ball of radius 1
 const double ringRadius = std::sqrt(1 - ringHeight * ringHeight);
 constexpr int frames = 540; ///< frames of one turn: 6 seconds at 90 frames per second
-/// in the first turn, the place of the beginning gets only half as many dabs as other places
+/// Number of turns. One is too few, because the place where the stroke begins gets only half as many dabs in it.
 constexpr int turns = 2;
 
 /// Returns a ball with a protrusion at one side, below the ring.

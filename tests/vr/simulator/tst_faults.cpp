@@ -190,7 +190,7 @@ void TestFaults::pacesFrames()
         QSUCCEEDS(client.frame());
     QVERIFY(timer.elapsed() >= 80);
     runtime.set(R"({"hz": 5})");
-    timer.start(); // before the frame whose beginning the next one is counted from
+    timer.start(); // the runtime begins the second frame one period after the first
     QSUCCEEDS(client.frame());
     QCOMPARE(client.frameState.predictedDisplayPeriod, 200'000'000);
     QSUCCEEDS(client.frame());
