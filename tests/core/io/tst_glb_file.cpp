@@ -417,7 +417,7 @@ void TestGlbFile::latticeAndBits_comeBackUnchanged()
     QVERIFY(again.mesh);
     QVERIFY(again.mesh->frame() == frame);
     QCOMPARE(again.mesh->meshHash(), first.mesh->meshHash());
-    // the slots were sorted along the Morton curve before writing, and are again
+    // slot numbers are equal, too, because buildMesh() sorts them along the Morton curve
     QCOMPARE(again.mesh->stateHash(), first.mesh->stateHash());
     const core::BuildResult stranger = core::buildMesh(core::readMesh(file("a.glb")), true);
     QVERIFY(!stranger.mesh->frame().place.isZero() && stranger.mesh->lattice() != frame.lattice);

@@ -363,7 +363,8 @@ void TestX3dExpansion::doubledEnds_haveTheirSections_data()
             QTest::addRow("%s: %d, %d", spine, atBegin, atEnd) << QString(spine) << atBegin << atEnd;
 }
 
-/// Tests a repeated point at an end of the spine, as in a sharp cap: it gets the same cross-section.
+/// Tests spines that repeat their first or last point. The repetitions change nothing, unless a repeated point has a
+/// cross-section of its own.
 void TestX3dExpansion::doubledEnds_haveTheirSections()
 {
     QFETCH(QString, spine);

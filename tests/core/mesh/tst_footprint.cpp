@@ -29,7 +29,7 @@ core::StrokeSettings dye(double radius)
     return settings;
 }
 
-/// Returns the vertices that the engine selects, identified by their new colour.
+/// Returns the vertices that the engine selects, identified by their new colour. Undoes the stroke.
 std::vector<Slot> dyed(Sculptor& sculptor, const core::StrokeSettings& settings, const core::Ray& ray)
 {
     core::StrokeSample sample;

@@ -25,8 +25,8 @@ std::array<Vec3, 3> cornersOf(const Mesh& mesh, Slot f)
     return {mesh.point(t[0]).cast<double>(), mesh.point(t[1]).cast<double>(), mesh.point(t[2]).cast<double>()};
 }
 
-/// Returns the distance to the first hit, found by signed volumes and independent of the engine's method. `margin`: the
-/// smallest volume; near 0 the ray grazes an edge.
+/// Returns the distance to the first hit, found by signed volumes and independent of the engine's method. `margin` gets
+/// the smallest absolute volume; near 0 the ray grazes an edge.
 double firstHitByBruteForce(const Mesh& mesh, const Ray& ray, double& margin)
 {
     const auto volume = [](const Vec3& a, const Vec3& b, const Vec3& c) { return a.cross(b).dot(c); };

@@ -263,7 +263,7 @@ void TestTransform::tooFar_isRefused()
     const auto mesh = buildMesh(icosphere(3, 50)).mesh;
     const ModelChange change = applyToCopy(*mesh, Move{{0, 500, 0}});
     QVERIFY(change.refusal == ModelRefusal::TooFar && !change.changes);
-    QVERIFY(apply(*mesh, Move{{0, 390, 0}})); // beyond half of the working volume, which needs a coarser lattice
+    QVERIFY(apply(*mesh, Move{{0, 390, 0}})); // beyond half of halfVolume(), so a coarser lattice is chosen
     VERIFY_VALID(*mesh);
     QVERIFY(mesh->lattice().halfVolume() > 2 * 440);
 }

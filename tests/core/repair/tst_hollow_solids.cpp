@@ -202,7 +202,7 @@ void TestHollowSolids::volume_isKept_data()
         << 1000.0 - 729 + 681.472 + 1;
     QTest::addRow("insert that stands proud of a pocket")
         << shapes::together(hollow({2, 2, 4}, {8, 8, 10.5F}), box({2.1F, 2.1F, 4.1F}, {7.9F, 7.9F, 10.3F}))
-        << 1000.0 - 216 + 5.8 * 5.8 * 5.9;       // above the block, the winding number of the insert alone is 0
+        << 1000.0 - 216 + 5.8 * 5.8 * 5.9;       // above the block, insert and cutter cancel
     const double area = 2 * std::numbers::sqrt2; // area of an octagon of radius 1
     QTest::addRow("cavity with a fine vent") << withVent() << 1000.0 - area * (8 * 16 + 0.999 * 0.09) - 0.001 * 15;
     QTest::addRow("drain through a thin wall")

@@ -521,8 +521,8 @@ void TestRepair::turnedCylinders_areOnePart()
     }
 }
 
-/// Two coaxial prisms of 24 and 32 sides have ends in the same plane, except for noise of several lattice units. The
-/// ends are fans of slivers. Some of these models cannot be cut with the first tolerance.
+/// Two coaxial prisms of 24 and 32 sides have ends in the same plane, except for noise of about 20 lattice units.
+/// The ends are fans of slivers. Some of these models cannot be cut with the first tolerance.
 void TestRepair::roughEnds_areOnePart()
 {
     constexpr double noise = 2e-4; // about 20 lattice units

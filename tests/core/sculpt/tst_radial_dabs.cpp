@@ -236,7 +236,7 @@ void TestRadialDabs::sixfold_isExactByHalfTurns()
 {
     const auto sculptor = octaball();
     for (const DabReport& report : radialStroke(*sculptor, radialSettings(Tool::Crease, 6), path()))
-        QVERIFY(!report.sequential); // with six sectors, sequential dabs would be allowed
+        QVERIFY(!report.sequential); // sequential dabs would be allowed with six sectors, but none is needed
     QCOMPARE(mirror_asserts::turnedAsymmetry(sculptor->mesh(), 2), std::string());
     QVERIFY(isSound(*sculptor));
 }

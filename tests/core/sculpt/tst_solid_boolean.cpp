@@ -184,7 +184,7 @@ void TestSolidBoolean::withoutFusion_isRefused()
 
 void TestSolidBoolean::joinedBall_isSymmetric()
 {
-    // apart from its image, barely apart, overlapping it, and identical with it
+    // the added ball is apart from its mirror image, barely apart, overlaps it (twice), and is identical with it
     for (const double x : {20.0, 7.0, 3.0, 0.5, 0.0}) {
         const auto sculptor = clay::ball();
         StrokeSettings settings = joining(8);

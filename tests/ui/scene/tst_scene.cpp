@@ -121,7 +121,8 @@ private Q_SLOTS:
         QVERIFY(hidden < seen / 2);
     }
 
-    /// The plane of symmetry, seen from the front, is a line through the middle of the ball and a border around it.
+    /// Seen from the front, the plane of symmetry X is a line through the middle of the ball, and Z is a border around
+    /// the ball. In layers, the border is not drawn.
     void thePlaneOfSymmetryIsShown_data()
     {
         QTest::addColumn<bool>("layered");
@@ -152,7 +153,7 @@ private Q_SLOTS:
             QVERIFY(!changes(without, edgeOn, aside));
 
         scene.showPlane(core::Symmetry::Z, model.box());
-        QCOMPARE(differing(without, picture()) > 500, !layered); // the border around the ball
+        QCOMPARE(differing(without, picture()) > 500, !layered); // the border of plane Z around the ball
         scene.showPlane(core::Symmetry::None, model.box());
         QCOMPARE(differing(without, picture()), 0);
     }

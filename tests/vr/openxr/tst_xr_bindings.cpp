@@ -15,7 +15,8 @@ using vr::Control;
 
 namespace
 {
-/// Paths of a profile below each hand's path; paths that only one hand has are in `left` or `right`.
+/// Legal paths of a profile, relative to /user/hand/left or /user/hand/right. `both`: paths that exist for each hand;
+/// `left`, `right`: paths of one hand only.
 struct Legal
 {
     QStringList both, left, right;

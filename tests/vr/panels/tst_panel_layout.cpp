@@ -162,7 +162,7 @@ void TestPanelLayout::parts_keepApartAndWithinThePanel()
         const PanelItem& item = layout.items[i];
         QVERIFY(inside.contains(item.area));
         if (item.action)
-            // 3.4 degrees: large enough for trembling hands
+            // 60 dmm, seen at 3.4 degrees: large enough for trembling hands
             QVERIFY(item.area.width() >= 60 && item.area.height() >= 60);
         for (std::size_t j = 0; j < i && !std::holds_alternative<vr::WellLook>(item.look); ++j)
             QVERIFY(std::holds_alternative<vr::WellLook>(layout.items[j].look) ||

@@ -226,7 +226,7 @@ void TestPanelPainter::noTranslation_isCut()
     }
 }
 
-/// Checks the names of selected tools, which have wider letters.
+/// Checks that the name of a selected tool is not cut off. Its letters are wider than those of other tools.
 void TestPanelPainter::aChosenTool_isNotCut()
 {
     QFETCH(QString, language);

@@ -204,7 +204,7 @@ void TestHeadsetScene::ball_coversThePixelsThatItShould()
     QCOMPARE(wrong, 0);
 }
 
-/// Checks that the ball's image shifts between the eyes by as many pixels as their distance and the ball's imply.
+/// Checks the shift of the ball between the eyes' images, in pixels, against the eyes' distance and the ball's depth.
 void TestHeadsetScene::eyes_seeTheBallApart()
 {
     SceneState state = bare();
@@ -232,7 +232,7 @@ void TestHeadsetScene::eyes_seeTheBallApart()
     }
 }
 
-/// Checks that the dome has the same colour in each direction, for any field of view of an eye.
+/// Checks that eyes with different fields of view see the same colour of the dome in the same direction.
 void TestHeadsetScene::eyes_seeTheSameDome()
 {
     SceneState state = bare();
