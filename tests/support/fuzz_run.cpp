@@ -211,7 +211,7 @@ void FuzzRun::sculpt(Stroke stroke)
     m_sculptor.beginStroke(stroke.settings);
     std::size_t used = 0;
     while (used < stroke.samples.size() && mayGoOn()) {
-        // replay(), in contrast, lets the dabs wait
+        // anchored dabs are shown at once; replay() lets them wait for the end, with the same result
         m_sculptor.addSample(stroke.samples[used++], Sculptor::Anchored::Shown);
         checkAfterSample();
     }

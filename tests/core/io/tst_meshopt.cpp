@@ -601,7 +601,7 @@ void TestMeshopt::colors_areExact()
     };
     check(std::uint8_t());
     check(std::uint16_t());
-    const std::vector<std::uint8_t> three{7, 0, 0, 12}; // 4-bit components: white, half transparent
+    const std::vector<std::uint8_t> three{7, 0, 0, 12}; // 4-bit components: a grey of 7/15, with alpha 8/15
     QVERIFY(filtered(bytesOf(three), 4, MeshoptView::Filter::Color) ==
             bytesOf(std::vector<std::uint8_t>{119, 119, 119, 136}));
 }

@@ -324,7 +324,7 @@ private Q_SLOTS:
         }
     }
 
-    /// A lesson that would unpack to more than a file of its size may contain is not unpacked.
+    /// A zip is refused if its unpacked content is too large for the size of the zip.
     void bomb_isRefused()
     {
         const QTemporaryDir folder;

@@ -170,7 +170,7 @@ void TestMeshPatch::undo_shrinksTheArrays()
     QVERIFY(isInForm(patch));
 }
 
-/// Undo of an insertion only shortens the arrays, which the patch must report.
+/// Undo of an insertion changes nothing except that the arrays become shorter, which the patch must report.
 void TestMeshPatch::undoOfAnInsertion_isSeen()
 {
     Sculptor sculptor(sculptable(core::icosphere(2, 1)));

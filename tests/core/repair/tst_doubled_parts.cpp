@@ -44,10 +44,10 @@ TriangleMesh cutCube(float min, float max, const std::array<int, 3>& cuts, std::
     return mesh;
 }
 
-/// A cube of side 10 with a cavity of side 6, each there several times with other triangles.
+/// A cube of side 10 with a cavity of side 6. Cube and cavity each exist in several copies with different triangles.
 struct Doubled
 {
-    int bodies, cavities, inserts = 0;    ///< inserts fill the cavity exactly
+    int bodies, cavities, inserts = 0;    ///< numbers of copies; inserts fill the cavity exactly
     int openBodies = 0, openCavities = 0; ///< number of copies that lack one face
     float larger = 0;                     ///< excess length of the first body's sides
     bool isTurned = false;                ///< the first body faces inwards
@@ -84,7 +84,7 @@ double volumeOf(const Doubled& parts)
 }
 } // namespace
 
-/// Tests solids whose bodies, cavities and inserts are there several times, with other triangles.
+/// Tests solids whose bodies, cavities and inserts exist in several copies with different triangles.
 class TestDoubledParts : public QObject
 {
     Q_OBJECT

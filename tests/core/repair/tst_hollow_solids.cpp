@@ -40,7 +40,7 @@ TriangleMesh turned(TriangleMesh mesh, StrokeFuzzer& random)
     return mesh;
 }
 
-/// Adds a face at an edge of the cavity. Its third corner is in the hollow or in the wall.
+/// Adds a face at an edge of the cavity. Its third corner is `corner`, which is in the hollow or in the wall.
 TriangleMesh withStrayFace(TriangleMesh mesh, const Vec3f& corner)
 {
     const Triangle last = mesh.triangles.back();

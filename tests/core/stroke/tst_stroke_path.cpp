@@ -422,7 +422,7 @@ void TestStrokePath::surfaceThatRises_ends()
     };
     QCOMPARE(dabsTo({0, 0, 0}), 1);
     path.finish();
-    // 112 dabs suffice for the path as it is when the sample arrives, because the first dab has raised its end
+    // the first dab has raised the surface by 5, so the path is sqrt(10^2 + 5^2) = 11.2 long: 112 dabs at spacing 0.1
     const int dabs = dabsTo({10, 0, 0});
     QVERIFY(dabs >= 100 && dabs <= StrokePath::maxLengthRatio * 112);
 }

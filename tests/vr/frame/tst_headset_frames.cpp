@@ -620,14 +620,14 @@ void TestHeadsetFrames::lateFramesAreCounted()
     enter(visitor);
     QVERIFY(m_headset->frames(5));
     QCOMPARE(visitor.thread.timings().droppedFrames(), quint64(0));
-    m_headset->step("{'late_ms': 40}"); // less than four periods of 11.1 ms: the frame is displayed at the fourth
+    m_headset->step("{'late_ms': 40}"); // the next frame is displayed four periods of 11.1 ms late
     QVERIFY(m_headset->frames(5));
     QCOMPARE(visitor.thread.timings().droppedFrames(), quint64(4));
     leave(visitor);
 }
 
-/// Checks that phases add up to the frame, that no phase uses more CPU time than has passed, and that draw calls are
-/// counted separately.
+/// Checks that the phases together take no longer than the frame's work, and that the draw calls' time is counted as a
+/// part of the Draw phase.
 void TestHeadsetFrames::phasesAreMeasured()
 {
     Visitor visitor(*m_headset);

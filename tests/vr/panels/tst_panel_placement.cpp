@@ -143,7 +143,8 @@ void TestPanelPlacement::atAHand_itKeepsClearOfTheModel_data()
     QTest::newRow("right") << -1.0;
 }
 
-/// Moves the hand beside and in front of the model. The panel must stay clear of the model and move without jumps.
+/// Moves the hand beside and in front of the model. The panel must be neither in the model nor behind it, and must move
+/// without jumps.
 void TestPanelPlacement::atAHand_itKeepsClearOfTheModel()
 {
     QFETCH(double, turnsTo);
@@ -170,7 +171,7 @@ void TestPanelPlacement::atAHand_itKeepsClearOfTheModel()
     }
 }
 
-/// Checks that a model so large that the panel is hidden anywhere does not move the panel.
+/// Checks that the panel is not moved if the model is so large that it would hide the panel anywhere.
 void TestPanelPlacement::atAHand_inTheModelItStaysThere()
 {
     forManyPeople([](const Pose& eyes, const Pose& grip) {
@@ -247,7 +248,7 @@ void TestPanelPlacement::ahead_itKeepsClearOfTheModel()
     const auto awayFromGaze = [&](const Pose& pose) {
         return (pose.position - vr::placeAhead(eyes, {.size = large}).position).norm();
     };
-    for (const double side : {1.0, -1.0}) // no nearer place on either side
+    for (const double side : {1.0, -1.0}) // no place on either side is nearer to where the user looks
         QVERIFY(isWanted ||
                 awayFromGaze(panel) <=
                     awayFromGaze(vr::placeAhead(eyes, {.size = large, .aside = side * 1.9, .clear = model})) + 1e-9);
@@ -274,8 +275,8 @@ void TestPanelPlacement::ahead_itIsInSight()
         }
 }
 
-/// Opens a panel while the tool panel is at a hand beside the model, with the user looking at the tool panel or past it
-/// at the model.
+/// Opens a panel while the tool panel is at a hand beside the model, for many directions in which the user looks. The
+/// new panel must be in the tool panel's direction.
 void TestPanelPlacement::ahead_itTakesAnothersPlace()
 {
     vr::ModelPlacement placement;
@@ -305,7 +306,8 @@ void TestPanelPlacement::ahead_whereNothingIsClear_itIsAhead()
     QVERIFY((vr::placeAhead(eyes, {.clear = behind}).position - vr::placeAhead(eyes, {}).position).norm() < 1e-12);
 }
 
-/// Opens the files, settings and performance panels around a model of comfortable size.
+/// Checks that the files, settings and performance panels, opened around a model of comfortable size, do not hide each
+/// other.
 void TestPanelPlacement::ahead_noneHidesAnother()
 {
     vr::PanelManager::Sight sight{head({0, 1.6, 0}, {30, -15, 0}), {}, vr::Side::Right, {}};

@@ -20,7 +20,8 @@ struct Difference
     int compared = 0, most = 0;
 };
 
-/// Returns the largest difference of colours where the mask shows clay.
+/// Compares the pixels where the mask shows clay. Returns their number and the largest difference of a colour channel,
+/// 0 to 255.
 Difference difference(const QImage& a, const QImage& b, const QImage& mask)
 {
     Difference result;
