@@ -136,6 +136,19 @@ QStringList mnemonics(const QString& text)
     return found;
 }
 
+/// A translation of the program that is installed for the lifetime of this object.
+struct Translation
+{
+    explicit Translation(const QString& language)
+        : isLoaded(translator.load(QStringLiteral("fettle_") + language, QStringLiteral(FETTLE_QM_DIR)))
+    {
+        QCoreApplication::installTranslator(&translator);
+    }
+
+    QTranslator translator;
+    bool isLoaded;
+};
+
 /// Returns the mnemonics of the controls in a part of a window.
 QStringList mnemonicsIn(const QWidget& part)
 {
@@ -337,9 +350,8 @@ void TestTranslations::chineseHasAFont()
 void TestTranslations::mnemonics_areUniqueInAMenu()
 {
     QFETCH(QString, language);
-    QTranslator translator;
-    QVERIFY(translator.load(QStringLiteral("fettle_") + language, QStringLiteral(FETTLE_QM_DIR)));
-    QCoreApplication::installTranslator(&translator);
+    const Translation translation(language);
+    QVERIFY(translation.isLoaded);
     QMainWindow window;
     const ui::Actions actions(&window);
     QStringList titles;
@@ -371,9 +383,8 @@ void TestTranslations::mnemonics_areUniqueInAMenu()
 void TestTranslations::mnemonics_areUniqueInADialog()
 {
     QFETCH(QString, language);
-    QTranslator translator;
-    QVERIFY(translator.load(QStringLiteral("fettle_") + language, QStringLiteral(FETTLE_QM_DIR)));
-    QCoreApplication::installTranslator(&translator);
+    const Translation translation(language);
+    QVERIFY(translation.isLoaded);
     QMainWindow window;
     const ui::Actions actions(&window);
     const ui::ClassroomDialog classroom(&window, actions, {});
@@ -393,9 +404,8 @@ void TestTranslations::mnemonics_areUniqueInADialog()
 
 void TestTranslations::menuKeys_areInMenusOnly()
 {
-    QTranslator translator;
-    QVERIFY(translator.load(QStringLiteral("fettle_zh_CN"), QStringLiteral(FETTLE_QM_DIR)));
-    QCoreApplication::installTranslator(&translator);
+    const Translation translation(QStringLiteral("zh_CN"));
+    QVERIFY(translation.isLoaded);
     QMainWindow window;
     const ui::Actions actions(&window);
     for (const ui::ActionInfo& row : ui::actionTable()) {
