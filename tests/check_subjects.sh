@@ -9,7 +9,7 @@ git rev-parse --git-dir >/dev/null 2>&1 || {
     echo "check_subjects.sh: skipped, this is no checkout of git" >&2
     exit 0
 }
-since=${1-81c8181c6d}
+since=${1-13cf249e}
 range=(-1)
 if git rev-parse -q --verify "$since^{commit}" >/dev/null; then
     range=("$since..HEAD")

@@ -12,7 +12,8 @@ _fettle()
         previous=${COMP_WORDS[COMP_CWORD - 1]} word=
     fi
     if [ "$COMP_CWORD" = 1 ]; then
-        words='new check convert boolean replay report sheet lesson brush help --vr --vr-simulator --classroom --help --version'
+        words='new check convert boolean replay report sheet lesson brush help
+               --vr --vr-simulator --classroom --help --version'
     else
         case ${COMP_WORDS[1]}:$previous in
         *:--unit) words='mm cm m in' ;;
