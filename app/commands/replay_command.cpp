@@ -228,7 +228,7 @@ void requireDone(const core::ModelChange& change, const core::FileCommand& entry
 core::MeshDelta play(core::Sculptor& sculptor, core::StrokeCoordinates& coordinates, const core::FileCommand& entry,
                      std::size_t index)
 {
-    core::ModelChange change = coordinates.apply(sculptor.mesh(), entry.command);
+    core::ModelChange change = coordinates.apply(sculptor.mesh(), entry.command, entry.part);
     requireDone(change, entry, index);
     sculptor.swap(change.delta);
     return std::move(change.delta);

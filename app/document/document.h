@@ -2,6 +2,7 @@
 
 #include "app/document/document_history.h"
 #include "app/document/document_journal.h"
+#include "app/document/document_parts.h"
 #include "app/document/document_queue.h"
 #include "app/document/document_strokes.h"
 #include "app/document/last_stroke.h"
@@ -40,6 +41,7 @@ public:
     DocumentJournal& journaling() { return m_journaling; }
     LastStroke& lastStroke() { return m_lastStroke; }
     DocumentStrokes& strokes() { return m_strokes; }
+    DocumentParts& parts() { return m_parts; }
     ModelChanger& changer() { return m_changer; }
     ModelOpener& opener() { return m_opener; }
     ModelSaver& saver() { return m_saver; }
@@ -94,6 +96,7 @@ private:
     DocumentJournal m_journaling;
     LastStroke m_lastStroke;
     DocumentStrokes m_strokes;
+    DocumentParts m_parts;
     ModelChanger m_changer;
     ModelOpener m_opener;
     ModelSaver m_saver;

@@ -4,6 +4,7 @@
 #include "app/worker/sculpt_worker.h"
 
 #include "ui/util/error_messages.h"
+#include "ui/util/part_name.h"
 
 namespace app
 {
@@ -14,11 +15,22 @@ DocumentStrokes::DocumentStrokes(Document* document) : m_document(document)
 
 void DocumentStrokes::beginStroke(const core::StrokeSettings& settings)
 {
+    reportUneditable();
     DocumentQueue& queue = m_document->queue();
     queue.beginStroke();
     m_document->history().setStrokeText(StrokeStep::textOf(settings.tool));
     queue.enqueueStroke([this, settings] { m_document->worker().strokes().beginStroke(Source::Desktop, settings); });
     m_document->notifyStateChanged();
+}
+
+/// Says why the stroke will have no effect if the active part is hidden or locked.
+void DocumentStrokes::reportUneditable()
+{
+    const core::Part* part = m_document->parts().list().find(m_document->parts().active());
+    if (part && !part->isVisible)
+        Q_EMIT m_document->noticed(tr("%1 is hidden. Show it, or choose another part.").arg(ui::partName(*part)));
+    else if (part && part->isLocked)
+        Q_EMIT m_document->noticed(tr("%1 is locked. Unlock it, or choose another part.").arg(ui::partName(*part)));
 }
 
 void DocumentStrokes::addSample(const core::StrokeSample& sample)

@@ -32,6 +32,7 @@ public Q_SLOTS:
 private:
     void onReport(const StrokeReport& report);
     void addStep(const StrokeReport& report);
+    void reportUneditable();
     void reportShortfall(const StrokeReport& report);
 
     Document* m_document;

@@ -16,15 +16,20 @@ namespace app
 {
 void ModelChanger::apply(const core::ModelCommand& command)
 {
+    applyTo(m_document->parts().active(), command);
+}
+
+void ModelChanger::applyTo(core::PartId part, const core::ModelCommand& command)
+{
     if (!m_document->job().isBusy())
-        m_document->queue().enqueue([this, command] { start({command, {}}); });
+        m_document->queue().enqueue([this, part, command] { start({command, {}, part}); });
 }
 
 void ModelChanger::insert(const ui::InsertRequest& insertion)
 {
     if (!m_document->job().isBusy())
         m_document->queue().enqueue([this, insertion] {
-            start({core::Insert{{}, insertion.place, insertion.centre}, insertion});
+            start({core::Insert{{}, insertion.place, insertion.centre}, insertion, m_document->parts().active()});
         });
 }
 
@@ -36,6 +41,8 @@ void ModelChanger::start(ModelChangeRequest request)
     if (auto* const reset = std::get_if<core::Reset>(&request.command))
         reset->start = m_start;
     m_document->queue().setPause(DocumentQueue::Pause::Changing);
+    if (core::isInFrame(request.command))
+        return applyInFrame(request);
     const core::JobControl control = job.beginCancellable(CommandNames::progress(request.command));
     m_document->worker().post([this, request = std::move(request), control](core::Sculptor& sculptor) {
         BackgroundJob& work = m_document->job();
@@ -47,6 +54,20 @@ void ModelChanger::start(ModelChangeRequest request)
     });
 }
 
+/// Applies a command that changes no vertex, on the mesh thread and without a copy.
+void ModelChanger::applyInFrame(const ModelChangeRequest& request)
+{
+    BackgroundJob& job = m_document->job();
+    job.begin(CommandNames::progress(request.command));
+    m_document->worker().post([this, request, &job](core::Sculptor& sculptor) {
+        ModelChangeOutcome outcome;
+        outcome.change = core::applyInFrame(sculptor.mesh(), request.command, request.part);
+        outcome.problem = CommandNames::refusal(outcome.change, {});
+        job.run([outcome = std::move(outcome)] { return outcome; },
+                [this, request](const ModelChangeOutcome& done) { finish(request, done); });
+    });
+}
+
 void ModelChanger::finish(const ModelChangeRequest& request, ModelChangeOutcome outcome)
 {
     if (m_document->job().wasCancelled() || !outcome.change.changes)
@@ -54,9 +75,10 @@ void ModelChanger::finish(const ModelChangeRequest& request, ModelChangeOutcome 
     m_document->job().commit();
     auto delta = std::make_shared<core::MeshDelta>(std::move(outcome.change.delta));
     const auto recordedStep = std::make_shared<const core::FileEntry>(
-        core::FileCommand{request.command, request.insertion.path.toStdString()});
-    const StepDescription step{CommandNames::name(request.command),
-                               {CommandNames::icon(request.command), 0, 0, recordedStep}};
+        core::FileCommand{request.command, request.insertion.path.toStdString(), request.part});
+    const StepDescription step{
+        StrokeStep::textOfPart(m_document->parts().named(request), CommandNames::name(request.command)),
+        {CommandNames::icon(request.command), 0, 0, recordedStep}};
     const auto& journal = m_document->journaling().journal();
     m_document->worker().post(
         [delta, record = StrokeStep::forJournal(step.text, step.marks), journal](core::Sculptor& sculptor) {

@@ -27,8 +27,10 @@ public:
     void setStart(std::shared_ptr<const core::Snapshot> start) { m_start = std::move(start); }
 
 public Q_SLOTS:
-    /// Applies a command. The `start` of a core::Reset is filled in.
+    /// Applies a command to the active part, or to the parts that it concerns (core::applyToCopy()). The `start` of a
+    /// core::Reset is filled in.
     void apply(const core::ModelCommand& command);
+    void applyTo(core::PartId part, const core::ModelCommand& command);
     void insert(const ui::InsertRequest& insertion);
 
 Q_SIGNALS:
@@ -39,6 +41,7 @@ Q_SIGNALS:
 
 private:
     void start(ModelChangeRequest request);
+    void applyInFrame(const ModelChangeRequest& request);
     void finish(const ModelChangeRequest& request, ModelChangeOutcome outcome);
     void end(const ModelChangeRequest& request, const ModelChangeOutcome& outcome);
     void reportOutcome(const ModelChangeRequest& request, const ModelChangeOutcome& outcome);

@@ -268,12 +268,13 @@ void LessonTeacher::run(const core::LessonCue& cue)
         m_isStrokeOpen = true;
         m_posted = 0;
         m_consumedBefore = m_document->worker().stats().samples;
+        m_document->parts().activate(stroke->settings.part);
         m_document->strokes().beginStroke(stroke->settings);
     } else if (const auto* const sample = std::get_if<core::StrokeSample>(&cue)) {
         ++m_posted;
         m_document->strokes().addSample(*sample);
-    } else if (const auto* const command = std::get_if<core::ModelCommand>(&cue)) {
-        m_document->changer().apply(*command);
+    } else if (const auto* const command = std::get_if<core::FileCommand>(&cue)) {
+        m_document->changer().applyTo(command->part, command->command);
     } else {
         endStroke();
     }

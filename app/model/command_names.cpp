@@ -26,8 +26,25 @@ QString nameOf(const core::MaskOperation& change)
     return names[static_cast<std::size_t>(change.how)];
 }
 
+Names namesOf(const core::CombineParts& combination)
+{
+    switch (combination.operation) {
+    case core::SetOperation::Union:
+        return {CommandNames::tr("Join", "undo step"), CommandNames::tr("Joining the parts"),
+                QStringLiteral("part-union")};
+    case core::SetOperation::Difference:
+        return {CommandNames::tr("Subtract", "undo step"), CommandNames::tr("Subtracting the parts"),
+                QStringLiteral("part-subtract")};
+    case core::SetOperation::Intersection:
+        break;
+    }
+    return {CommandNames::tr("Intersect", "undo step"), CommandNames::tr("Intersecting the parts"),
+            QStringLiteral("part-intersect")};
+}
+
 Names namesOf(const core::ModelCommand& command)
 {
+    const auto* combination = std::get_if<core::CombineParts>(&command);
     const auto* mask = std::get_if<core::MaskOperation>(&command);
     const Names names[] = {
         {CommandNames::tr("Move", "undo step"), CommandNames::tr("Moving the model"), QStringLiteral("move")},
@@ -46,7 +63,17 @@ Names namesOf(const core::ModelCommand& command)
          QStringLiteral("place-on-bed")},
         {CommandNames::tr("Flatten Base", "undo step"), CommandNames::tr("Flattening the base"),
          QStringLiteral("flatten-base")},
-        {mask ? nameOf(*mask) : QString(), CommandNames::tr("Changing the mask"), QStringLiteral("mask")}};
+        {mask ? nameOf(*mask) : QString(), CommandNames::tr("Changing the mask"), QStringLiteral("mask")},
+        {CommandNames::tr("Edit Part", "undo step"), CommandNames::tr("Changing the list of parts"),
+         QStringLiteral("rename")},
+        {CommandNames::tr("Show or Hide Parts", "undo step"), CommandNames::tr("Changing the list of parts"),
+         QStringLiteral("part-shown")},
+        {CommandNames::tr("Duplicate", "undo step"), CommandNames::tr("Duplicating the part"),
+         QStringLiteral("duplicate")},
+        {CommandNames::tr("Delete", "undo step"), CommandNames::tr("Deleting the part"), QStringLiteral("trash")},
+        {CommandNames::tr("Separate", "undo step"), CommandNames::tr("Separating the part"),
+         QStringLiteral("part-separate")},
+        combination ? namesOf(*combination) : Names()};
     static_assert(std::size(names) == std::variant_size_v<core::ModelCommand>);
     return names[command.index()];
 }
@@ -105,6 +132,21 @@ QString CommandNames::refusal(const core::ModelChange& change, const QString& in
     case core::ModelRefusal::NoBase:
         return tr("The model stays as it is, because a cut at this height would not leave one sound surface; another "
                   "height may do.");
+    case core::ModelRefusal::NoSuchPart:
+        return tr("The model stays as it is: it has no such part, or the part is empty.");
+    case core::ModelRefusal::NotEditable:
+        return tr("The model stays as it is, because a part is hidden or locked. Show and unlock it first.");
+    case core::ModelRefusal::LastPart:
+        return tr("The last part cannot be deleted.");
+    case core::ModelRefusal::OnePiece:
+        return tr("The part is in one piece already, so nothing was separated.");
+    case core::ModelRefusal::TooManyParts:
+        return tr("The model stays as it is: it may have %Ln parts at most.", nullptr,
+                  static_cast<int>(core::PartList::maxParts));
+    case core::ModelRefusal::PartsApart:
+        return tr("The parts do not overlap, so nothing was subtracted.");
+    case core::ModelRefusal::LeavesNothing:
+        return tr("The parts stay as they are, because nothing would be left of them.");
     case core::ModelRefusal::TooFine:
         return tr("The mesh stays as it is: with edges this short it would need too many triangles (%1).").arg(faces);
     }

@@ -47,7 +47,7 @@ ModelChangeOutcome ModelChangeJob::run(const std::shared_ptr<core::Mesh>& copy, 
         }
         if (!outcome.problem.isEmpty() || outcome.doubt || control.isCancelled())
             return outcome;
-        outcome.change = core::applyToCopy(std::move(*copy), request.command, changeControl);
+        outcome.change = core::applyToCopy(std::move(*copy), request.command, changeControl, request.part);
         outcome.problem = CommandNames::refusal(outcome.change, request.insertion.path);
         if (outcome.change.changes && outcome.change.report.volume)
             outcome.notice =

@@ -20,6 +20,7 @@ struct ModelChangeRequest
     core::ModelCommand command;
     /// used only if `command` is a core::Insert: the file that the inserted model is read from
     ui::InsertRequest insertion;
+    core::PartId part = 0; ///< the part that the command changes
 };
 
 /// Result of a change of the whole model.

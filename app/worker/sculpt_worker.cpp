@@ -86,6 +86,15 @@ void SculptWorker::post(std::function<void(core::Sculptor&)> job)
     }));
 }
 
+void SculptWorker::activate(core::PartId part)
+{
+    m_queue.push(Task([this, part] {
+        m_part = part;
+        if (m_sculptor && !m_sculptor->strokeOpen())
+            m_sculptor->activate(part);
+    }));
+}
+
 void SculptWorker::confirm()
 {
     m_queue.push(Task([this] { notify([this] { Q_EMIT confirmed(); }); }));
@@ -130,6 +139,7 @@ void SculptWorker::run(const Question& question)
 void SculptWorker::run(BeginStroke& job)
 {
     m_scan.cancel();
+    job.settings.part = m_part;
     m_runner.begin(job);
 }
 
@@ -159,8 +169,10 @@ void SculptWorker::run(Task& job)
 void SculptWorker::finish(StrokeReport report)
 {
     if (m_sculptor) {
+        m_sculptor->activate(m_part);
         flushPatch();
         report.facts = m_scan.facts();
+        report.part = partOfStep(report);
         if (m_journal && report.delta) {
             const StepDescription step = StrokeStep::descriptionOf(report);
             m_journal->changed(m_sculptor->mesh(), *report.delta, StrokeStep::forJournal(step.text, step.marks));
@@ -168,6 +180,14 @@ void SculptWorker::finish(StrokeReport report)
         m_scan.start();
     }
     notify([this, report = std::move(report)] { Q_EMIT strokeFinished(report); });
+}
+
+/// Returns the part that the stroke changed; nothing if there is only one.
+std::optional<core::Part> SculptWorker::partOfStep(const StrokeReport& report) const
+{
+    const core::PartList& parts = m_sculptor->mesh().frame().parts;
+    const core::Part* part = report.stroke() ? parts.find(report.stroke()->settings.part) : nullptr;
+    return part && parts.size() > 1 ? std::optional(*part) : std::nullopt;
 }
 
 /// Posts the notification to the gui thread, after all earlier changes have been recorded in the journal.
@@ -184,6 +204,8 @@ void SculptWorker::install(std::shared_ptr<core::Sculptor> sculptor, std::shared
 {
     replaceJournal(std::move(journal));
     m_sculptor = std::move(sculptor);
+    m_part = m_sculptor->mesh().frame().parts.all().front().id;
+    m_sculptor->activate(m_part);
     m_sculptor->setBetweenSubsteps([this] { betweenSubsteps(); });
     m_sculptor->takePatch();
     m_runner.setSculptor(m_sculptor.get());

@@ -44,6 +44,9 @@ public:
     /// Replaces the last stroke, without dropping samples. Emits strokeFinished(). Precondition: strokes() is held.
     void replaceLastStroke(const StrokeReplacement& replacement);
 
+    /// Selects the part that later strokes and questions refer to. A new model begins with its first part.
+    void activate(core::PartId part);
+
     /// Posts a viewer's Question. Only the viewer's newest question is answered, once, by its answered...() signal.
     void ask(Source source, const core::Ray& ray, const std::optional<core::StrokeSettings>& brush = {});
 
@@ -91,6 +94,7 @@ private:
     void run(EndStroke& job);
     void run(Task& job);
     void finish(StrokeReport report);
+    std::optional<core::Part> partOfStep(const StrokeReport& report) const;
     void install(std::shared_ptr<core::Sculptor> sculptor, std::shared_ptr<core::Journal> journal);
     void replaceJournal(std::shared_ptr<core::Journal> journal);
     void notify(std::function<void()> notification);
@@ -104,6 +108,7 @@ private:
     // State of the mesh thread.
     std::shared_ptr<core::Sculptor> m_sculptor;
     std::shared_ptr<core::Journal> m_journal;
+    core::PartId m_part = 0; ///< the active part
     StrokeRunner m_runner;
     PatchPublisher m_publisher;
     MeshFactsScan m_scan;

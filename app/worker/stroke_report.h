@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stop_token>
 
 namespace core
@@ -33,6 +34,7 @@ struct StrokeReport
     std::shared_ptr<core::MeshDelta> delta; ///< change of the mesh, already applied; null if nothing changed
     /// the core::Stroke that made the change; null if nothing changed
     std::shared_ptr<const core::FileEntry> recordedStep;
+    std::optional<core::Part> part; ///< the part that the stroke changed, if the document has several
     core::Tool tool = core::Tool::Pull;
     quint64 dabs = 0;
     quint64 fusions = 0;

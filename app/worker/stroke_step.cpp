@@ -2,6 +2,8 @@
 
 #include "app/worker/stroke_report.h"
 
+#include "ui/util/part_name.h"
+
 namespace app
 {
 namespace
@@ -35,7 +37,13 @@ StepDescription StrokeStep::descriptionOf(const StrokeReport& report)
 {
     const StepMarks marks{report.added ? addIcon : iconOf(report.tool), report.dabs, report.fusions,
                           report.recordedStep};
-    return {report.added ? textOfAdding(report.hasModel) : textOf(report.tool), marks};
+    return {textOfPart(report.part, report.added ? textOfAdding(report.hasModel) : textOf(report.tool)), marks};
+}
+
+QString StrokeStep::textOfPart(const std::optional<core::Part>& part, const QString& text)
+{
+    return part ? tr("%1: %2", "undo step: name of the part, what was done to it").arg(ui::partName(*part), text)
+                : text;
 }
 
 std::optional<StrokeReport> StrokeStep::reportOf(const StepMarks& marks)

@@ -37,6 +37,8 @@ public:
     static QString iconOf(core::Tool tool);
     /// Returns the name of a step that adds the brush's model (`isModel`) or a ball.
     static QString textOfAdding(bool isModel);
+    /// Returns the name of a step that changes one of several parts: with the name of the part. Thread: any.
+    static QString textOfPart(const std::optional<core::Part>& part, const QString& text);
     /// Returns the name and details of a reported stroke. Thread: any.
     static StepDescription descriptionOf(const StrokeReport& report);
     /// Returns a report that gives the same description and recorded step, without delta and facts. Returns nothing if

@@ -3,10 +3,14 @@
 #include "core/analysis/nesting.h"
 #include "core/geometry/face_geometry.h"
 #include "core/geometry/lattice_placement.h"
+#include "core/parts/part_split.h"
 #include "core/util/parallel.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 namespace core
 {
@@ -107,15 +111,12 @@ std::vector<LatticePoint> latticeImage(const TriangleMesh& mesh, const Box& box)
         points.clear();
     return points;
 }
-} // namespace
 
-MeshReport checkMesh(const TriangleMesh& mesh, const JobControl& control)
+/// Checks a mesh of one part. `box`: the box of the whole model, which determines the lattice.
+MeshReport checkPart(const TriangleMesh& mesh, const Box& box, const JobControl& control)
 {
     MeshReport report;
     report.faces = mesh.triangles.size();
-    if (mesh.triangles.empty())
-        return report;
-    const Box box = boxOf(mesh);
     std::vector<Slot> degenerate = degenerateFaces<FloatPredicates>(mesh.points, mesh.triangles);
     report.degenerateFaces.count = degenerate.size();
     degenerate.resize(std::min(degenerate.size(), Finding::maxFirst));
@@ -145,5 +146,84 @@ MeshReport checkMesh(const TriangleMesh& mesh, const JobControl& control)
                        (image.empty() || !report.printReady() || boundsSolid(image, mesh.triangles));
     control.reportProgress(1);
     return report;
+}
+
+// --- a mesh of several parts
+
+void add(Finding& all, const Finding& own, std::span<const Slot> faces)
+{
+    all.count += own.count;
+    for (const Slot f : own.firstFaces)
+        all.firstFaces.push_back(faces[f]);
+    std::ranges::sort(all.firstFaces);
+    all.firstFaces.resize(std::min(all.firstFaces.size(), Finding::maxFirst));
+}
+
+void add(IntersectionReport& all, const IntersectionReport& own, std::span<const Slot> faces)
+{
+    all.count += own.count;
+    for (const FacePair& pair : own.pairs)
+        all.pairs.push_back({faces[pair.first], faces[pair.second]});
+    std::ranges::sort(all.pairs);
+    all.pairs.resize(std::min(all.pairs.size(), Finding::maxFirst));
+}
+
+/// Combines values that are missing if one of them is.
+template <class Value, class Operation>
+void combine(std::optional<Value>& all, const std::optional<Value>& own, Operation operation)
+{
+    all = all && own ? std::optional<Value>(operation(*all, *own)) : std::nullopt;
+}
+
+/// Adds the report on a part. `faces`: index of each of its faces in the whole mesh.
+void add(MeshReport& all, const MeshReport& own, std::span<const Slot> faces)
+{
+    all.vertices += own.vertices;
+    all.closed = all.closed && own.closed;
+    all.manifold = all.manifold && own.manifold;
+    all.oriented = all.oriented && own.oriented;
+    combine(all.boundsSolid, own.boundsSolid, std::logical_and());
+    combine(all.latticeOk, own.latticeOk, std::logical_and());
+    combine(all.genus, own.genus, std::plus());
+    combine(all.volume, own.volume, std::plus());
+    all.components += own.components;
+    all.area += own.area;
+    all.minEdge = std::min(all.minEdge, own.minEdge);
+    all.maxEdge = std::max(all.maxEdge, own.maxEdge);
+    add(all.openEdges, own.openEdges, faces);
+    add(all.nonManifoldEdges, own.nonManifoldEdges, faces);
+    add(all.nonManifoldVertices, own.nonManifoldVertices, faces);
+    add(all.misorientedEdges, own.misorientedEdges, faces);
+    add(all.degenerateFaces, own.degenerateFaces, faces);
+    add(all.intersections, own.intersections, faces);
+}
+
+MeshReport checkParts(const TriangleMesh& mesh, const Box& box, const JobControl& control)
+{
+    MeshReport report;
+    report.faces = mesh.triangles.size();
+    report.size = box.sizes();
+    report.closed = report.manifold = report.oriented = true;
+    report.boundsSolid = report.latticeOk = true;
+    report.genus = 0;
+    report.volume = 0;
+    report.minEdge = std::numeric_limits<double>::infinity();
+    std::size_t done = 0;
+    for (const PartPiece& piece : splitByPart(mesh)) {
+        const std::size_t before = std::exchange(done, done + piece.faces.size());
+        const auto share = [&](std::size_t faces) { return double(faces) / double(mesh.triangles.size()); };
+        add(report, checkPart(piece.mesh, box, control.part(share(before), share(done))), piece.faces);
+    }
+    report.unusedVertices = mesh.points.size() - report.vertices;
+    return report;
+}
+} // namespace
+
+MeshReport checkMesh(const TriangleMesh& mesh, const JobControl& control)
+{
+    if (mesh.triangles.empty())
+        return {};
+    const Box box = boxOf(mesh);
+    return mesh.parts.empty() ? checkPart(mesh, box, control) : checkParts(mesh, box, control);
 }
 } // namespace core

@@ -50,7 +50,8 @@ struct MeshReport
 };
 
 /// Checks the float32 coordinates exactly, not snapped. Precondition: indices are in range, points are finite. Uses all
-/// cores; the result does not depend on their number. The result of a cancelled check must not be used. Cost: about 1 s
-/// for a million faces on two cores.
+/// cores; the result does not depend on their number. Each part of a mesh with parts is checked alone, because parts
+/// may overlap; the report then has the sums, and a property holds if every part has it. The result of a cancelled
+/// check must not be used. Cost: about 1 s for a million faces on two cores.
 MeshReport checkMesh(const TriangleMesh& mesh, const JobControl& control = {});
 } // namespace core

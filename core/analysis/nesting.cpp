@@ -9,6 +9,7 @@
 #include "core/util/disjoint_sets.h"
 
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <tuple>
 
@@ -36,6 +37,25 @@ public:
             if ((volumeSign(shell) > 0) == liesInOdd(shell, tree))
                 return false;
         return true;
+    }
+
+    Components pieces() const
+    {
+        if (m_components.count == 1)
+            return m_components;
+        const BoxTree tree(faceBoxes(m_points, m_triangles));
+        std::vector<std::size_t> outer(m_components.count);
+        for (std::size_t shell = 0; shell < outer.size(); ++shell)
+            outer[shell] = volumeSign(shell) > 0 ? shell : innermostAround(shell, tree);
+        Components pieces;
+        std::vector<Slot> number(outer.size(), noSlot);
+        for (const Slot shell : m_components.ofFace) {
+            Slot& piece = number[outer[shell]];
+            if (piece == noSlot)
+                piece = static_cast<Slot>(pieces.count++);
+            pieces.ofFace.push_back(piece);
+        }
+        return pieces;
     }
 
 private:
@@ -98,19 +118,51 @@ private:
         return highest;
     }
 
-    bool liesInOdd(std::size_t shell, const BoxTree& tree) const
+    /// Calls visit(shell) for each face of another shell above the shell's highest point.
+    template <class Visit> void forEachAbove(std::size_t shell, const BoxTree& tree, Visit visit) const
     {
         const Vec3f origin = highestPoint(shell);
         FaceBox ray;
         ray.extend(origin.array());
         ray.max.z() = std::numeric_limits<float>::infinity();
-        bool odd = false;
         tree.forEachMeeting(ray, [&](Slot position) {
             const Slot face = tree.at(position);
             if (m_components.ofFace[face] != shell && liesAbove(m_triangles[face], origin))
-                odd = !odd;
+                visit(m_components.ofFace[face]);
         });
+    }
+
+    bool liesInOdd(std::size_t shell, const BoxTree& tree) const
+    {
+        bool odd = false;
+        forEachAbove(shell, tree, [&](Slot) { odd = !odd; });
         return odd;
+    }
+
+    /// Returns the shell of the least volume around the shell. Precondition: there is one.
+    std::size_t innermostAround(std::size_t shell, const BoxTree& tree) const
+    {
+        std::map<Slot, bool> isAround;
+        forEachAbove(shell, tree, [&](Slot other) { isAround[other] = !isAround[other]; });
+        std::size_t innermost = shell;
+        double least = std::numeric_limits<double>::infinity();
+        for (const auto& [other, odd] : isAround) {
+            if (const double volume = odd ? std::abs(volumeOf(other)) : least; volume < least) {
+                least = volume;
+                innermost = other;
+            }
+        }
+        return innermost;
+    }
+
+    double volumeOf(std::size_t shell) const
+    {
+        double sum = 0;
+        for (const Slot f : facesOf(shell)) {
+            const auto& [a, b, c] = m_triangles[f];
+            sum += m_points[a].cast<double>().dot(m_points[b].cast<double>().cross(m_points[c].cast<double>())) / 6;
+        }
+        return sum;
     }
 
     /// Returns whether the ray upwards (+z) from the origin crosses the face. The origin is treated as if moved by (e,
@@ -190,6 +242,11 @@ std::size_t edgeComponents(std::span<const Triangle> triangles)
 bool boundsSolid(std::span<const Vec3f> points, std::span<const Triangle> triangles)
 {
     return Shells(points, triangles).boundSolid();
+}
+
+Components solidPiecesOf(std::span<const Vec3f> points, std::span<const Triangle> triangles)
+{
+    return Shells(points, triangles).pieces();
 }
 
 bool boundsSolid(std::span<const LatticePoint> points, std::span<const Triangle> triangles)

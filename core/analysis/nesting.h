@@ -23,6 +23,11 @@ struct Components
 };
 Components componentsOf(std::size_t vertices, std::span<const Triangle> triangles);
 
+/// Returns the connected pieces of a solid: each is a shell that faces outwards, with the shells of the voids directly
+/// inside it. Precondition: the shells bound a solid. Cost: O(faces), and a tree of boxes if there is more than one
+/// shell.
+Components solidPiecesOf(std::span<const Vec3f> points, std::span<const Triangle> triangles);
+
 /// Returns the number of sets of faces connected by edges: parts that touch only at a vertex count separately. Slower
 /// than componentsOf().
 std::size_t edgeComponents(std::span<const Triangle> triangles);

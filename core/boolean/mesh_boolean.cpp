@@ -34,11 +34,13 @@ constexpr int finest = 2;
 class Boolean
 {
 public:
-    Boolean(SetOperation operation, std::span<const TriangleMesh> solids, const JobControl& control)
+    Boolean(SetOperation operation, std::span<const TriangleMesh> solids, const JobControl& control,
+            const std::optional<Lattice>& lattice)
         : m_operation(operation)
         , m_solids(solids)
         , m_control(control)
-        , m_soup(soupOf(operation, solids))
+        , m_lattice(lattice)
+        , m_soup(soupOf(operation, solids, lattice))
     {}
 
     BooleanResult run()
@@ -60,7 +62,7 @@ private:
         if (attempt(crossingFaces(m_soup, m_control.stop), 0, m_control.part(0, afterChecking)))
             return true;
         for (int finer = 1; finer <= finest && !m_control.isCancelled(); ++finer) {
-            SolidSoup soup = soupOf(m_operation, m_solids, finer);
+            SolidSoup soup = soupOf(m_operation, m_solids, m_lattice, finer);
             if (soup.placement.lattice == m_soup.placement.lattice)
                 return false;
             m_soup = std::move(soup);
@@ -76,9 +78,9 @@ private:
     {
         constexpr double tolerances[] = {2, 16, 128}; // lattice units; the last is 1/10,000 of the size
         for (const int finer : {0, finest}) {
-            if (m_control.isCancelled() || m_result.mesh)
+            if (m_control.isCancelled() || m_result.mesh || (m_lattice && finer > 0))
                 return false;
-            m_soup = soupOf(m_operation, m_solids, finer);
+            m_soup = soupOf(m_operation, m_solids, m_lattice, finer);
             const std::vector<Slot> meeting = meetingFaces(m_soup, m_control.stop);
             for (const double tolerance : tolerances)
                 if (!m_control.isCancelled() && attempt(meeting, tolerance, {m_control.stop, {}}))
@@ -161,6 +163,7 @@ private:
     SetOperation m_operation;
     std::span<const TriangleMesh> m_solids;
     const JobControl& m_control;
+    std::optional<Lattice> m_lattice; ///< see combine()
     SolidSoup m_soup;
     BooleanResult m_result;
     double m_distance = std::numeric_limits<double>::infinity(); ///< mean distance of the result from the exact one, mm
@@ -170,8 +173,9 @@ private:
 
 namespace core
 {
-BooleanResult combine(SetOperation operation, std::span<const TriangleMesh> solids, const JobControl& control)
+BooleanResult combine(SetOperation operation, std::span<const TriangleMesh> solids, const JobControl& control,
+                      const std::optional<Lattice>& lattice)
 {
-    return boolean::Boolean(operation, solids, control).run();
+    return boolean::Boolean(operation, solids, control, lattice).run();
 }
 } // namespace core

@@ -48,5 +48,8 @@ struct BooleanResult
 ///
 /// Thread: any; uses all cores. The result does not depend on their number. Cost: a tree of boxes where solids overlap,
 /// quadratic in the number of faces that meet one face, and checkMesh() of the result.
-BooleanResult combine(SetOperation operation, std::span<const TriangleMesh> solids, const JobControl& control = {});
+///
+/// `lattice`: the only lattice to use, for solids of a document; all points must be on it.
+BooleanResult combine(SetOperation operation, std::span<const TriangleMesh> solids, const JobControl& control = {},
+                      const std::optional<Lattice>& lattice = {});
 } // namespace core

@@ -34,7 +34,8 @@ void addColors(const TriangleMesh& solid, std::vector<Rgb>& colors)
 }
 } // namespace
 
-SolidSoup soupOf(SetOperation operation, std::span<const TriangleMesh> solids, int finer)
+SolidSoup soupOf(SetOperation operation, std::span<const TriangleMesh> solids, const std::optional<Lattice>& lattice,
+                 int finer)
 {
     SolidSoup soup;
     Box box;
@@ -43,7 +44,7 @@ SolidSoup soupOf(SetOperation operation, std::span<const TriangleMesh> solids, i
         box.extend(core::boxOf(solid));
         isColored = isColored || !solid.colors.empty();
     }
-    soup.placement = placementFor(box, finer);
+    soup.placement = lattice ? LatticePlacement{*lattice} : placementFor(box, finer);
     soup.isDifference = operation == SetOperation::Difference;
     soup.least = operation == SetOperation::Intersection ? static_cast<int>(solids.size()) : 1;
     repair::TriangleSoup& surface = soup.surface;

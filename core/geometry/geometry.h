@@ -18,6 +18,9 @@ using Vec3f = Eigen::Vector3f;
 /// Corner slots of a face, counter-clockwise from outside.
 using Triangle = std::array<Slot, 3>;
 
+/// Identifies a part of a document (core/parts).
+using PartId = std::uint16_t;
+
 /// A colour in 8-bit sRGB.
 struct Rgb
 {

@@ -78,6 +78,8 @@ TriangleMesh inMortonOrder(const TriangleMesh& mesh, const Lattice& lattice)
             result.colors.push_back(mesh.colors[order[v]]);
         if (!mesh.masks.empty())
             result.masks.push_back(mesh.masks[order[v]]);
+        if (!mesh.parts.empty())
+            result.parts.push_back(mesh.parts[order[v]]);
     }
     std::vector<Triangle> triangles;
     triangles.reserve(mesh.triangles.size());

@@ -14,6 +14,7 @@ struct TriangleMesh
     std::vector<Rgb> colors; ///< empty, or one per point
     std::vector<Triangle> triangles;
     std::vector<std::uint8_t> masks = {}; ///< empty, or one per point (see Mesh::mask)
+    std::vector<PartId> parts = {};       ///< empty: all points belong to part 0; or one per point
 };
 
 /// Returns the paper's sphere: an icosahedron whose faces are split in four this many times, with its points moved out

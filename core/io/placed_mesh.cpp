@@ -38,7 +38,8 @@ bool fitToFloats(TriangleMesh& mesh, std::span<const Vec3> places)
     int exponent = 0; // smallest exponent with 2^exponent above the largest coordinate
     std::frexp(largest, &exponent);
     const Lattice lattice(static_cast<int>(std::log2(Lattice::limit)) - exponent);
-    const LatticeFit fit = fitToLattice(lattice, places, mesh.triangles);
+    const LatticeFit fit = mesh.parts.empty() ? fitToLattice(lattice, places, mesh.triangles)
+                                              : fitPartsToLattice(lattice, places, mesh.triangles, mesh.parts);
     if (fit.unsnappable > 0)
         return false;
     for (std::size_t i = 0; i < fit.points.size(); ++i)

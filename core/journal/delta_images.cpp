@@ -31,13 +31,14 @@ template <std::size_t count, class Item> std::array<Slot, count> linksOf(const I
 VertexImage vertexImage(const Mesh& mesh, Slot v)
 {
     if (v >= mesh.slots().vertices)
-        return {v, 0, Vec3f::Zero(), {}, 0, false, {}};
+        return {v, 0, Vec3f::Zero(), {}, 0, false, 0, {}};
     return {v,
             0,
             mesh.point(v),
             mesh.color(v),
             mesh.mask(v),
             mesh.isVertex(v),
+            mesh.part(v),
             itemOf<OpenMesh::ArrayItems::Vertex>(mesh.outgoing(v))};
 }
 

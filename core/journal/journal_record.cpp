@@ -10,7 +10,7 @@ namespace core
 {
 namespace
 {
-constexpr std::uint32_t mark = 0x344a5446; ///< "FTJ4"
+constexpr std::uint32_t mark = 0x354a5446; ///< "FTJ5"
 
 struct Head
 {
@@ -24,12 +24,12 @@ template <class Stream> constexpr bool isReading = std::is_same_v<Stream, ByteRe
 
 // --- values inside records
 
-constexpr std::size_t vertexBytes = 25, edgeBytes = 36, faceBytes = 20;
+constexpr std::size_t vertexBytes = 27, edgeBytes = 36, faceBytes = 20, partBytes = 12;
 
 template <class Stream> void pass(Stream& stream, Passed<VertexImage, Stream>& image)
 {
     stream.pass(image.slot, image.point.x(), image.point.y(), image.point.z());
-    stream.pass(image.color.r, image.color.g, image.color.b, image.mask, image.live, image.item);
+    stream.pass(image.color.r, image.color.g, image.color.b, image.mask, image.live, image.part, image.item);
 }
 
 template <class Stream> void pass(Stream& stream, Passed<EdgeImage, Stream>& image)
@@ -76,27 +76,40 @@ template <class Stream> void pass(Stream& stream, Passed<JournalStep, Stream>& s
         putEntry(stream, step.entry.get());
 }
 
-template <class Part> void passAll(ByteWriter& out, const std::vector<Part>& parts, std::size_t)
+template <class Stream> void pass(Stream& stream, Passed<Part, Stream>& part)
 {
-    out.put(static_cast<std::uint32_t>(parts.size()));
-    for (const Part& part : parts)
-        pass(out, part);
+    bool hasTag = part.tag.has_value();
+    Rgb tag = part.tag.value_or(Rgb());
+    stream.pass(part.id, part.name, part.isVisible, part.isLocked, hasTag, tag.r, tag.g, tag.b);
+    if constexpr (isReading<Stream>)
+        part.tag = hasTag ? std::optional(tag) : std::nullopt;
 }
 
-/// `bytesEach`: least size of one part in bytes.
-template <class Part> void passAll(ByteReader& in, std::vector<Part>& parts, std::size_t bytesEach)
+template <class Value> void passAll(ByteWriter& out, const std::vector<Value>& values, std::size_t)
 {
-    parts.resize(in.takeCount(bytesEach));
-    for (Part& part : parts)
-        pass(in, part);
+    out.put(static_cast<std::uint32_t>(values.size()));
+    for (const Value& value : values)
+        pass(out, value);
+}
+
+/// `bytesEach`: least size of one value in bytes.
+template <class Value> void passAll(ByteReader& in, std::vector<Value>& values, std::size_t bytesEach)
+{
+    values.resize(in.takeCount(bytesEach));
+    for (Value& value : values)
+        pass(in, value);
 }
 
 template <class Stream> void pass(Stream& stream, Passed<MeshFrame, Stream>& frame)
 {
     std::int32_t exponent = frame.lattice.exponent();
     stream.pass(exponent, frame.uniformDetail, frame.place.x(), frame.place.y(), frame.place.z());
-    if constexpr (isReading<Stream>)
+    std::vector<Part> parts = frame.parts.all();
+    passAll(stream, parts, partBytes);
+    if constexpr (isReading<Stream>) {
         frame.lattice = Lattice(exponent);
+        frame.parts = PartList::isUsable(parts) ? PartList(std::move(parts)) : PartList();
+    }
 }
 
 template <class Stream> void pass(Stream& stream, Passed<MeshDelta, Stream>& image)
@@ -184,6 +197,7 @@ template <class Stream> void pass(Stream& stream, Passed<Snapshot, Stream>& snap
     passPlain(stream, snapshot.surface.points);
     passPlain(stream, snapshot.surface.colors);
     passPlain(stream, snapshot.surface.masks);
+    passPlain(stream, snapshot.surface.parts);
     passPlain(stream, snapshot.surface.triangles);
 }
 

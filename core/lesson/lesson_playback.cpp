@@ -43,11 +43,11 @@ void LessonPlayback::begin(const StrokeSettings& settings)
     m_sculptor->beginStroke(settings);
 }
 
-void LessonPlayback::run(ModelCommand command)
+void LessonPlayback::run(FileCommand entry)
 {
-    if (auto* const reset = std::get_if<Reset>(&command))
+    if (auto* const reset = std::get_if<Reset>(&entry.command))
         reset->start = m_start;
-    ModelChange change = applyToCopy(mesh(), command);
+    ModelChange change = applyToCopy(mesh(), entry.command, {}, entry.part);
     if (change.refusal != ModelRefusal::None)
         throw errorHere(LessonError::Kind::Refused, StrokeFileError(StrokeFileError::Kind::UnknownValue));
     m_sculptor->swap(change.delta);
@@ -61,7 +61,7 @@ void LessonPlayback::apply(const LessonCue& cue)
         begin(stroke->settings);
     else if (const auto* const sample = std::get_if<StrokeSample>(&cue))
         m_sculptor->addSample(*sample);
-    else if (const auto* const command = std::get_if<ModelCommand>(&cue))
+    else if (const auto* const command = std::get_if<FileCommand>(&cue))
         run(*command);
     else
         m_done.push_back(m_sculptor->endStroke());
@@ -81,7 +81,7 @@ bool LessonPlayback::undoLast()
 void LessonPlayback::play(const FileEntry& entry)
 {
     if (const auto* const command = std::get_if<FileCommand>(&entry))
-        return run(command->command);
+        return run(*command);
     const Stroke& stroke = std::get<Stroke>(entry);
     begin(stroke.settings);
     for (const StrokeSample& sample : stroke.samples)

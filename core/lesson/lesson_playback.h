@@ -55,7 +55,7 @@ public:
 
 private:
     void begin(const StrokeSettings& settings);
-    void run(ModelCommand command);
+    void run(FileCommand entry);
     void play(const FileEntry& entry);
     LessonError errorHere(LessonError::Kind kind, StrokeFileError problem) const;
 

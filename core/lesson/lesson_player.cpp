@@ -70,7 +70,7 @@ LessonCue LessonPlayer::cueOf(const Moment& moment) const
     case Kind::Sample:
         return strokeOf(step(), moment.entry).samples[moment.sample];
     case Kind::Command:
-        return std::get<FileCommand>(step().strokes[moment.entry]).command;
+        return std::get<FileCommand>(step().strokes[moment.entry]);
     case Kind::End:
         break;
     }

@@ -15,7 +15,7 @@ struct StrokeEnds
 {};
 /// The next action of the teacher. Executing all cues in order, without omissions, reproduces the teacher's model bit
 /// for bit.
-using LessonCue = std::variant<StrokeBegins, StrokeSample, StrokeEnds, ModelCommand>;
+using LessonCue = std::variant<StrokeBegins, StrokeSample, StrokeEnds, FileCommand>;
 
 /// The teacher's brush as displayed during playback: at work, and between strokes. Model space, mm.
 struct GhostBrush

@@ -29,8 +29,24 @@ std::vector<SlotSpan> spansOf(SlotSet& dirty, Slot length, Slot gap)
     return spans;
 }
 
+/// Returns which parts are drawn, by id. Faces of other parts are drawn as free ones.
+std::vector<bool> drawnParts(const Mesh& mesh)
+{
+    std::vector<bool> drawn;
+    for (const Part& part : mesh.frame().parts.all()) {
+        drawn.resize(std::max(drawn.size(), part.id + std::size_t(1)));
+        drawn[part.id] = part.isVisible;
+    }
+    return drawn;
+}
+
 void fillValues(MeshPatch& patch, const Mesh& mesh)
 {
+    const std::vector<bool> drawn = drawnParts(mesh);
+    const auto isDrawn = [&](Slot f) {
+        const PartId part = mesh.partOfFace(f);
+        return mesh.isFace(f) && part < drawn.size() && drawn[part];
+    };
     std::vector<Slot> slots;
     for (const SlotSpan& span : patch.vertexSpans) {
         for (Slot v = span.first; v < span.first + span.count; ++v)
@@ -43,7 +59,7 @@ void fillValues(MeshPatch& patch, const Mesh& mesh)
     });
     for (const SlotSpan& span : patch.faceSpans) {
         for (Slot f = span.first; f < span.first + span.count; ++f)
-            patch.faces.push_back(mesh.corners(f));
+            patch.faces.push_back(isDrawn(f) ? mesh.corners(f) : Triangle{0, 0, 0});
     }
     patch.vertexSlots = mesh.slots().vertices;
     patch.faceSlots = mesh.slots().faces;

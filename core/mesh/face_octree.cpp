@@ -34,15 +34,20 @@ LatticeBox boxOf(const Mesh& mesh, Slot face)
 
 FaceOctree::FaceOctree(const Mesh& mesh)
 {
-    m_nodes.emplace_back();
-    m_cells.push_back(rootBox());
+    m_root = rootOf(m_active);
     const Slot faces = mesh.slots().faces;
     m_places.reserve(static_cast<std::size_t>(faces) * 4); // costs address space only; avoids reallocation in a stroke
     m_places.resize(faces);
     for (const Slot f : mesh.faces())
-        insert(boxOf(mesh, f), f);
+        insert(f, mesh.partOfFace(f), boxOf(mesh, f));
     m_nodes.reserve(4 * m_nodes.size());
     m_cells.reserve(4 * m_cells.size());
+}
+
+void FaceOctree::activate(PartId part)
+{
+    m_active = part;
+    m_root = rootOf(part);
 }
 
 void FaceOctree::update(const Mesh& mesh, std::span<const Slot> faces)
@@ -50,7 +55,7 @@ void FaceOctree::update(const Mesh& mesh, std::span<const Slot> faces)
     removeDead(mesh, faces);
     for (Slot f : faces) {
         if (f < mesh.slots().faces && mesh.isFace(f))
-            place(f, boxOf(mesh, f));
+            place(f, mesh.partOfFace(f), boxOf(mesh, f));
     }
 }
 
@@ -63,33 +68,33 @@ void FaceOctree::removeDead(const Mesh& mesh, std::span<const Slot> faces)
     }
 }
 
-void FaceOctree::place(std::span<const Slot> faces, std::span<const LatticeBox> boxes)
+void FaceOctree::place(const Mesh& mesh, std::span<const Slot> faces, std::span<const LatticeBox> boxes)
 {
     for (std::size_t i = 0; i < faces.size(); ++i)
-        place(faces[i], boxes[i]);
+        place(faces[i], mesh.partOfFace(faces[i]), boxes[i]);
 }
 
-void FaceOctree::place(Slot face, const LatticeBox& box)
+void FaceOctree::place(Slot face, PartId part, const LatticeBox& box)
 {
     if (face >= m_places.size())
         m_places.resize(face + 1);
     if (m_places[face].node != noSlot) {
-        if (fits(box, face))
+        if (fits(face, part, box))
             return;
         remove(face);
     }
-    insert(box, face);
+    insert(face, part, box);
 }
 
-bool FaceOctree::fits(const LatticeBox& box, Slot face) const
+bool FaceOctree::fits(Slot face, PartId part, const LatticeBox& box) const
 {
     const Cell& cell = m_cells[m_places[face].node];
-    return cell.loose().contains(box) && cell.size <= tolerance * cellSizeFor(box);
+    return m_nodes[cell.node].part == part && cell.loose().contains(box) && cell.size <= tolerance * cellSizeFor(box);
 }
 
-void FaceOctree::insert(const LatticeBox& box, Slot face)
+void FaceOctree::insert(Slot face, PartId part, const LatticeBox& box)
 {
-    const Cell cell = cellFor(box);
+    const Cell cell = cellFor(part, box);
     Node& node = m_nodes[cell.node];
     m_places[face] = {cell.node, static_cast<Slot>(node.faces.size())};
     node.faces.push_back(face);
@@ -110,17 +115,31 @@ void FaceOctree::remove(Slot face)
         --m_nodes[n].facesBelow;
 }
 
-FaceOctree::Cell FaceOctree::cellFor(const LatticeBox& box)
+Slot FaceOctree::rootOf(PartId part)
+{
+    if (part >= m_roots.size())
+        m_roots.resize(part + std::size_t(1), noSlot);
+    if (m_roots[part] == noSlot) {
+        m_roots[part] = static_cast<Slot>(m_nodes.size());
+        m_nodes.emplace_back().part = part;
+        m_cells.push_back(rootCell(m_roots[part]));
+    }
+    return m_roots[part];
+}
+
+FaceOctree::Cell FaceOctree::cellFor(PartId part, const LatticeBox& box)
 {
     const int size = cellSizeFor(box);
     const LatticePoint center = ((box.min.cast<std::int64_t>() + box.max.cast<std::int64_t>()) / 2).cast<int>();
-    Cell cell = rootBox();
+    Cell cell = rootCell(rootOf(part));
     while (cell.size > size) {
         if (m_nodes[cell.node].firstChild == noSlot) {
             const Slot first = static_cast<Slot>(m_nodes.size());
             m_nodes[cell.node].firstChild = first;
             for (int i = 0; i < 8; ++i) {
-                m_nodes.emplace_back().parent = cell.node;
+                Node& child = m_nodes.emplace_back();
+                child.parent = cell.node;
+                child.part = part;
                 m_cells.push_back(cell.child(m_nodes[cell.node], i));
             }
         }
@@ -144,8 +163,9 @@ bool FaceOctree::isConsistent(const Mesh& mesh) const
             return false;
         for (Slot i = 0; i < node.faces.size(); ++i) {
             const Slot f = node.faces[i];
-            const bool right = f < mesh.slots().faces && mesh.isFace(f) && m_places[f].node == n &&
-                               m_places[f].index == i && m_cells[n].loose().contains(boxOf(mesh, f));
+            const bool right = f < mesh.slots().faces && mesh.isFace(f) && mesh.partOfFace(f) == node.part &&
+                               m_places[f].node == n && m_places[f].index == i &&
+                               m_cells[n].loose().contains(boxOf(mesh, f));
             if (!right)
                 return false;
             ++placed;

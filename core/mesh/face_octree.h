@@ -12,21 +12,26 @@ namespace core
 {
 LatticeBox boxOf(const Mesh& mesh, Slot face);
 
-/// Loose octree of faces (paper, section 3.1.1). The root is the whole lattice and never changes. A face is stored in
-/// the cell that contains its box's centre and whose side is two to four times the face's extent. The loose box of a
-/// cell has twice the cell's side, so a face that moves or shrinks a little stays in its cell. Cells are never removed;
-/// queries skip a subtree that has no faces.
+/// Loose octrees of faces (paper, section 3.1.1), one for each part of the mesh. Queries search the octree of the
+/// active part, initially part 0. The root is the whole lattice and never changes. A face is stored in the cell that
+/// contains its box's centre and whose side is two to four times the face's extent. The loose box of a cell has twice
+/// the cell's side, so a face that moves or shrinks a little stays in its cell. Cells are never removed; queries skip a
+/// subtree that has no faces.
 class FaceOctree
 {
 public:
     explicit FaceOctree(const Mesh& mesh); ///< Cost: O(faces).
+
+    /// Selects the part whose faces queries find. Cost: O(1).
+    void activate(PartId part);
+    PartId activePart() const { return m_active; }
 
     /// Updates faces that were created, moved or removed. Cost: O(faces given).
     void update(const Mesh& mesh, std::span<const Slot> faces);
     /// Two parts of update(): removeDead() takes out removed faces; place() puts live faces in the cells for their
     /// boxes.
     void removeDead(const Mesh& mesh, std::span<const Slot> faces);
-    void place(std::span<const Slot> faces, std::span<const LatticeBox> boxes);
+    void place(const Mesh& mesh, std::span<const Slot> faces, std::span<const LatticeBox> boxes);
 
     /// Calls visit(face) for a superset of the faces that meet the box, in unspecified order. A face that moved since
     /// its last update() is found at its old place.
@@ -38,13 +43,13 @@ public:
     /// Calls visit(faces, loose box) for each cell that query() would search.
     template <class Visit> void queryCells(const LatticeBox& box, Visit visit) const
     {
-        queryNode(rootBox(), box, visit);
+        queryNode(rootCell(m_root), box, visit);
     }
 
     /// Calls visit(face) for the faces of all cells that `enter(loose box)` accepts, together with all their parents.
     template <class Enter, class Visit> void traverse(Enter enter, Visit visit) const
     {
-        traverseNode(rootBox(), enter, visit);
+        traverseNode(rootCell(m_root), enter, visit);
     }
 
     /// Returns the side of the smallest cell ever used, lattice units; nearest-point searches start with it as radius.
@@ -59,6 +64,7 @@ private:
         Slot firstChild = noSlot; ///< first of eight children, in the order x + 2y + 4z
         Slot parent = noSlot;
         Slot facesBelow = 0; ///< faces of this node and of all nodes below
+        PartId part = 0;
         std::vector<Slot> faces;
     };
     struct Cell
@@ -92,7 +98,7 @@ private:
             return children;
         }
     };
-    static Cell rootBox() { return {0, LatticePoint::Constant(-Lattice::limit), 2 * Lattice::limit}; }
+    static Cell rootCell(Slot root) { return {root, LatticePoint::Constant(-Lattice::limit), 2 * Lattice::limit}; }
 
     /// Precondition: the cell's loose box meets the box.
     template <class Visit> void queryNode(const Cell& cell, const LatticeBox& box, Visit& visit) const
@@ -121,11 +127,12 @@ private:
             traverseNode(cell.child(node, i), enter, visit);
     }
 
-    void place(Slot face, const LatticeBox& box);
-    bool fits(const LatticeBox& box, Slot face) const;
-    void insert(const LatticeBox& box, Slot face);
+    void place(Slot face, PartId part, const LatticeBox& box);
+    bool fits(Slot face, PartId part, const LatticeBox& box) const;
+    void insert(Slot face, PartId part, const LatticeBox& box);
     void remove(Slot face);
-    Cell cellFor(const LatticeBox& box);
+    Slot rootOf(PartId part);
+    Cell cellFor(PartId part, const LatticeBox& box);
 
     struct Place
     {
@@ -135,6 +142,9 @@ private:
     std::vector<Node> m_nodes;
     std::vector<Place> m_places; ///< cell of each face
     std::vector<Cell> m_cells;   ///< bounds of each node
+    std::vector<Slot> m_roots;   ///< root node by part; noSlot: the part has no octree yet
+    PartId m_active = 0;
+    Slot m_root = 0; ///< root of the active part
     int m_smallestCell = 2 * Lattice::limit;
 };
 

@@ -10,6 +10,7 @@
 #include "core/analysis/self_intersection.h"
 
 #include <algorithm>
+#include <map>
 
 namespace core
 {
@@ -81,5 +82,39 @@ LatticeFit fitToLattice(const Lattice& lattice, std::span<const Vec3> points, st
     if (unsound.empty() && !control.isCancelled() && !boundsSolid(fit.points, triangles))
         fit.unsnappable = triangles.size();
     return fit;
+}
+
+LatticeFit fitPartsToLattice(const Lattice& lattice, std::span<const Vec3> points, std::span<const Triangle> triangles,
+                             std::span<const PartId> parts, const JobControl& control)
+{
+    std::map<PartId, std::vector<Triangle>> byPart;
+    for (const Triangle& t : triangles)
+        byPart[parts[t[0]]].push_back(t);
+    if (byPart.size() == 1)
+        return fitToLattice(lattice, points, triangles, control);
+    LatticeFit all;
+    all.points = snappedTo(lattice, points);
+    std::vector<Slot> newIndex(points.size(), noSlot);
+    for (auto& [part, faces] : byPart) {
+        std::vector<Slot> used;
+        for (Triangle& t : faces) {
+            for (Slot& v : t) {
+                if (newIndex[v] == noSlot) {
+                    newIndex[v] = static_cast<Slot>(used.size());
+                    used.push_back(v);
+                }
+                v = newIndex[v];
+            }
+        }
+        std::vector<Vec3> own;
+        for (const Slot v : used)
+            own.push_back(points[v]);
+        const LatticeFit fit = fitToLattice(lattice, own, faces, control);
+        for (Slot i = 0; i < used.size(); ++i)
+            all.points[used[i]] = fit.points[i];
+        all.resnapped += fit.resnapped;
+        all.unsnappable += fit.unsnappable;
+    }
+    return all;
 }
 } // namespace core

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/lattice.h"
+#include "core/geometry/triangle_mesh.h"
 #include "core/util/job_control.h"
 
 #include <span>
@@ -27,4 +28,9 @@ std::vector<LatticePoint> snappedTo(const Lattice& lattice, std::span<const Vec3
 /// result of a cancelled call must not be used.
 LatticeFit fitToLattice(const Lattice& lattice, std::span<const Vec3> points, std::span<const Triangle> triangles,
                         const JobControl& control = {});
+
+/// Does the same to a surface of several parts, each of which bounds a solid of its own. `parts`: the part of each
+/// point; the corners of a face have the same.
+LatticeFit fitPartsToLattice(const Lattice& lattice, std::span<const Vec3> points, std::span<const Triangle> triangles,
+                             std::span<const PartId> parts, const JobControl& control = {});
 } // namespace core

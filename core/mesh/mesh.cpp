@@ -31,6 +31,7 @@ Mesh::Mesh(const TriangleMesh& mesh, Lattice lattice) : m_frame{lattice}
         const Rgb c = mesh.colors.empty() ? Rgb() : mesh.colors[v];
         m_kernel.set_color(vertexHandle(v), {c.r, c.g, c.b, mesh.masks.empty() ? std::uint8_t(0) : mesh.masks[v]});
     }
+    std::ranges::copy(mesh.parts, m_parts.begin());
 
     // Half-edges are paired in the order of the faces, so that edges follow the same Morton curve as the faces.
     UnpairedHalfedges open;
@@ -78,6 +79,7 @@ void Mesh::reserve(const SlotCounts& counts)
 {
     m_kernel.reserve(counts.vertices, counts.edges, counts.faces);
     m_corners.reserve(counts.faces);
+    m_parts.reserve(counts.vertices);
     m_vertexSlots.reserve(counts.vertices);
     m_edgeSlots.reserve(counts.edges);
     m_faceSlots.reserve(counts.faces);
@@ -90,6 +92,7 @@ void Mesh::resize(const SlotCounts& counts)
 {
     m_kernel.resize(counts.vertices, counts.edges, counts.faces);
     m_corners.resize(counts.faces, freeCorners);
+    m_parts.resize(counts.vertices);
     m_vertexSlots.resize(counts.vertices);
     m_edgeSlots.resize(counts.edges);
     m_faceSlots.resize(counts.faces);
@@ -130,7 +133,7 @@ std::uint64_t Mesh::stateHash() const
     for (Slot n : {m_vertexSlots.size(), m_edgeSlots.size(), m_faceSlots.size()})
         add(n);
     for (Slot v = 0; v < m_vertexSlots.size(); ++v)
-        add(isVertex(v) ? outgoing(v) : noSlot), add(isVertex(v) ? mask(v) : 0);
+        add(isVertex(v) ? outgoing(v) : noSlot), add(isVertex(v) ? mask(v) | (std::uint32_t(part(v)) << 8) : 0);
     for (Slot e = 0; e < m_edgeSlots.size(); ++e) {
         for (Slot h : {2 * e, 2 * e + 1}) {
             add(isEdge(e) ? to(h) : noSlot);
@@ -172,6 +175,12 @@ void Mesh::setMask(Slot v, std::uint8_t mask)
     touchVertex(v);
     const Rgb c = color(v);
     m_kernel.set_color(vertexHandle(v), {c.r, c.g, c.b, mask});
+}
+
+void Mesh::setPart(Slot v, PartId part)
+{
+    touchVertex(v);
+    m_parts[v] = part;
 }
 
 void Mesh::setOutgoing(Slot v, Slot h)
@@ -218,12 +227,14 @@ Slot Mesh::newVertex(Slot hint, const Vec3f& p, const OpenMesh::Vec4uc& colorAnd
         m_kernel.new_vertex(Vec3f::Zero());
         m_kernel.set_color(OpenMesh::VertexHandle(static_cast<int>(v)), {0, 0, 0, 0});
         m_vertexStamp.push_back(0);
+        m_parts.push_back(0);
     }
     m_vertexSlots.setFree(v, true);
     touchVertex(v); // journalled as a free slot
     m_vertexSlots.setFree(v, false);
     m_kernel.set_point(vertexHandle(v), p);
     m_kernel.set_color(vertexHandle(v), colorAndMask);
+    m_parts[v] = m_parts[hint];
     return v;
 }
 

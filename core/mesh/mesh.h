@@ -76,6 +76,9 @@ public:
     /// Returns whether the mask allows splitting the edge. One unmasked end is enough, because a split keeps the shape.
     bool mayBeSplit(Slot e) const { return !isMasked(to(2 * e)) || !isMasked(to(2 * e + 1)); }
     const Triangle& corners(Slot f) const { return m_corners[f]; }
+    /// Returns the part of a live vertex, or of a live face, whose corners all belong to one part.
+    PartId part(Slot v) const { return m_parts[v]; }
+    PartId partOfFace(Slot f) const { return m_parts[m_corners[f][0]]; }
 
     Slot to(Slot h) const { return slot(m_kernel.to_vertex_handle(halfedge(h))); }
     Slot from(Slot h) const { return to(h ^ 1); }
@@ -105,9 +108,12 @@ public:
     void setPoint(Slot v, const Vec3f& p); ///< p must be on the lattice
     void setColor(Slot v, Rgb color);
     void setMask(Slot v, std::uint8_t mask);
+    /// Moves the vertex to another part. The caller moves all vertices that are connected to it.
+    void setPart(Slot v, PartId part);
     /// Inserts a vertex into edge e at p, with the mean colour and mask of the edge's ends. Returns the vertex.
     Slot splitEdge(Slot e, const Vec3f& p);
-    /// Replaces faces by others. Precondition: isSurgeryOk(*this, surgery). Returns the new vertices.
+    /// Replaces faces by others. Precondition: isSurgeryOk(*this, surgery). Returns the new vertices, which belong to
+    /// the part of the vertex `near`.
     std::vector<Slot> replaceFaces(const Surgery& surgery);
     /// Returns whether collapsing h leaves a closed 2-manifold: the ends of h have exactly two common neighbours, and
     /// no valence falls below 3.
@@ -122,8 +128,9 @@ public:
     /// Moves every vertex to points[slot], perhaps on another lattice. Precondition: the points are on `lattice`. Cost:
     /// O(mesh).
     void relocate(const Lattice& lattice, std::span<const Vec3f> points);
-    /// Reverses the orientation of every face. A second call restores the mesh. Cost: O(mesh).
-    void reverseOrientation();
+    /// Reverses the orientation of every face, or of the faces of one part. A second call restores the mesh. Cost:
+    /// O(mesh).
+    void reverseOrientation(std::optional<PartId> part = {});
     /// Becomes a copy of `other`, slot for slot; equal elements are not touched. Precondition: no mark is open. Cost:
     /// O(mesh).
     void assign(const Mesh& other);
@@ -205,6 +212,7 @@ private:
     void setFace(Slot h, Slot f);
     void link(Slot f, Slot h0, Slot h1, Slot h2); ///< makes the three half-edges the boundary of face f
     void relabelCorner(Slot f, Slot from, Slot to);
+    /// The new vertex belongs to the part of vertex `hint`.
     Slot newVertex(Slot hint, const Vec3f& p, const OpenMesh::Vec4uc& colorAndMask);
     Slot newEdge(Slot hint);
     Slot newFace(Slot hint);
@@ -224,6 +232,7 @@ private:
     MeshFrame m_frame;
     Kernel m_kernel;
     std::vector<Triangle> m_corners;
+    std::vector<PartId> m_parts; ///< by vertex slot
     SlotMap m_vertexSlots, m_edgeSlots, m_faceSlots;
 
     /// Epoch in which each element was last journalled. Every mark begins a new epoch, in which an element is

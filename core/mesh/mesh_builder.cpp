@@ -12,6 +12,7 @@
 #include "core/mesh/lattice_fit.h"
 
 #include <algorithm>
+#include <set>
 
 namespace core
 {
@@ -42,6 +43,22 @@ std::optional<Placed> restorePlacement(const TriangleMesh& model, const std::opt
             return std::nullopt;
     }
     return placed;
+}
+
+/// Returns the list with exactly the parts that the mesh has.
+PartList listedParts(const TriangleMesh& mesh, const PartList& known)
+{
+    std::set<PartId> ids(mesh.parts.begin(), mesh.parts.end());
+    if (ids.empty())
+        ids.insert(0);
+    std::vector<Part> parts;
+    for (const Part& part : known.all()) {
+        if (ids.erase(part.id) > 0)
+            parts.push_back(part);
+    }
+    for (const PartId id : ids)
+        parts.emplace_back().id = id;
+    return PartList(std::move(parts));
 }
 
 Placed place(const TriangleMesh& model, bool centre)
@@ -79,6 +96,8 @@ TriangleMesh withoutUnusedVertices(const TriangleMesh& mesh)
             result.colors.push_back(mesh.colors[v]);
         if (!mesh.masks.empty())
             result.masks.push_back(mesh.masks[v]);
+        if (!mesh.parts.empty())
+            result.parts.push_back(mesh.parts[v]);
     }
     for (Triangle& t : result.triangles) {
         for (Slot& v : t)
@@ -103,7 +122,8 @@ BuildResult buildMesh(const TriangleMesh& model, bool centre, const JobControl& 
     if (placed.exact || seen)
         fit.points = snappedTo(lattice, placed.points);
     else
-        fit = fitToLattice(lattice, placed.points, used.triangles, control);
+        fit = used.parts.empty() ? fitToLattice(lattice, placed.points, used.triangles, control)
+                                 : fitPartsToLattice(lattice, placed.points, used.triangles, used.parts, control);
     control.reportProgress(afterFit);
     result.resnapped = fit.resnapped;
     result.unsnappable = fit.unsnappable;
@@ -114,6 +134,7 @@ BuildResult buildMesh(const TriangleMesh& model, bool centre, const JobControl& 
     result.mesh = std::make_unique<Mesh>(inMortonOrder(used, lattice), lattice);
     MeshFrame own = restored ? *frame : result.mesh->frame();
     own.place = Vec3::Zero() - placed.placement.moved; // subtraction avoids -0
+    own.parts = listedParts(used, frame ? frame->parts : PartList());
     result.mesh->beginStroke();
     result.mesh->setFrame(own);
     result.mesh->endStroke();
@@ -134,6 +155,7 @@ TriangleMesh extractMesh(const Mesh& mesh)
         result.points.push_back(mesh.point(v));
         result.colors.push_back(mesh.color(v));
         result.masks.push_back(mesh.mask(v));
+        result.parts.push_back(mesh.part(v));
     }
     for (const Slot f : mesh.faces()) {
         const Triangle& t = mesh.corners(f);
@@ -143,6 +165,8 @@ TriangleMesh extractMesh(const Mesh& mesh)
         result.colors.clear();
     if (std::ranges::all_of(result.masks, [](std::uint8_t mask) { return mask == 0; }))
         result.masks.clear();
+    if (std::ranges::all_of(result.parts, [](PartId part) { return part == 0; }))
+        result.parts.clear();
     return result;
 }
 } // namespace core

@@ -23,7 +23,7 @@ struct BuildResult
 /// `centre`: moves the middle of the model's box to the origin (see placeOnLattice); MeshFrame::place keeps the old
 /// position.
 /// `frame`: the frame that the model had before, if any. If all its points are on the frame's lattice, the model keeps
-/// lattice, place and uniform detail.
+/// lattice, place and uniform detail. Parts of the model keep their properties in the frame in any case.
 /// Returns no mesh if it is cancelled. Cost: O(mesh), on all cores.
 BuildResult buildMesh(const TriangleMesh& model, bool centre = false, const JobControl& control = {},
                       const std::optional<MeshFrame>& frame = {});
@@ -31,6 +31,7 @@ BuildResult buildMesh(const TriangleMesh& model, bool centre = false, const JobC
 TriangleMesh withoutUnusedVertices(const TriangleMesh& mesh);
 
 /// Returns the live surface without gaps: vertices and faces in the order of their slots. Has no colours if every
-/// vertex has the default colour, and no masks if every mask is 0.
+/// vertex has the default colour, no masks if every mask is 0, and no parts if every vertex
+/// belongs to part 0.
 TriangleMesh extractMesh(const Mesh& mesh);
 } // namespace core

@@ -16,16 +16,23 @@ void Mesh::relocate(const Lattice& lattice, std::span<const Vec3f> points)
     }
 }
 
-void Mesh::reverseOrientation()
+void Mesh::reverseOrientation(std::optional<PartId> part)
 {
+    const auto isMeant = [&](Slot v) { return !part || m_parts[v] == *part; };
     for (const Slot e : edges()) {
         const Slot a = to(2 * e), b = to(2 * e + 1);
+        if (!isMeant(a))
+            continue;
         setTo(2 * e, b);
         setTo(2 * e + 1, a);
     }
-    for (const Slot v : vertices())
-        setOutgoing(v, outgoing(v) ^ 1);
+    for (const Slot v : vertices()) {
+        if (isMeant(v))
+            setOutgoing(v, outgoing(v) ^ 1);
+    }
     for (const Slot f : faces()) {
+        if (!isMeant(m_corners[f][0]))
+            continue;
         const Slot h0 = faceHalfedge(f), h1 = next(h0), h2 = next(h1);
         link(f, h0, h2, h1);
     }
@@ -56,12 +63,13 @@ void Mesh::assignVertex(const Mesh& other, Slot v)
         return;
     }
     if (wasThere && point(v) == other.point(v) && color(v) == other.color(v) && mask(v) == other.mask(v) &&
-        outgoing(v) == other.outgoing(v))
+        part(v) == other.part(v) && outgoing(v) == other.outgoing(v))
         return;
     touchVertex(v);
     m_vertexSlots.setFree(v, false);
     m_kernel.set_point(vertexHandle(v), other.point(v));
     m_kernel.set_color(vertexHandle(v), other.m_kernel.color(vertexHandle(v)));
+    m_parts[v] = other.m_parts[v];
     m_kernel.vertex(vertexHandle(v)) = other.m_kernel.vertex(vertexHandle(v));
 }
 

@@ -1,5 +1,6 @@
 #include "core/mesh/mesh_delta.h"
 
+#include <algorithm>
 #include <istream>
 #include <ostream>
 
@@ -23,6 +24,56 @@ template <class T> void readVector(std::istream& in, std::vector<T>& values)
     in.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(count * sizeof(T)));
 }
 
+template <class T> void writeValue(std::ostream& out, const T& value)
+{
+    static_assert(std::is_trivially_copyable_v<T>);
+    out.write(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+template <class T> T readValue(std::istream& in)
+{
+    static_assert(std::is_trivially_copyable_v<T>);
+    T value{};
+    in.read(reinterpret_cast<char*>(&value), sizeof value);
+    return value;
+}
+
+void writeFrame(std::ostream& out, const MeshFrame& frame)
+{
+    writeValue(out, frame.lattice.exponent());
+    writeValue(out, frame.uniformDetail);
+    for (const double x : frame.place)
+        writeValue(out, x);
+    writeValue(out, frame.parts.size());
+    for (const Part& part : frame.parts.all()) {
+        writeValue(out, part.id);
+        writeVector(out, std::vector<char>(part.name.begin(), part.name.end()));
+        writeValue(out, part.isVisible);
+        writeValue(out, part.isLocked);
+        writeValue(out, part.tag);
+    }
+}
+
+MeshFrame readFrame(std::istream& in)
+{
+    MeshFrame frame{Lattice(readValue<int>(in)), readValue<double>(in)};
+    for (double& x : frame.place)
+        x = readValue<double>(in);
+    std::vector<Part> parts(std::min(readValue<std::size_t>(in), PartList::maxParts));
+    for (Part& part : parts) {
+        part.id = readValue<PartId>(in);
+        std::vector<char> name;
+        readVector(in, name);
+        part.name.assign(name.begin(), name.end());
+        part.isVisible = readValue<bool>(in);
+        part.isLocked = readValue<bool>(in);
+        part.tag = readValue<std::optional<Rgb>>(in);
+    }
+    if (PartList::isUsable(parts))
+        frame.parts = PartList(std::move(parts));
+    return frame;
+}
+
 template <class T> std::size_t bytesOf(const std::vector<T>& values)
 {
     return values.capacity() * sizeof(T);
@@ -39,9 +90,9 @@ void MeshDelta::write(std::ostream& out) const
     writeVector(out, vertices);
     writeVector(out, edges);
     writeVector(out, faces);
-    out.write(reinterpret_cast<const char*>(&counts), sizeof counts);
-    out.write(reinterpret_cast<const char*>(&meshHash), sizeof meshHash);
-    out.write(reinterpret_cast<const char*>(&frame), sizeof frame);
+    writeValue(out, counts);
+    writeValue(out, meshHash);
+    writeFrame(out, frame);
 }
 
 MeshDelta MeshDelta::read(std::istream& in)
@@ -50,9 +101,9 @@ MeshDelta MeshDelta::read(std::istream& in)
     readVector(in, delta.vertices);
     readVector(in, delta.edges);
     readVector(in, delta.faces);
-    in.read(reinterpret_cast<char*>(&delta.counts), sizeof delta.counts);
-    in.read(reinterpret_cast<char*>(&delta.meshHash), sizeof delta.meshHash);
-    in.read(reinterpret_cast<char*>(&delta.frame), sizeof delta.frame);
+    delta.counts = readValue<SlotCounts>(in);
+    delta.meshHash = readValue<std::uint64_t>(in);
+    delta.frame = readFrame(in);
     return delta;
 }
 } // namespace core

@@ -20,6 +20,7 @@ struct VertexImage
     Rgb color;
     std::uint8_t mask;
     bool live;
+    PartId part;
     OpenMesh::ArrayItems::Vertex item;
 };
 struct EdgeImage

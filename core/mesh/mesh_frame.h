@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/lattice.h"
+#include "core/parts/part_list.h"
 
 namespace core
 {
@@ -16,6 +17,7 @@ struct MeshFrame
     /// Position of the document's origin in the coordinates of the model's file, mm. A vector of the lattice when the
     /// model has just been opened.
     Vec3 place = Vec3::Zero();
+    PartList parts = {}; ///< every vertex belongs to one of these parts
 
     friend bool operator==(const MeshFrame&, const MeshFrame&) = default;
 };

@@ -15,7 +15,7 @@ void Mesh::touchVertex(Slot v)
     if (m_vertexStamp[v] >= m_epoch)
         return;
     m_journal.vertices.push_back(
-        {v, m_vertexStamp[v], point(v), color(v), mask(v), isVertex(v), m_kernel.vertex(vertexHandle(v))});
+        {v, m_vertexStamp[v], point(v), color(v), mask(v), isVertex(v), m_parts[v], m_kernel.vertex(vertexHandle(v))});
     m_vertexStamp[v] = m_epoch;
 }
 
@@ -163,11 +163,12 @@ void Mesh::swap(MeshDelta& delta)
 void Mesh::swapImage(VertexImage& image)
 {
     const Slot v = image.slot;
-    const VertexImage now = {
-        v, image.stamp, point(v), color(v), mask(v), isVertex(v), m_kernel.vertex(vertexHandle(v))};
+    const VertexImage now = {v,       image.stamp, point(v),   color(v),
+                             mask(v), isVertex(v), m_parts[v], m_kernel.vertex(vertexHandle(v))};
     m_kernel.set_point(vertexHandle(v), image.point);
     m_kernel.set_color(vertexHandle(v), {image.color.r, image.color.g, image.color.b, image.mask});
     m_kernel.vertex(vertexHandle(v)) = image.item;
+    m_parts[v] = image.part;
     m_vertexSlots.setFree(v, !image.live);
     image = now;
 }

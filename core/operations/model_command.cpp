@@ -1,9 +1,11 @@
 #include "core/operations/model_command.h"
 
 #include "core/mesh/mesh_builder.h"
+#include "core/operations/detached_part.h"
 #include "core/operations/flatten_base.h"
 #include "core/operations/insert_model.h"
 #include "core/operations/mask_operations.h"
+#include "core/operations/part_operations.h"
 #include "core/operations/snapshot.h"
 #include "core/operations/symmetrize.h"
 #include "core/operations/transform.h"
@@ -23,6 +25,58 @@ void fill(Mesh& mesh, Rgb color)
             mesh.setColor(v, after);
     }
 }
+
+/// Applies a command to the whole mesh, whose stroke is open. `part`: the part that is moved, turned or mirrored;
+/// nothing: all parts.
+void edit(Mesh& mesh, const ModelCommand& command, std::optional<PartId> part, ModelChange& change,
+          const JobControl& control)
+{
+    const Overloaded apply{
+        [&](const Insert& insert) { insertModel(mesh, insert, change, control); },
+        [&](const RemeshUniformly& remesh) { remeshUniformly(mesh, remesh, change, control); },
+        [&](const Symmetrize& symmetrizing) { symmetrize(mesh, symmetrizing, change, control); },
+        [&](const FlattenBase& flattening) { flattenBase(mesh, flattening, change, control); },
+        [&](const Fill& filling) { fill(mesh, filling.color); },
+        [&](const MaskOperation& operation) { applyMaskOperation(mesh, operation); },
+        [&](const Reset& reset) { mesh.assign(*meshOf(*reset.start)); },
+        [&](const auto& other) {
+            if constexpr (requires { transform(mesh, other, part, change, control); })
+                transform(mesh, other, part, change, control);
+            else if constexpr (requires { transform(mesh, other, change, control); })
+                transform(mesh, other, change, control);
+        },
+    };
+    std::visit(apply, command);
+}
+
+/// Returns whether the command adds, removes or regroups parts.
+bool isOnParts(const ModelCommand& command)
+{
+    return std::holds_alternative<DuplicatePart>(command) || std::holds_alternative<DeletePart>(command) ||
+           std::holds_alternative<SeparatePart>(command) || std::holds_alternative<CombineParts>(command);
+}
+
+bool isRigid(const ModelCommand& command)
+{
+    return std::holds_alternative<Move>(command) || std::holds_alternative<Rotate>(command) ||
+           std::holds_alternative<Mirror>(command);
+}
+
+/// Applies a command to one part of several.
+void applyToPart(Mesh& mesh, const ModelCommand& command, PartId part, ModelChange& change, const JobControl& control)
+{
+    change.refusal = hasFaces(mesh, part) ? refusalOf(mesh, part) : ModelRefusal::NoSuchPart;
+    if (change.refusal != ModelRefusal::None)
+        return;
+    if (isRigid(command))
+        return edit(mesh, command, part, change, control);
+    DetachedPart detached(mesh, part);
+    detached.mesh().beginStroke();
+    edit(detached.mesh(), command, {}, change, control);
+    detached.mesh().endStroke();
+    if (change.refusal == ModelRefusal::None && !control.isCancelled())
+        detached.putBack(mesh, change, control);
+}
 } // namespace
 
 std::shared_ptr<const Snapshot> snapshotOf(const Mesh& mesh)
@@ -39,21 +93,39 @@ std::unique_ptr<Mesh> meshOf(const Snapshot& snapshot)
     return mesh;
 }
 
-ModelChange applyToCopy(Mesh copy, const ModelCommand& command, const JobControl& control)
+bool isOnAllParts(const ModelCommand& command)
+{
+    return std::holds_alternative<Scale>(command) || std::holds_alternative<Recentre>(command) ||
+           std::holds_alternative<PlaceOnBed>(command) || std::holds_alternative<Reset>(command) ||
+           std::holds_alternative<ShowParts>(command);
+}
+
+bool isInFrame(const ModelCommand& command)
+{
+    return std::holds_alternative<EditPart>(command) || std::holds_alternative<ShowParts>(command);
+}
+
+ModelChange applyInFrame(const Mesh& mesh, const ModelCommand& command, PartId part)
 {
     ModelChange change;
+    change.delta = {{}, {}, {}, mesh.slots(), mesh.meshHash(), mesh.frame()};
+    change.refusal = editParts(change.delta.frame.parts, command, part);
+    change.changes = change.refusal == ModelRefusal::None && change.delta.frame != mesh.frame();
+    return change;
+}
+
+ModelChange applyToCopy(Mesh copy, const ModelCommand& command, const JobControl& control, std::optional<PartId> part)
+{
+    if (isInFrame(command))
+        return applyInFrame(copy, command, part.value_or(copy.frame().parts.all().front().id));
+    ModelChange change;
     copy.beginStroke();
-    const Overloaded edit{
-        [&](const Insert& insert) { insertModel(copy, insert, change, control); },
-        [&](const RemeshUniformly& remesh) { remeshUniformly(copy, remesh, change, control); },
-        [&](const Symmetrize& symmetrizing) { symmetrize(copy, symmetrizing, change, control); },
-        [&](const FlattenBase& flattening) { flattenBase(copy, flattening, change, control); },
-        [&](const Fill& filling) { fill(copy, filling.color); },
-        [&](const MaskOperation& operation) { applyMaskOperation(copy, operation); },
-        [&](const Reset& reset) { copy.assign(*meshOf(*reset.start)); },
-        [&](const auto& motion) { transform(copy, motion, change, control); },
-    };
-    std::visit(edit, command);
+    if (isOnParts(command))
+        applyToParts(copy, command, part, change, control);
+    else if (part && copy.frame().parts.size() > 1 && !isOnAllParts(command))
+        applyToPart(copy, command, *part, change, control);
+    else
+        edit(copy, command, {}, change, control);
     change.delta = copy.endStroke();
     if (change.refusal != ModelRefusal::None || control.isCancelled()) {
         change.delta = {};

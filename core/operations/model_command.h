@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/analysis/mesh_check.h"
+#include "core/boolean/mesh_boolean.h"
 #include "core/mesh/mesh_delta.h"
 #include "core/stroke/tool.h"
 #include "core/util/job_control.h"
@@ -98,22 +99,62 @@ struct Reset
     std::shared_ptr<const Snapshot> start;
 };
 
+// Commands on parts. All but ShowParts refer to the part given to applyToCopy(), "the part" below.
+
+/// Changes the part's name, lock, tag and position in the list. Works on hidden and locked parts, too.
+struct EditPart
+{
+    std::string name; ///< UTF-8, at most PartList::maxNameBytes
+    bool isLocked = false;
+    std::optional<Rgb> tag;
+    std::size_t position = 0; ///< index in the list, from 0; a larger one than the last means the last
+};
+/// Shows these parts and hides all others. Ids that no part has are ignored.
+struct ShowParts
+{
+    std::vector<PartId> visible;
+};
+/// Adds a copy of the part at the same place.
+struct DuplicatePart
+{
+    std::string name; ///< name of the copy
+};
+struct DeletePart
+{};
+/// Makes each connected piece of the part a part of its own. The largest piece remains the part.
+struct SeparatePart
+{};
+/// Replaces the part by its union with, difference from or intersection with other parts, which are removed.
+struct CombineParts
+{
+    SetOperation operation = SetOperation::Union;
+    std::vector<PartId> others; ///< at least one; without the part itself
+};
+
 using ModelCommand = std::variant<Move, Rotate, Scale, Mirror, Recentre, Insert, Fill, RemeshUniformly, Symmetrize,
-                                  Reset, PlaceOnBed, FlattenBase, MaskOperation>;
+                                  Reset, PlaceOnBed, FlattenBase, MaskOperation, EditPart, ShowParts, DuplicatePart,
+                                  DeletePart, SeparatePart, CombineParts>;
 
 /// Reasons why a command left the model unchanged.
 enum class ModelRefusal {
     None,
-    FacesMeet,  ///< faces intersect on every lattice point tried; `faces`: their number
-    TooFar,     ///< too far from the origin for the model's size
-    TooLarge,   ///< coordinates too large or too small (see ModelLimits)
-    Unsound,    ///< the inserted model does not bound a solid; `report` has the reason
-    Inside,     ///< one of the models would be inside the other's material
-    Touching,   ///< the inserted model would touch the present one
-    EmptyHalf,  ///< the half to keep is empty
-    HalvesMeet, ///< the halves touch, or intersect at `faces` places: no sound solid
-    NoBase,     ///< nothing to cut at this height, or the remainder is no sound solid
-    TooFine     ///< the mesh would need too many faces (`faces`), or edges too short for the lattice
+    FacesMeet,   ///< faces intersect on every lattice point tried; `faces`: their number
+    TooFar,      ///< too far from the origin for the model's size
+    TooLarge,    ///< coordinates too large or too small (see ModelLimits)
+    Unsound,     ///< the inserted model does not bound a solid; `report` has the reason
+    Inside,      ///< one of the models would be inside the other's material
+    Touching,    ///< the inserted model would touch the present one
+    EmptyHalf,   ///< the half to keep is empty
+    HalvesMeet,  ///< the halves touch, or intersect at `faces` places: no sound solid
+    NoBase,      ///< nothing to cut at this height, or the remainder is no sound solid
+    NoSuchPart,  ///< the document has no such part
+    NotEditable, ///< the part is hidden or locked
+    LastPart,    ///< a document has at least one part
+    OnePiece,    ///< the part is in one piece
+    TooManyParts,
+    PartsApart,    ///< no two of the parts to combine overlap, so nothing would be subtracted
+    LeavesNothing, ///< nothing would be left of the part
+    TooFine        ///< the mesh would need too many faces (`faces`), or edges too short for the lattice
 };
 
 /// Result of a command.
@@ -136,7 +177,19 @@ struct ModelLimits
 /// Applies the command to a copy of the mesh and checks the result completely and exactly. Swapping the returned delta
 /// into the original mesh makes the change; until then the original must not change. Thread: any. Cost: whole mesh, on
 /// all cores.
-ModelChange applyToCopy(Mesh copy, const ModelCommand& command, const JobControl& control = {});
+///
+/// `part`: the part that the command changes; nothing: all parts. Scale, Recentre, PlaceOnBed, Reset and ShowParts
+/// always concern all parts. Precondition: a document of several parts is given a part unless the command is one of
+/// these or moves all parts (Move, Rotate, Mirror).
+ModelChange applyToCopy(Mesh copy, const ModelCommand& command, const JobControl& control = {},
+                        std::optional<PartId> part = {});
+
+/// Returns whether the command concerns all parts, whichever part is given to applyToCopy().
+bool isOnAllParts(const ModelCommand& command);
+/// Returns whether the command changes only the mesh's frame, so that applyInFrame() can apply it.
+bool isInFrame(const ModelCommand& command);
+/// Does the same as applyToCopy() for such a command. Cost: the list of parts.
+ModelChange applyInFrame(const Mesh& mesh, const ModelCommand& command, PartId part);
 
 /// Returns the approximate number of faces of a uniform mesh with this d_detail on a surface of this area.
 double uniformFaces(double area, double detailLength);

@@ -41,18 +41,23 @@ Stroke StrokeCoordinates::inDocument(const Stroke& stroke, const Mesh& mesh) con
     return result;
 }
 
-ModelChange StrokeCoordinates::apply(const Mesh& mesh, ModelCommand command)
+ModelChange StrokeCoordinates::apply(const Mesh& mesh, ModelCommand command, PartId part)
 {
     const Vec3 by = offset(mesh);
     if (auto* const insert = std::get_if<Insert>(&command))
         insert->centre -= by;
     if (const auto* const half = std::get_if<Symmetrize>(&command); half && by[axisOf(half->plane)] != 0)
         return symmetrizedBeside(mesh, *half, by);
-    const bool movesPlace = !by.isZero(0) && std::holds_alternative<Move>(command);
-    ModelChange change = applyToCopy(mesh, movesPlace ? ModelCommand(Move{}) : command);
+    const bool isWhole = mesh.frame().parts.size() == 1;
+    const bool movesPlace = isWhole && !by.isZero(0) && std::holds_alternative<Move>(command);
+    ModelChange change = applyToCopy(mesh, movesPlace ? ModelCommand(Move{}) : command, {}, part);
     if (change.refusal != ModelRefusal::None)
         return change;
-    follow(command, by, change.delta.frame);
+    const bool movesPart =
+        !isWhole && (std::holds_alternative<Move>(command) || std::holds_alternative<Rotate>(command) ||
+                     std::holds_alternative<Mirror>(command));
+    if (!movesPart)
+        follow(command, by, change.delta.frame);
     change.changes = change.changes || change.delta.frame != mesh.frame();
     if (change.delta.frame.place != m_origin)
         alignAfter(mesh, change);

@@ -24,8 +24,9 @@ public:
     Stroke inDocument(const Stroke& stroke, const Mesh& mesh) const;
 
     /// Applies the command to a copy of the mesh, as applyToCopy() does, with planes, axes and places in these
-    /// coordinates. A Symmetrize whose plane is not the document's is refused with EmptyHalf or TooFar.
-    ModelChange apply(const Mesh& mesh, ModelCommand command);
+    /// coordinates. A Symmetrize whose plane is not the document's is refused with EmptyHalf or TooFar. A part of
+    /// several is moved, turned and mirrored in the document's coordinates.
+    ModelChange apply(const Mesh& mesh, ModelCommand command, PartId part = 0);
 
     /// Returns the change that moves the model so that coordinate planes near it coincide with those of the document,
     /// which makes symmetry exact. Planes that cut the model, or are within its longest side of it, are near. Call it

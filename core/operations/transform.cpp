@@ -25,24 +25,45 @@ Box boxAround(const Mesh& mesh, std::span<const Vec3> places)
     return box;
 }
 
-std::vector<Triangle> turnedOver(std::vector<Triangle> triangles)
+/// What a transformation does: new places by slot, and whether it turns the faces over.
+struct Motion
 {
-    for (Triangle& t : triangles)
-        std::swap(t[1], t[2]);
-    return triangles;
+    std::optional<PartId> part; ///< the part that moves; nothing: all parts
+    std::vector<Vec3> places;
+    bool isMirrored = false;
+
+    bool moves(PartId other) const { return !part || *part == other; }
+};
+
+template <class Map> Motion mapped(const Mesh& mesh, std::optional<PartId> part, Map map)
+{
+    Motion motion{part, placesOf(mesh)};
+    for (const Slot v : mesh.vertices()) {
+        if (motion.moves(mesh.part(v)))
+            motion.places[v] = map(motion.places[v]);
+    }
+    return motion;
 }
 
-template <class Map> std::vector<Vec3> mapped(const Mesh& mesh, Map map)
+/// Returns the faces that must be checked: the moved ones, or all if the lattice changes. Mirrored ones are turned
+/// over.
+std::vector<Triangle> facesToCheck(const Mesh& mesh, const Motion& motion, const Lattice& lattice)
 {
-    std::vector<Vec3> places = placesOf(mesh);
-    for (const Slot v : mesh.vertices())
-        places[v] = map(places[v]);
-    return places;
+    std::vector<Triangle> faces;
+    for (const Slot f : mesh.faces()) {
+        const bool moves = motion.moves(mesh.partOfFace(f));
+        if (!moves && lattice == mesh.lattice())
+            continue;
+        const auto& [a, b, c] = mesh.corners(f);
+        faces.push_back(moves && motion.isMirrored ? Triangle{a, c, b} : Triangle{a, b, c});
+    }
+    return faces;
 }
 
-/// Does steps 2 to 4: moves the vertices to `places` (by slot) on a suitable lattice, or sets `change.refusal`.
-void goTo(Mesh& mesh, std::span<const Vec3> places, bool mirrored, ModelChange& change, const JobControl& control)
+/// Does steps 2 to 4: moves the vertices on a suitable lattice, or sets `change.refusal`.
+void goTo(Mesh& mesh, const Motion& motion, ModelChange& change, const JobControl& control)
 {
+    const std::span<const Vec3> places = motion.places;
     control.reportProgress(afterPlacing);
     const Box box = boxAround(mesh, places);
     change.refusal = refusalOf(box);
@@ -50,7 +71,7 @@ void goTo(Mesh& mesh, std::span<const Vec3> places, bool mirrored, ModelChange& 
         return;
     const Lattice lattice = latticeFor(box, mesh.lattice());
     const LatticeFit fit =
-        fitToLattice(lattice, places, mirrored ? turnedOver(liveFaces(mesh)) : liveFaces(mesh), control);
+        fitPartsToLattice(lattice, places, facesToCheck(mesh, motion, lattice), partsOf(mesh), control);
     if (control.isCancelled())
         return;
     control.reportProgress(afterFit);
@@ -64,8 +85,8 @@ void goTo(Mesh& mesh, std::span<const Vec3> places, bool mirrored, ModelChange& 
     for (const LatticePoint& p : fit.points)
         points.push_back(lattice.toPoint(p));
     mesh.relocate(lattice, points);
-    if (mirrored)
-        mesh.reverseOrientation();
+    if (motion.isMirrored)
+        mesh.reverseOrientation(motion.part);
 }
 
 void setPlace(Mesh& mesh, const Vec3& place)
@@ -98,6 +119,14 @@ Box boxOf(const Mesh& mesh)
     return boxAround(mesh, placesOf(mesh));
 }
 
+std::vector<PartId> partsOf(const Mesh& mesh)
+{
+    std::vector<PartId> parts(mesh.slots().vertices);
+    for (const Slot v : mesh.vertices())
+        parts[v] = mesh.part(v);
+    return parts;
+}
+
 double shortestEdge(const Mesh& mesh, Slot v)
 {
     double shortest = std::numeric_limits<double>::infinity();
@@ -114,24 +143,26 @@ ModelRefusal refusalOf(const Box& box)
     return inRange ? ModelRefusal::None : ModelRefusal::TooLarge;
 }
 
-void transform(Mesh& mesh, const Move& command, ModelChange& change, const JobControl& control)
+void transform(Mesh& mesh, const Move& command, std::optional<PartId> part, ModelChange& change,
+               const JobControl& control)
 {
-    const auto places = mapped(mesh, [&](const Vec3& p) { return p + command.by; });
-    if (isFarFromOrigin(boxAround(mesh, places)))
+    const Motion motion = mapped(mesh, part, [&](const Vec3& p) { return p + command.by; });
+    if (isFarFromOrigin(boxAround(mesh, motion.places)))
         change.refusal = ModelRefusal::TooFar;
     else
-        goTo(mesh, places, false, change, control);
+        goTo(mesh, motion, change, control);
 }
 
-void transform(Mesh& mesh, const Rotate& command, ModelChange& change, const JobControl& control)
+void transform(Mesh& mesh, const Rotate& command, std::optional<PartId> part, ModelChange& change,
+               const JobControl& control)
 {
     const Eigen::Matrix3d matrix = command.rotation.toRotationMatrix();
-    goTo(mesh, mapped(mesh, [&](const Vec3& p) { return Vec3(matrix * p); }), false, change, control);
+    goTo(mesh, mapped(mesh, part, [&](const Vec3& p) { return Vec3(matrix * p); }), change, control);
 }
 
 void transform(Mesh& mesh, const Scale& command, ModelChange& change, const JobControl& control)
 {
-    goTo(mesh, mapped(mesh, [&](const Vec3& p) { return Vec3(command.factor * p); }), false, change, control);
+    goTo(mesh, mapped(mesh, {}, [&](const Vec3& p) { return Vec3(command.factor * p); }), change, control);
     if (change.refusal != ModelRefusal::None || control.isCancelled())
         return;
     MeshFrame frame = mesh.frame();
@@ -141,16 +172,19 @@ void transform(Mesh& mesh, const Scale& command, ModelChange& change, const JobC
     mesh.setFrame(frame);
 }
 
-void transform(Mesh& mesh, const Mirror& command, ModelChange& change, const JobControl& control)
+void transform(Mesh& mesh, const Mirror& command, std::optional<PartId> part, ModelChange& change,
+               const JobControl& control)
 {
     Vec3 signs = Vec3::Ones();
     signs[command.axis] = -1;
-    goTo(mesh, mapped(mesh, [&](const Vec3& p) { return Vec3(signs.cwiseProduct(p)); }), true, change, control);
+    Motion motion = mapped(mesh, part, [&](const Vec3& p) { return Vec3(signs.cwiseProduct(p)); });
+    motion.isMirrored = true;
+    goTo(mesh, motion, change, control);
 }
 
 void transform(Mesh& mesh, const PlaceOnBed&, ModelChange& change, const JobControl& control)
 {
-    transform(mesh, Move{{0, -boxOf(mesh).min().y(), 0}}, change, control);
+    transform(mesh, Move{{0, -boxOf(mesh).min().y(), 0}}, {}, change, control);
     if (change.refusal == ModelRefusal::None && !control.isCancelled())
         setPlace(mesh, {mesh.frame().place.x(), 0, mesh.frame().place.z()});
 }
@@ -158,7 +192,7 @@ void transform(Mesh& mesh, const PlaceOnBed&, ModelChange& change, const JobCont
 void transform(Mesh& mesh, const Recentre&, ModelChange& change, const JobControl& control)
 {
     const Vec3 middle = mesh.lattice().snap(boxOf(mesh).center()).cast<double>();
-    goTo(mesh, mapped(mesh, [&](const Vec3& p) { return p - middle; }), false, change, control);
+    goTo(mesh, mapped(mesh, {}, [&](const Vec3& p) { return p - middle; }), change, control);
     if (change.refusal == ModelRefusal::None && !control.isCancelled())
         setPlace(mesh, Vec3::Zero());
 }

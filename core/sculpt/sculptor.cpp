@@ -63,8 +63,9 @@ public:
     std::optional<StrokeAnchor> anchor;
     /// StrokeSettings::add as it was at the stroke's start; `settings.add` is cleared after the first dab
     bool mayAdd = false;
-    bool hasLetGo = false; ///< the stroke ignores all further dabs (DabRequest::hasLetGo)
-    bool isShown = false;  ///< the newest sample's preview of an anchored stroke is applied to the mesh
+    bool hasLetGo = false;  ///< the stroke ignores all further dabs (DabRequest::hasLetGo)
+    bool isEditable = true; ///< whether the stroke's part may be changed
+    bool isShown = false;   ///< the newest sample's preview of an anchored stroke is applied to the mesh
     SectorGrabs grabs{surface};
     StrokeDisplacements displacements;
     RestLengths rest;
@@ -82,6 +83,8 @@ private:
 void Sculptor::Engine::beginStroke(const StrokeSettings& strokeSettings)
 {
     settings = strokeSettings;
+    surface.activate(settings.part);
+    isEditable = surface.mesh().frame().parts.isEditable(settings.part);
     mayAdd = settings.add;
     path.emplace(settings);
     isShown = false;
@@ -185,7 +188,7 @@ std::optional<Sculptor::Engine::SurfacePlace> Sculptor::Engine::nearestPlace(con
 
 DabReport Sculptor::Engine::apply(Dab dab)
 {
-    if (hasLetGo)
+    if (hasLetGo || !isEditable)
         return {};
     anchor->place(dab);
     const DabReport report = sculpt(dab);
@@ -319,6 +322,16 @@ void Sculptor::setAfterDab(std::function<void(const DabReport&)> hook)
     m_engine->afterDab = std::move(hook);
 }
 
+void Sculptor::activate(PartId part)
+{
+    m_engine->surface.activate(part);
+}
+
+PartId Sculptor::activePart() const
+{
+    return m_engine->surface.octree().activePart();
+}
+
 void Sculptor::beginStroke(const StrokeSettings& settings)
 {
     m_engine->beginStroke(settings);
@@ -367,6 +380,24 @@ void Sculptor::swap(MeshDelta& delta)
 std::optional<SurfaceHit> Sculptor::hit(const Ray& ray) const
 {
     return firstHit(*m_mesh, m_engine->surface.octree(), ray);
+}
+
+std::optional<PartId> Sculptor::partAt(const Ray& ray)
+{
+    const PartId before = activePart();
+    std::optional<PartId> found;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Part& part : m_mesh->frame().parts.all()) {
+        if (!part.isVisible)
+            continue;
+        activate(part.id);
+        if (const auto at = hit(ray); at && at->distance < least) {
+            least = at->distance;
+            found = part.id;
+        }
+    }
+    activate(before);
+    return found;
 }
 
 std::optional<SurfaceHit> Sculptor::nearest(const Vec3& point, double within) const

@@ -34,8 +34,14 @@ public:
     /// of addSample().
     void setAfterDab(std::function<void(const DabReport&)> hook);
 
+    /// Selects the part that hit(), nearest() and footprint() refer to; initially part 0. beginStroke() selects the
+    /// part of its settings.
+    void activate(PartId part);
+    PartId activePart() const;
+
     enum class Anchored { Waits, Shown };
 
+    /// A stroke of a part that cannot be changed (PartList::isEditable()) does nothing.
     void beginStroke(const StrokeSettings& settings);
     bool strokeOpen() const { return m_mesh->strokeOpen(); }
     /// Applies the dabs of the path up to this sample. Returns their reports. Dabs that need a further sample to be
@@ -57,6 +63,8 @@ public:
     /// Returns the first intersection of the ray with a face that it enters from outside; nothing if there is none.
     /// Cost: O(faces near the ray).
     std::optional<SurfaceHit> hit(const Ray& ray) const;
+    /// Returns the visible part that the ray meets first; nothing if there is none. Cost: a hit() for each part.
+    std::optional<PartId> partAt(const Ray& ray);
     /// Returns the surface point nearest to `point`, if it is no farther than `within` (mm). Cost: O(faces in that
     /// ball).
     std::optional<SurfaceHit> nearest(const Vec3& point, double within) const;

@@ -30,6 +30,7 @@ constexpr AirbrushRates defaultAirbrushRates()
 /// The settings that stay the same during a stroke. Units: lengths in mm, the document's unit.
 struct StrokeSettings
 {
+    PartId part = 0; ///< the part that the stroke changes; others do not exist for it
     Tool tool = Tool::Pull;
     BrushShape brush = BrushShape::Sphere;
     Placement place = Placement::Point; ///< source of the dab centres of a spherical brush

@@ -26,9 +26,10 @@ struct FolderRule
 const FolderRule folderRules[] = {
     {"core/util", ""},
     {"core/geometry", "core/util"},
-    {"core/analysis", "core/util core/geometry"},
+    {"core/parts", "core/geometry"},
+    {"core/analysis", "core/util core/geometry core/parts"},
     {"core/stroke", "core/geometry"},
-    {"core/mesh", "core/util core/geometry core/analysis"},
+    {"core/mesh", "core/util core/geometry core/parts core/analysis"},
     {"core/repair", "core/util core/geometry core/analysis"},
     {"core/boolean", "core/util core/geometry core/analysis core/repair"},
     {"core/drawing", "core/geometry core/mesh"},
@@ -45,8 +46,9 @@ const FolderRule folderRules[] = {
     {"core/sculpt", "core/util core/geometry core/analysis core/repair core/stroke core/mesh core/sculpt/select "
                     "core/sculpt/edit core/sculpt/verify core/sculpt/remesh core/sculpt/deform core/sculpt/fuse "
                     "core/sculpt/copy"},
-    {"core/operations", "core/util core/geometry core/analysis core/stroke core/mesh core/sculpt/edit "
-                        "core/sculpt/verify core/sculpt/remesh"},
+    {"core/operations",
+     "core/util core/geometry core/parts core/analysis core/boolean core/stroke core/mesh core/sculpt/edit "
+     "core/sculpt/verify core/sculpt/remesh"},
     {"core/io/stroke", "core/util core/geometry core/stroke core/sculpt/deform core/operations"},
     {"core/io/mesh", "core/util core/geometry core/sculpt/deform core/io/stroke core/io"},
     {"core/io", "core/util core/geometry core/analysis core/stroke core/mesh core/io/mesh"},
@@ -54,7 +56,7 @@ const FolderRule folderRules[] = {
     {"core/lesson", "core/util core/geometry core/analysis core/mesh core/sculpt core/operations core/io/stroke "
                     "core/io/mesh core/io"},
     {"core/preset", "core/stroke core/mesh core/drawing core/sculpt/deform core/sculpt core/operations"},
-    {"ui/util", "core/util core/geometry core/analysis core/stroke core/repair core/io/stroke core/io"},
+    {"ui/util", "core/util core/geometry core/parts core/analysis core/stroke core/repair core/io/stroke core/io"},
     {"ui/settings", "core/geometry core/analysis core/stroke core/sculpt/deform core/io ui/util"},
     {"ui/widgets", "ui/util ui/settings"},
     {"ui/actions", "ui/settings ui/widgets"},
@@ -72,6 +74,7 @@ const FolderRule folderRules[] = {
     {"ui/drawing", "core/util core/drawing ui/util ui/settings ui/widgets ui/actions"},
     {"ui/print", "core/analysis core/mesh ui/util ui/settings ui/widgets ui/actions ui/viewport"},
     {"ui/history", "ui/settings ui/widgets"},
+    {"ui/parts", "core/geometry core/parts core/operations ui/util ui/widgets ui/actions"},
     {"ui/lesson", "core/operations core/lesson ui/widgets ui/actions"},
     {"ui/preferences", "ui/settings ui/widgets ui/actions ui/viewport"},
     {"ui/classroom", "core/util core/analysis core/stroke core/operations core/io ui/util ui/settings ui/widgets "
@@ -80,7 +83,7 @@ const FolderRule folderRules[] = {
                    "ui/brush ui/classroom"},
     {"ui/help", "ui/settings ui/widgets ui/actions ui/files ui/lesson"},
     {"ui/window", "core/operations core/io ui/util ui/settings ui/widgets ui/actions ui/scene ui/viewport "
-                  "ui/model ui/files ui/brush ui/reference ui/drawing ui/print ui/history ui/lesson "
+                  "ui/model ui/files ui/brush ui/reference ui/drawing ui/print ui/history ui/parts ui/lesson "
                   "ui/preferences ui/classroom ui/headset ui/help"},
     {"vr/util", "core/geometry"},
     {"vr/gl", ""},
@@ -100,9 +103,10 @@ const FolderRule folderRules[] = {
     {"app/worker", "core/util core/stroke core/mesh core/drawing core/sculpt core/io/stroke core/journal ui/util "
                    "ui/drawing"},
     {"app/recovery", "core/sculpt core/journal ui/util app/model"},
-    {"app/document", "core/util core/stroke core/mesh core/drawing core/sculpt core/operations core/io/stroke "
-                     "core/io core/journal ui/util ui/settings ui/widgets ui/viewport ui/model ui/brush "
-                     "ui/history ui/window app/model app/worker app/recovery"},
+    {"app/document",
+     "core/util core/stroke core/mesh core/drawing core/sculpt core/operations core/io/stroke "
+     "core/io core/journal core/geometry core/parts ui/util ui/settings ui/widgets ui/viewport ui/model ui/brush "
+     "ui/history ui/window app/model app/worker app/recovery"},
     {"app/analysis", "core/geometry core/analysis core/mesh core/sculpt ui/util ui/print app/worker app/document"},
     {"app/lesson",
      "core/util core/mesh core/drawing core/sculpt/deform core/sculpt core/operations core/io "
@@ -119,9 +123,10 @@ const FolderRule folderRules[] = {
     {"app/headset", "ui/util ui/settings ui/scene ui/viewport ui/files ui/brush ui/lesson ui/headset ui/window "
                     "vr/openxr vr/input vr/frame vr/scene vr/panels vr/sculpt vr/simulator app/worker "
                     "app/document app/commands"},
-    {"app/window", "ui/util ui/viewport ui/model ui/brush ui/reference ui/drawing ui/print ui/history ui/headset "
-                   "ui/window app/worker "
-                   "app/recovery app/document app/analysis app/classroom app/lesson app/headset"},
+    {"app/window",
+     "ui/util ui/viewport ui/model ui/brush ui/reference ui/drawing ui/print ui/history ui/parts ui/headset "
+     "ui/window app/worker "
+     "app/recovery app/document app/analysis app/classroom app/lesson app/headset"},
     {"app",
      "app/classroom app/commands app/document app/headset app/import app/platform app/recovery app/window app/worker"
      " ui/scene ui/settings ui/util ui/viewport ui/widgets ui/window vr/openxr"},

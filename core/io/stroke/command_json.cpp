@@ -43,6 +43,18 @@ constexpr CommandRow commandTable[] = {
      [](Draft d, Settings s) -> ModelCommand {
          return MaskOperation{d.how, s.color};
      }},
+    {"edit_part", bit(NameKey), bit(LockedKey) | bit(TagKey) | bit(ListPositionKey),
+     [](Draft d, Settings) -> ModelCommand {
+         return EditPart{d.partName, d.isLocked, d.tag, d.position};
+     }},
+    {"show_parts", bit(PartsKey), 0, [](Draft d, Settings) -> ModelCommand { return ShowParts{d.parts}; }},
+    {"duplicate_part", 0, bit(NameKey), [](Draft d, Settings) -> ModelCommand { return DuplicatePart{d.partName}; }},
+    {"delete_part", 0, 0, [](Draft, Settings) -> ModelCommand { return DeletePart{}; }},
+    {"separate_part", 0, 0, [](Draft, Settings) -> ModelCommand { return SeparatePart{}; }},
+    {"combine_parts", bit(OperationKey) | bit(PartsKey), 0,
+     [](Draft d, Settings) -> ModelCommand {
+         return CombineParts{d.operation, d.parts};
+     }},
 };
 constexpr auto commandNames = [] {
     std::array<std::string_view, std::size(commandTable)> names;
@@ -50,6 +62,7 @@ constexpr auto commandNames = [] {
     return names;
 }();
 constexpr std::array<std::string_view, 2> keepTable{"positive", "negative"};
+constexpr std::array<std::string_view, 3> operationTable{"union", "subtract", "intersect"};
 constexpr std::array<std::string_view, 3> whereTable{"beside", "as_it_is", "centre"};
 } // namespace
 
@@ -78,6 +91,11 @@ bool StrokeJsonReader::commandWord(const std::string& typed)
         return take(whereTable, m_command.where);
     case HowKey:
         return take(maskChangeNames, m_command.how);
+    case OperationKey:
+        return take(operationTable, m_command.operation);
+    case NameKey:
+        m_command.partName = shortened(word);
+        return true;
     case ModelKey:
         m_command.file = word;
         return !word.empty();
@@ -106,13 +124,14 @@ void StrokeJsonReader::endCommand()
     const bool wantsColor = row.name == "mask" && m_command.how == MaskOperation::Kind::Color;
     const KeySet wanted = (wantsCentre ? bit(CentreKey) : 0) | (wantsColor ? bit(ColorKey) : 0);
     const KeySet required = row.required | wanted,
-                 known = bit(CommandKey) | required | (row.optional & ~(bit(CentreKey) | bit(ColorKey)));
+                 known = bit(CommandKey) | bit(PartKey) | required | (row.optional & ~(bit(CentreKey) | bit(ColorKey)));
     requireNoneOf(~known);
     for (std::size_t i = 0; i < strokeKeys.names.size(); ++i) {
         m_key = static_cast<int>(i);
         if (required & ~m_seen & bit(i))
             refuse(Kind::MissingKey);
     }
-    m_entries.back() = FileCommand{row.make(m_command, stroke().settings), m_command.file};
+    const PartId part = stroke().settings.part;
+    m_entries.back() = FileCommand{row.make(m_command, stroke().settings), m_command.file, part};
 }
 } // namespace core

@@ -43,6 +43,14 @@ namespace core
 ///     {"command":"insert","file":"a.stl","where":"centre","centre":[0,3,0]}
 ///     {"command":"reset"}                                 {"command":"place_on_bed"}
 ///     {"command":"flatten_base","height":2}               {"command":"mask","how":"invert"}
+///     {"command":"edit_part","part":1,"name":"Wheel","locked":false,"tag":[255,0,0],"list_position":0}
+///     {"command":"show_parts","parts":[0,1]}              {"command":"duplicate_part","part":1,"name":"Wheel"}
+///     {"command":"delete_part","part":1}                  {"command":"separate_part","part":0}
+///     {"command":"combine_parts","part":0,"operation":"union","parts":[1]}
+///
+/// Each stroke and command may have "part", the id of the part that it changes (PartId; default 0). "operation" is
+/// union, subtract or intersect; "parts" are the parts to show, or to combine with the part. Only "name" of edit_part
+/// is required.
 ///
 /// "keep" is positive (the default) or negative. "detail_length" defaults to the mesh's own, Mesh::uniformDetail().
 /// "how" is one of maskChangeNames (stroke_keys.h); only color needs the key "color". "where" is beside (the default),
@@ -71,7 +79,8 @@ struct StrokeFileError : std::runtime_error
         WholeNumber,
         ThreeNumbers,
         FourNumbers,
-        ThreeBytes, ///< three whole numbers from 0 to 255
+        ThreeBytes,   ///< three whole numbers from 0 to 255
+        WholeNumbers, ///< a list of whole numbers
         TrueOrFalse,
         Word,
         WordOrTruth, ///< a keyword, true or false
@@ -100,6 +109,7 @@ struct FileCommand
 {
     ModelCommand command;
     std::string file; ///< path of an Insert's model, which the file's player must load into `command`
+    PartId part = 0;  ///< the part that the command changes, if it concerns one (applyToCopy())
 };
 using FileEntry = std::variant<Stroke, FileCommand>;
 

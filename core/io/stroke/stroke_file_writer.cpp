@@ -48,6 +48,17 @@ std::string list(const Eigen::Quaterniond& turn)
     return list({turn.x(), turn.y(), turn.z(), turn.w()});
 }
 
+std::string list(const std::vector<PartId>& parts)
+{
+    return nlohmann::json(parts).dump();
+}
+
+/// Returns the text as JSON; bytes that are no UTF-8 are replaced.
+std::string quoted(const std::string& text)
+{
+    return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
 void writeSample(std::ostream& out, const StrokeSample& sample)
 {
     out << "{\"t\":" << shortest(sample.time) << ",\"position\":" << list(sample.position)
@@ -95,6 +106,8 @@ void write(std::ostream& out, const Stroke& stroke)
         << name(settings.symmetry) << "\",\"spacing\":" << shortest(settings.spacing) << ",\"place\":\""
         << name(settings.place) << "\",\"add\":" << (settings.add ? "true" : "false")
         << ",\"color\":" << list(settings.color);
+    if (settings.part != 0)
+        out << ",\"part\":" << settings.part;
     if (settings.join)
         out << ",\"join\":true";
     if (settings.anchored)
@@ -148,13 +161,31 @@ std::string keysOf(const FileCommand& entry)
         [](const Reset&) { return Text(R"("reset")"); },
         [](const PlaceOnBed&) { return Text(R"("place_on_bed")"); },
         [](const FlattenBase& flatten) { return R"("flatten_base","height":)" + shortest(flatten.height); },
+        [](const EditPart& edit) {
+            return R"("edit_part","name":)" + quoted(edit.name) + R"(,"locked":)" + (edit.isLocked ? "true" : "false") +
+                   (edit.tag ? R"(,"tag":)" + list(*edit.tag) : Text()) + R"(,"list_position":)" +
+                   std::to_string(std::min(edit.position, PartList::maxParts));
+        },
+        [](const ShowParts& show) { return R"("show_parts","parts":)" + list(show.visible); },
+        [](const DuplicatePart& duplicate) { return R"("duplicate_part","name":)" + quoted(duplicate.name); },
+        [](const DeletePart&) { return Text(R"("delete_part")"); },
+        [](const SeparatePart&) { return Text(R"("separate_part")"); },
+        [](const CombineParts& combination) {
+            constexpr std::string_view operations[] = {"union", "subtract", "intersect"};
+            return R"("combine_parts","operation":")" +
+                   Text(operations[static_cast<std::size_t>(combination.operation)]) + R"(","parts":)" +
+                   list(combination.others);
+        },
     };
     return std::visit(keys, entry.command);
 }
 
 void write(std::ostream& out, const FileCommand& entry)
 {
-    out << "{\"command\":" << keysOf(entry) << '}';
+    out << "{\"command\":" << keysOf(entry);
+    if (entry.part != 0)
+        out << ",\"part\":" << entry.part;
+    out << '}';
 }
 } // namespace
 

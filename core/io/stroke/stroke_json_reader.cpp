@@ -143,7 +143,7 @@ bool StrokeJsonReader::start_array(std::size_t)
         m_level = Level::Strokes;
     else if (!m_inVector && m_level == Level::Stroke && m_key == SamplesKey)
         m_level = Level::Samples;
-    else if (!m_inVector && vectorLength() > 0)
+    else if (!m_inVector && (vectorLength() > 0 || isPartList()))
         m_inVector = true;
     else
         refuse(Kind::WrongType);

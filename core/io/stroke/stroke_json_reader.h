@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <limits>
 #include <span>
 
 namespace core
@@ -20,6 +21,12 @@ struct CommandDraft
     Half keep = Half::Positive;
     Insert::Place where = Insert::Place::Beside;
     MaskOperation::Kind how = MaskOperation::Kind::Invert;
+    std::vector<PartId> parts;
+    std::string partName;
+    bool isLocked = false;
+    std::optional<Rgb> tag;
+    SetOperation operation = SetOperation::Union;
+    std::size_t position = std::numeric_limits<std::size_t>::max(); ///< in the list of parts
 };
 
 /// Receives the JSON parser's events and tracks the position in the format. Throws at the first event that the format
@@ -61,6 +68,10 @@ private:
     void sampleNumber(double value);
     void strokeWord(const std::string& word);
     std::size_t vectorLength() const;
+    bool isColorKey() const { return m_level == Level::Stroke && (m_key == ColorKey || m_key == TagKey); }
+    bool isPartList() const { return m_level == Level::Stroke && m_key == PartsKey; }
+    PartId partIn(double value) const;
+    double wholeIn(double value, double max) const;
     void endVector();
     void strokeVector(const Vec3& vector);
     Eigen::Quaterniond unitRotation() const;

@@ -47,7 +47,7 @@ double StrokeJsonReader::inRange(double value, Parameter parameter) const
 std::size_t StrokeJsonReader::vectorLength() const
 {
     if (m_level == Level::Stroke)
-        return m_key == TurnKey ? 4 : m_key == ColorKey || m_key == ByKey || m_key == CentreKey ? 3 : 0;
+        return m_key == TurnKey ? 4 : isColorKey() || m_key == ByKey || m_key == CentreKey ? 3 : 0;
     if (m_level == Level::Sample)
         return m_key == RotationKey ? 4 : m_key == PositionKey || m_key == DirectionKey || m_key == UpKey ? 3 : 0;
     return 0;
@@ -56,6 +56,8 @@ std::size_t StrokeJsonReader::vectorLength() const
 void StrokeJsonReader::endVector()
 {
     m_inVector = false;
+    if (isPartList())
+        return;
     if (m_count != vectorLength())
         refuse(Kind::WrongType);
     const Vec3 vector(m_vector[0], m_vector[1], m_vector[2]);
@@ -75,9 +77,13 @@ void StrokeJsonReader::endVector()
 void StrokeJsonReader::strokeVector(const Vec3& vector)
 {
     const auto byte = [](double value) { return static_cast<std::uint8_t>(value); };
+    const Rgb color = {byte(vector.x()), byte(vector.y()), byte(vector.z())};
     switch (m_key) {
     case ColorKey:
-        stroke().settings.color = {byte(vector.x()), byte(vector.y()), byte(vector.z())};
+        stroke().settings.color = color;
+        break;
+    case TagKey:
+        m_command.tag = color;
         break;
     case ByKey:
         m_command.by = vector;
@@ -99,20 +105,35 @@ Eigen::Quaterniond StrokeJsonReader::unitRotation() const
     return std::abs(length - 1) > 8 * std::numeric_limits<double>::epsilon() ? rotation.normalized() : rotation;
 }
 
+/// Returns the value if it is a whole number from 0 to `max`.
+double StrokeJsonReader::wholeIn(double value, double max) const
+{
+    inRange(value, 0, max);
+    if (value != std::trunc(value))
+        refuse(Kind::WrongType);
+    return value;
+}
+
+PartId StrokeJsonReader::partIn(double value) const
+{
+    return static_cast<PartId>(wholeIn(value, std::numeric_limits<PartId>::max()));
+}
+
 bool StrokeJsonReader::number(double value)
 {
     if (m_level == Level::Start)
         refuse(Kind::NotStrokes);
     if (!std::isfinite(value))
         refuse(Kind::NotANumber);
-    if (m_inVector) {
+    if (m_inVector && isPartList()) {
+        if (m_command.parts.size() == PartList::maxParts)
+            refuse(Kind::OutOfRange);
+        m_command.parts.push_back(partIn(value));
+    } else if (m_inVector) {
         if (m_count == vectorLength())
             refuse(Kind::WrongType);
-        const bool isColor = m_level == Level::Stroke && m_key == ColorKey;
         m_vector[m_count++] =
-            isColor ? inRange(value, 0, 255) : inRange(value, -maxSampleMagnitude, maxSampleMagnitude);
-        if (isColor && value != std::trunc(value))
-            refuse(Kind::WrongType);
+            isColorKey() ? wholeIn(value, 255) : inRange(value, -maxSampleMagnitude, maxSampleMagnitude);
     } else if (m_level == Level::Sample) {
         sampleNumber(value);
     } else if (m_level == Level::Stroke) {
@@ -145,6 +166,12 @@ void StrokeJsonReader::strokeNumber(double value)
         break;
     case HeightKey:
         m_command.height = inRange(value, ModelLimits::minExtent, ModelLimits::maxExtent);
+        break;
+    case PartKey:
+        settings.part = partIn(value);
+        break;
+    case ListPositionKey:
+        m_command.position = static_cast<std::size_t>(wholeIn(value, double(PartList::maxParts)));
         break;
     case FactorKey:
         m_command.factor = inRange(value, minFactor, 1 / minFactor);
@@ -201,12 +228,14 @@ bool StrokeJsonReader::boolean(bool value)
         refuse(Kind::NotStrokes);
     if (m_level != Level::Stroke || m_inVector ||
         (m_key != FusionKey && m_key != SymmetryKey && m_key != AddKey && m_key != JoinKey && m_key != InvertKey &&
-         m_key != AlphaFollowsKey && m_key != AnchoredKey))
+         m_key != AlphaFollowsKey && m_key != AnchoredKey && m_key != LockedKey))
         refuse(Kind::WrongType);
     if (m_key == SymmetryKey)
         stroke().settings.symmetry = value ? paperPlane : Symmetry::None;
     if (m_key == AddKey)
         stroke().settings.add = value;
+    else if (m_key == LockedKey)
+        m_command.isLocked = value;
     else if (m_key == JoinKey)
         stroke().settings.join = value;
     else if (m_key == AlphaFollowsKey)

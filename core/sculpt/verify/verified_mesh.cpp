@@ -13,7 +13,7 @@ bool VerifiedMesh::verify(const Mesh::Mark& mark)
     m_maxDirtyFaces = std::max(m_maxDirtyFaces, static_cast<Slot>(m_verifier.dirtyFaces().size()));
     m_mesh.commit(mark);
     m_octree.removeDead(m_mesh, touched.faces);
-    m_octree.place(m_verifier.dirtyFaces(), m_verifier.dirtyBoxes());
+    m_octree.place(m_mesh, m_verifier.dirtyFaces(), m_verifier.dirtyBoxes());
     m_dirtySlots.add(m_mesh, touched, m_verifier.dirtyFaces());
     return true;
 }
@@ -64,8 +64,11 @@ void VerifiedMesh::commitUnverified(const Mesh::Mark& mark)
 
 void VerifiedMesh::follow(const MeshDelta& swapped)
 {
-    if (swapped.frame.lattice != m_mesh.lattice())
+    if (swapped.frame.lattice != m_mesh.lattice()) {
+        const PartId active = m_octree.activePart();
         m_octree = FaceOctree(m_mesh);
+        m_octree.activate(active);
+    }
     TouchedSlots touched;
     m_swappedFaces.clear();
     for (const FaceImage& image : swapped.faces) {
@@ -80,6 +83,19 @@ void VerifiedMesh::follow(const MeshDelta& swapped)
     }
     m_octree.removeDead(m_mesh, touched.faces);
     m_octree.update(m_mesh, m_swappedFaces.slots());
+    if (swapped.frame.parts != m_mesh.frame().parts)
+        addShownOrHidden(swapped.frame.parts, touched.faces);
     m_dirtySlots.add(m_mesh, touched, m_swappedFaces.slots());
+}
+
+/// Adds the faces of parts that were shown or hidden. Cost: O(mesh).
+void VerifiedMesh::addShownOrHidden(const PartList& before, std::vector<Slot>& faces) const
+{
+    const PartList& now = m_mesh.frame().parts;
+    for (const Slot f : m_mesh.faces()) {
+        const PartId part = m_mesh.partOfFace(f);
+        if (before.isVisible(part) != now.isVisible(part))
+            faces.push_back(f);
+    }
 }
 } // namespace core

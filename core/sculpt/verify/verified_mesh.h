@@ -18,6 +18,8 @@ public:
     const Mesh& mesh() const { return m_mesh; }
     const FaceOctree& octree() const { return m_octree; }
     DirtySlots& dirtySlots() { return m_dirtySlots; }
+    /// Restricts all queries, and so all later changes, to the faces of this part.
+    void activate(PartId part) { m_octree.activate(part); }
 
     /// Switches verification on or off; see Sculptor::setVerification().
     void setVerification(bool on) { m_verification = on; }
@@ -52,6 +54,7 @@ public:
 
 private:
     bool isSound(const TouchedSlots& touched);
+    void addShownOrHidden(const PartList& before, std::vector<Slot>& faces) const;
 
     Mesh& m_mesh;
     FaceOctree m_octree;

@@ -1,0 +1,121 @@
+#include "app/document/document_parts.h"
+
+#include "app/document/document.h"
+#include "app/document/stroke_command.h"
+#include "app/model/model_change_job.h"
+#include "app/worker/sculpt_worker.h"
+
+#include "core/sculpt/sculptor.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace app
+{
+namespace
+{
+std::vector<core::PartId> visibleIn(const core::PartList& list)
+{
+    std::vector<core::PartId> visible;
+    for (const core::Part& part : list.all()) {
+        if (part.isVisible)
+            visible.push_back(part.id);
+    }
+    return visible;
+}
+
+core::PartId partOf(const core::FileEntry& entry)
+{
+    if (const auto* const stroke = std::get_if<core::Stroke>(&entry))
+        return stroke->settings.part;
+    return std::get<core::FileCommand>(entry).part;
+}
+} // namespace
+
+DocumentParts::DocumentParts(Document* document) : m_document(document)
+{
+    connect(document, &Document::historyChanged, this, &DocumentParts::refresh);
+    connect(&document->history(), &DocumentHistory::moved, this, &DocumentParts::followHistory);
+    connect(document, &Document::stepped, this, [this] { m_index = m_document->history().stack().index(); });
+    connect(document, &Document::opened, this, [this] {
+        m_index = m_document->history().stack().index();
+        m_shownBefore.clear();
+        refresh();
+    });
+}
+
+std::optional<core::Part> DocumentParts::named(const ModelChangeRequest& request) const
+{
+    const core::Part* part = m_list.find(request.part);
+    return part && m_list.size() > 1 && !core::isOnAllParts(request.command) ? std::optional(*part) : std::nullopt;
+}
+
+void DocumentParts::activate(core::PartId part)
+{
+    if (part == m_active || !m_list.find(part))
+        return;
+    m_active = part;
+    m_document->worker().activate(part);
+    Q_EMIT changed();
+}
+
+void DocumentParts::pick(const core::Ray& ray)
+{
+    m_document->worker().post([this, ray](core::Sculptor& sculptor) {
+        if (const auto part = sculptor.partAt(ray))
+            m_mailbox.post([this, part] { activate(*part); });
+    });
+}
+
+void DocumentParts::isolate()
+{
+    const std::vector<core::PartId> visible = visibleIn(m_list);
+    if (visible == std::vector{m_active})
+        return m_shownBefore.empty() ? showAll()
+                                     : m_document->changer().apply(core::ShowParts{std::exchange(m_shownBefore, {})});
+    m_shownBefore = visible;
+    m_document->changer().apply(core::ShowParts{{m_active}});
+}
+
+void DocumentParts::showAll()
+{
+    core::ShowParts show;
+    for (const core::Part& part : m_list.all())
+        show.visible.push_back(part.id);
+    m_document->changer().apply(show);
+}
+
+/// Asks the mesh thread for the present list.
+void DocumentParts::refresh()
+{
+    m_document->worker().post([this](core::Sculptor& sculptor) {
+        m_mailbox.post([this, list = sculptor.mesh().frame().parts] { setList(list); });
+    });
+}
+
+void DocumentParts::setList(const core::PartList& list)
+{
+    const bool isGone = !list.find(m_active);
+    if (list == m_list && !isGone)
+        return;
+    m_list = list;
+    if (isGone) {
+        m_active = list.all().front().id;
+        m_document->worker().activate(m_active);
+    }
+    Q_EMIT changed();
+}
+
+/// Activates the part of the step that was undone or redone last.
+void DocumentParts::followHistory()
+{
+    const QUndoStack& stack = m_document->history().stack();
+    const int before = std::exchange(m_index, stack.index());
+    const int step = stack.index() < before ? stack.index() : stack.index() - 1;
+    if (step < 0 || step >= stack.count() || before == stack.index())
+        return;
+    const auto& entry = static_cast<const StrokeCommand*>(stack.command(step))->marks().recordedStep;
+    if (entry)
+        activate(partOf(*entry));
+}
+} // namespace app

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "core/geometry/geometry.h"
+#include "core/mesh/surface_hit.h"
+#include "core/operations/model_command.h"
+#include "core/parts/part_list.h"
+#include "ui/util/thread_mailbox.h"
+
+#include <QObject>
+
+namespace app
+{
+class Document;
+struct ModelChangeRequest;
+
+/// The parts of the document, as the mesh thread last reported them, and the active part: the one that strokes and
+/// commands change. Undo and redo activate the part that they change. Thread: gui.
+class DocumentParts : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit DocumentParts(Document* document);
+
+    const core::PartList& list() const { return m_list; }
+    core::PartId active() const { return m_active; }
+    /// Returns the part that the request changes; nothing if there is only one part or the request concerns all.
+    std::optional<core::Part> named(const ModelChangeRequest& request) const;
+
+public Q_SLOTS:
+    /// Makes a part active. Has no effect if there is no such part.
+    void activate(core::PartId part);
+    /// Makes the visible part active that the ray meets first.
+    void pick(const core::Ray& ray);
+    /// Shows only the active part. If it is the only visible one, shows those again that were visible before.
+    void isolate();
+    void showAll();
+
+Q_SIGNALS:
+    /// The list or the active part has changed.
+    void changed();
+
+private:
+    void refresh();
+    void setList(const core::PartList& list);
+    void followHistory();
+
+    Document* m_document;
+    core::PartList m_list;
+    core::PartId m_active = 0;
+    std::vector<core::PartId> m_shownBefore; ///< the parts that isolate() has hidden others of; empty: none
+    int m_index = 0;                         ///< undo index at the last step or move
+    ui::ThreadMailbox m_mailbox;
+};
+} // namespace app
