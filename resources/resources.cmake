@@ -97,6 +97,18 @@ set(FETTLE_RESOURCE_FILES
     icons/panel-close.svg
     icons/panel-float.svg
     icons/panels-left.svg
+    icons/part-down.svg
+    icons/part-hidden.svg
+    icons/part-intersect.svg
+    icons/part-isolate.svg
+    icons/part-locked.svg
+    icons/part-separate.svg
+    icons/part-shown.svg
+    icons/part-subtract.svg
+    icons/part-tag.svg
+    icons/part-union.svg
+    icons/part-unlocked.svg
+    icons/part-up.svg
     icons/pause.svg
     icons/pick.svg
     icons/point.svg

@@ -27,6 +27,7 @@
 #include "ui/model/model_panel.h"
 #include "ui/model/repair_dialogs.h"
 #include "ui/model/unit_bar.h"
+#include "ui/parts/parts_panel.h"
 #include "ui/print/print_panel.h"
 #include "ui/reference/reference_images.h"
 #include "ui/util/format_filters.h"
@@ -174,6 +175,22 @@ void connectHistory(ui::MainWindow& window, Document& document)
         undo->setEnabled(document.history().canUndo());
         redo->setEnabled(document.history().canRedo());
     });
+}
+
+void connectParts(ui::MainWindow& window, Document& document)
+{
+    using ui::PartsPanel;
+    auto* panel = window.findChild<PartsPanel*>();
+    DocumentParts* parts = &document.parts();
+    QObject::connect(parts, &DocumentParts::changed, panel,
+                     [panel, parts] { panel->setParts(parts->list(), parts->active()); });
+    QObject::connect(panel, &PartsPanel::activated, parts, &DocumentParts::activate);
+    QObject::connect(panel, &PartsPanel::requested, &document.changer(), &ModelChanger::applyTo);
+    QObject::connect(window.action(QStringLiteral("parts.isolate")), &QAction::triggered, parts,
+                     &DocumentParts::isolate);
+    QObject::connect(window.action(QStringLiteral("parts.showAll")), &QAction::triggered, parts,
+                     &DocumentParts::showAll);
+    QObject::connect(window.viewport()->input(), &ui::PointerInput::partPicked, parts, &DocumentParts::pick);
 }
 
 void connectHistoryPanel(ui::MainWindow& window, Document& document)
@@ -336,6 +353,7 @@ void connectAll(ui::MainWindow& window, Document& document, SculptWorker& worker
     connectClosing(window, document, connectHeadset(window, document, worker));
     connectHistory(window, document);
     connectHistoryPanel(window, document);
+    connectParts(window, document);
     connectPalette(window, document);
     connectMetadata(window, document);
     connectModelPanel(window, document, worker);

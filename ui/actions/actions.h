@@ -26,6 +26,7 @@ enum class MenuId {
     Tool,
     Mask,
     Model,
+    Parts,
     View,
     Turn,
     Material,

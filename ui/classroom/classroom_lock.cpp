@@ -108,6 +108,7 @@ bool isAllowed(const ActionInfo& row, const Classroom& classroom)
     case MenuId::Edit:
     case MenuId::Sculpt:
     case MenuId::Model:
+    case MenuId::Parts:
     case MenuId::View:
     case MenuId::Turn:
     case MenuId::Material:

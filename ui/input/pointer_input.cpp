@@ -188,10 +188,12 @@ void PointerInput::process(const PendingEvent& pending)
 /// Ends the drag. A click of the right button without modifier keys requests the palette.
 void PointerInput::release(const PointerEvent& event)
 {
-    const bool isClick = movesView() && !m_hasMoved && event.button == Qt::RightButton && !event.modifiers;
+    const bool isClick = movesView() && !m_hasMoved;
     end();
-    if (isClick)
+    if (isClick && event.button == Qt::RightButton && !event.modifiers)
         Q_EMIT paletteRequested(event.pixel);
+    if (isClick && event.button == Qt::LeftButton && event.modifiers == Qt::AltModifier)
+        Q_EMIT partPicked(m_camera->ray(event.pixel));
 }
 
 /// Handles a press. During a stroke, the right button cancels the stroke; other presses during a drag are ignored.

@@ -113,6 +113,8 @@ Q_SIGNALS:
     void viewChanged();
     /// The right button was clicked at this pixel.
     void paletteRequested(const ui::OrbitCamera::Pixel& pixel);
+    /// The left button was clicked with Alt, which chooses the part that the ray meets.
+    void partPicked(const core::Ray& ray);
     /// The user has turned, moved or zoomed the view; viewChanged() follows.
     void viewMovedByUser();
     /// A ball is to be added, as one dab with the brush's radius at the sample's position.

@@ -21,6 +21,7 @@
 #include "ui/lesson/lesson_panel.h"
 #include "ui/model/model_actions.h"
 #include "ui/model/model_panel.h"
+#include "ui/parts/parts_panel.h"
 #include "ui/preferences/preferences_actions.h"
 #include "ui/print/print_panel.h"
 #include "ui/reference/reference_actions.h"
@@ -147,6 +148,8 @@ void MainWindow::State::buildBars()
                 actions.fill(menu->addMenu(actions.menuTitle(sub)), sub);
         }
         actions.fill(menu, id);
+        if (id == MenuId::Model)
+            actions.fill(menu->addMenu(actions.menuTitle(MenuId::Parts)), MenuId::Parts);
         if (id == MenuId::File)
             files.addMenus(menu, actions);
         if (id != MenuId::View)
@@ -207,6 +210,7 @@ void MainWindow::State::buildPanels(QMenu* toggles)
     presets = addPresetShelf({column, &actions, focusModel, notice}, &brush, shapes);
     connectInputActions({column, viewport, notice}, &brush, &settings, actions);
     addPrintPanel({column, viewport}, &settings, actions);
+    addPartsPanel(column, actions);
     history = addHistoryPanel(column, &settings);
     modelPanel = addModelPanel(column);
     addReferences({q, column, viewport, &files}, &settings, actions, notice);
@@ -274,7 +278,7 @@ void MainWindow::State::connectTools()
 void MainWindow::State::setBusy(bool isBusy)
 {
     for (const ActionInfo& row : actionTable())
-        if (row.menu == MenuId::Model || row.menu == MenuId::Mask)
+        if (row.menu == MenuId::Model || row.menu == MenuId::Parts || row.menu == MenuId::Mask)
             actions.get(QLatin1StringView(row.id))->setEnabled(!isBusy);
     for (const char* id : {"file.save", "file.saveAs", "file.saveCopy", "file.exportAs", "file.exportFor",
                            "file.exportDrawing", "file.timeLapse", "file.report", "brush.fromModel"})
