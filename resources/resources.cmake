@@ -218,7 +218,7 @@ set(FETTLE_RESOURCE_FILES
 foreach(LANGUAGE en de zh_CN)
     foreach(PAGE
             first-steps lesson-vase lesson-head lesson-tablet lessons view tools presets topology symmetry mask colour
-            model open repair files export print preview time-lapse history recovery keys pen vr controllers
+            model parts open repair files export print preview time-lapse history recovery keys pen vr controllers
             vr-sculpting simulator classroom class-work record-lesson report problems)
         list(APPEND FETTLE_RESOURCE_FILES help/${LANGUAGE}/${PAGE}.md)
     endforeach()

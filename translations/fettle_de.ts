@@ -1016,7 +1016,6 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <name>app::LessonProgress</name>
     <message numerus="yes">
         <source>You met %1 of %n goals.</source>
-        <extracomment>%1: how many of them</extracomment>
         <translation>
             <numerusform>Du hast %1 von %n Ziel erreicht.</numerusform>
             <numerusform>Du hast %1 von %n Zielen erreicht.</numerusform>
@@ -1046,6 +1045,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>%1 %2</source>
         <comment>two sentences</comment>
+        <extracomment>%1: how many of them</extracomment>
         <translation>%1 %2</translation>
     </message>
 </context>
@@ -1765,13 +1765,112 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Nach Farbe maskieren</translation>
     </message>
     <message>
-        <source>Mask Whole Parts</source>
+        <source>Mask Whole Pieces</source>
         <comment>undo step</comment>
-        <translation>Ganze Teile maskieren</translation>
+        <translation>Ganze Stücke maskieren</translation>
     </message>
     <message>
         <source>The mask is like that already.</source>
         <translation>Die Maske ist bereits so.</translation>
+    </message>
+    <message>
+        <source>Join</source>
+        <comment>undo step</comment>
+        <translation>Vereinigen</translation>
+    </message>
+    <message>
+        <source>Joining the parts</source>
+        <translation>Teile werden vereinigt</translation>
+    </message>
+    <message>
+        <source>Subtract</source>
+        <comment>undo step</comment>
+        <translation>Abziehen</translation>
+    </message>
+    <message>
+        <source>Subtracting the parts</source>
+        <translation>Teile werden abgezogen</translation>
+    </message>
+    <message>
+        <source>Intersect</source>
+        <comment>undo step</comment>
+        <translation>Schnittmenge</translation>
+    </message>
+    <message>
+        <source>Intersecting the parts</source>
+        <translation>Schnittmenge der Teile wird gebildet</translation>
+    </message>
+    <message>
+        <source>Edit Part</source>
+        <comment>undo step</comment>
+        <translation>Teil ändern</translation>
+    </message>
+    <message>
+        <source>Changing the list of parts</source>
+        <translation>Liste der Teile wird geändert</translation>
+    </message>
+    <message>
+        <source>Show or Hide Parts</source>
+        <comment>undo step</comment>
+        <translation>Teile ein- oder ausblenden</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <comment>undo step</comment>
+        <translation>Duplizieren</translation>
+    </message>
+    <message>
+        <source>Duplicating the part</source>
+        <translation>Teil wird dupliziert</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <comment>undo step</comment>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Deleting the part</source>
+        <translation>Teil wird gelöscht</translation>
+    </message>
+    <message>
+        <source>Separate</source>
+        <comment>undo step</comment>
+        <translation>Trennen</translation>
+    </message>
+    <message>
+        <source>Separating the part</source>
+        <translation>Teil wird getrennt</translation>
+    </message>
+    <message>
+        <source>The model stays as it is: it has no such part, or the part is empty.</source>
+        <translation>Das Modell bleibt, wie es ist: Dieses Teil gibt es nicht, oder es ist leer.</translation>
+    </message>
+    <message>
+        <source>The model stays as it is, because a part is hidden or locked. Show and unlock it first.</source>
+        <translation>Das Modell bleibt, wie es ist, weil ein Teil ausgeblendet oder gesperrt ist. Blenden Sie es zuerst ein und entsperren Sie es.</translation>
+    </message>
+    <message>
+        <source>The last part cannot be deleted.</source>
+        <translation>Das letzte Teil lässt sich nicht löschen.</translation>
+    </message>
+    <message>
+        <source>The part is in one piece already, so nothing was separated.</source>
+        <translation>Das Teil besteht schon aus einem Stück; es wurde nichts getrennt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The model stays as it is: it may have %Ln parts at most.</source>
+        <translation>
+            <numerusform>Das Modell bleibt, wie es ist: Es darf höchstens %Ln Teil haben.</numerusform>
+            <numerusform>Das Modell bleibt, wie es ist: Es darf höchstens %Ln Teile haben.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The parts do not overlap, so nothing was subtracted.</source>
+        <translation>Die Teile überschneiden sich nicht; es wurde nichts abgezogen.</translation>
+    </message>
+    <message>
+        <source>The parts stay as they are, because nothing would be left of them.</source>
+        <translation>Die Teile bleiben, wie sie sind, weil nichts von ihnen übrig bliebe.</translation>
     </message>
 </context>
 <context>
@@ -2062,6 +2161,11 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>Add Model</source>
         <comment>undo step</comment>
         <translation>Modell hinzufügen</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>undo step: name of the part, what was done to it</comment>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -3162,12 +3266,12 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Schützt auch Bereiche, die der Malfarbe nahekommen.</translation>
     </message>
     <message>
-        <source>Mask Whole &amp;Parts</source>
-        <translation>Ganze &amp;Teile maskieren</translation>
+        <source>Mask Whole &amp;Pieces</source>
+        <translation>Ganze S&amp;tücke maskieren</translation>
     </message>
     <message>
-        <source>Extends the mask to the whole of each part that it touches.</source>
-        <translation>Dehnt die Maske auf jedes ganze Teil aus, das sie berührt.</translation>
+        <source>Extends the mask to the whole of each connected piece that it touches.</source>
+        <translation>Dehnt die Maske auf jedes zusammenhängende Stück aus, das sie berührt.</translation>
     </message>
     <message>
         <source>M&amp;ask</source>
@@ -3364,6 +3468,114 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Left-&amp;Handed</source>
         <translation>&amp;Linkshändig</translation>
+    </message>
+    <message>
+        <source>Adds a copy of the active part at the same place.</source>
+        <translation>Fügt eine Kopie des aktiven Teils an derselben Stelle hinzu.</translation>
+    </message>
+    <message>
+        <source>&amp;Separate</source>
+        <translation>&amp;Trennen</translation>
+    </message>
+    <message>
+        <source>Makes each connected piece of the active part a part of its own.</source>
+        <translation>Macht jedes zusammenhängende Stück des aktiven Teils zu einem eigenen Teil.</translation>
+    </message>
+    <message>
+        <source>D&amp;elete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Deletes the active part.</source>
+        <translation>Löscht das aktive Teil.</translation>
+    </message>
+    <message>
+        <source>&amp;Join</source>
+        <translation>&amp;Vereinigen</translation>
+    </message>
+    <message>
+        <source>Joins the active part with the other selected parts into one solid.</source>
+        <translation>Vereinigt das aktive Teil mit den anderen ausgewählten Teilen zu einem Körper.</translation>
+    </message>
+    <message>
+        <source>S&amp;ubtract</source>
+        <translation>&amp;Abziehen</translation>
+    </message>
+    <message>
+        <source>Takes the other selected parts away from the active part.</source>
+        <translation>Nimmt die anderen ausgewählten Teile vom aktiven Teil weg.</translation>
+    </message>
+    <message>
+        <source>&amp;Intersect</source>
+        <translation>Sch&amp;nittmenge</translation>
+    </message>
+    <message>
+        <source>Keeps what the active part has in common with the other selected parts.</source>
+        <translation>Behält, was das aktive Teil mit den anderen ausgewählten Teilen gemeinsam hat.</translation>
+    </message>
+    <message>
+        <source>Is&amp;olate</source>
+        <translation>&amp;Isolieren</translation>
+    </message>
+    <message>
+        <source>Shows only the active part. Again: shows the others as before.</source>
+        <translation>Zeigt nur das aktive Teil. Noch einmal: zeigt die anderen wie zuvor.</translation>
+    </message>
+    <message>
+        <source>&amp;Hide or Show</source>
+        <translation>A&amp;us- oder einblenden</translation>
+    </message>
+    <message>
+        <source>Hides the active part, or shows it again.</source>
+        <translation>Blendet das aktive Teil aus oder wieder ein.</translation>
+    </message>
+    <message>
+        <source>Show &amp;All</source>
+        <translation>Alle &amp;einblenden</translation>
+    </message>
+    <message>
+        <source>Shows all parts.</source>
+        <translation>Blendet alle Teile ein.</translation>
+    </message>
+    <message>
+        <source>&amp;Lock or Unlock</source>
+        <translation>S&amp;perren oder entsperren</translation>
+    </message>
+    <message>
+        <source>Protects the active part from all changes, or unlocks it again.</source>
+        <translation>Schützt das aktive Teil vor allen Änderungen oder entsperrt es wieder.</translation>
+    </message>
+    <message>
+        <source>Changes the name of the active part.</source>
+        <translation>Ändert den Namen des aktiven Teils.</translation>
+    </message>
+    <message>
+        <source>&amp;Colour in the List…</source>
+        <translation>&amp;Farbe in der Liste …</translation>
+    </message>
+    <message>
+        <source>Marks the active part with a colour in the list.</source>
+        <translation>Kennzeichnet das aktive Teil in der Liste mit einer Farbe.</translation>
+    </message>
+    <message>
+        <source>Move U&amp;p</source>
+        <translation>Nach &amp;oben</translation>
+    </message>
+    <message>
+        <source>Moves the active part up in the list.</source>
+        <translation>Schiebt das aktive Teil in der Liste nach oben.</translation>
+    </message>
+    <message>
+        <source>Move Do&amp;wn</source>
+        <translation>&amp;Nach unten</translation>
+    </message>
+    <message>
+        <source>Moves the active part down in the list.</source>
+        <translation>Schiebt das aktive Teil in der Liste nach unten.</translation>
+    </message>
+    <message>
+        <source>Pa&amp;rts</source>
+        <translation>Tei&amp;le</translation>
     </message>
 </context>
 <context>
@@ -7493,7 +7705,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>%1 cm behind the surface</source>
-        <extracomment>%1: a number</extracomment>
         <translation>%1 cm hinter der Oberfläche</translation>
     </message>
 </context>
@@ -9165,6 +9376,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <extracomment>key and value, as in place: &quot;there&quot;</extracomment>
         <translation>%1 ist keins von %2</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; must be a list of whole numbers, as in [0, 2]</source>
+        <translation>„%1“ muss eine Liste ganzer Zahlen sein, wie in [0, 2]</translation>
+    </message>
 </context>
 <context>
     <name>app::CommandOptions</name>
@@ -9273,6 +9488,68 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>(standard output)</source>
         <translation>(Standardausgabe)</translation>
+    </message>
+</context>
+<context>
+    <name>app::DocumentStrokes</name>
+    <message>
+        <source>%1 is hidden. Show it, or choose another part.</source>
+        <translation>%1 ist ausgeblendet. Blenden Sie es ein, oder wählen Sie ein anderes Teil.</translation>
+    </message>
+    <message>
+        <source>%1 is locked. Unlock it, or choose another part.</source>
+        <translation>%1 ist gesperrt. Entsperren Sie es, oder wählen Sie ein anderes Teil.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PartName</name>
+    <message>
+        <source>Part %1</source>
+        <translation>Teil %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PartsPanel</name>
+    <message>
+        <source>Shown. Click to hide.</source>
+        <translation>Eingeblendet. Klicken blendet aus.</translation>
+    </message>
+    <message>
+        <source>Hidden. Click to show.</source>
+        <translation>Ausgeblendet. Klicken blendet ein.</translation>
+    </message>
+    <message>
+        <source>Locked. Click to unlock.</source>
+        <translation>Gesperrt. Klicken entsperrt.</translation>
+    </message>
+    <message>
+        <source>Unlocked. Click to lock.</source>
+        <translation>Nicht gesperrt. Klicken sperrt.</translation>
+    </message>
+    <message>
+        <source>%1, locked</source>
+        <translation>%1, gesperrt</translation>
+    </message>
+    <message>
+        <source>%1, hidden</source>
+        <translation>%1, ausgeblendet</translation>
+    </message>
+    <message>
+        <source>The parts of the model. Click one to sculpt it; with Ctrl choose others to combine it with. Double-click a name to change it.</source>
+        <translation>Die Teile des Modells. Klicken Sie eines an, um es zu formen; mit Strg wählen Sie andere, mit denen er verbunden wird. Ein Doppelklick auf einen Namen ändert ihn.</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>%1 copy</source>
+        <comment>name of a copied part</comment>
+        <translation>%1 Kopie</translation>
+    </message>
+    <message>
+        <source>Colour of %1 in the List</source>
+        <translation>Farbe von %1 in der Liste</translation>
     </message>
 </context>
 </TS>

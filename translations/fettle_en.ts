@@ -302,4 +302,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>app::CommandNames</name>
+    <message numerus="yes">
+        <source>The model stays as it is: it may have %Ln parts at most.</source>
+        <translation>
+            <numerusform>The model stays as it is: it may have %Ln part at most.</numerusform>
+            <numerusform>The model stays as it is: it may have %Ln parts at most.</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

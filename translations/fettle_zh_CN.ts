@@ -1007,7 +1007,6 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <name>app::LessonProgress</name>
     <message numerus="yes">
         <source>You met %1 of %n goals.</source>
-        <extracomment>%1: how many of them</extracomment>
         <translation>
             <numerusform>%n 个目标中你达成了 %1 个。</numerusform>
         </translation>
@@ -1036,6 +1035,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>%1 %2</source>
         <comment>two sentences</comment>
+        <extracomment>%1: how many of them</extracomment>
         <translation>%1%2</translation>
     </message>
 </context>
@@ -1754,13 +1754,111 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>按颜色遮罩</translation>
     </message>
     <message>
-        <source>Mask Whole Parts</source>
+        <source>Mask Whole Pieces</source>
         <comment>undo step</comment>
-        <translation>遮罩整个部件</translation>
+        <translation>遮罩整块</translation>
     </message>
     <message>
         <source>The mask is like that already.</source>
         <translation>遮罩已经是这样了。</translation>
+    </message>
+    <message>
+        <source>Join</source>
+        <comment>undo step</comment>
+        <translation>合并</translation>
+    </message>
+    <message>
+        <source>Joining the parts</source>
+        <translation>正在合并部件</translation>
+    </message>
+    <message>
+        <source>Subtract</source>
+        <comment>undo step</comment>
+        <translation>减去</translation>
+    </message>
+    <message>
+        <source>Subtracting the parts</source>
+        <translation>正在减去部件</translation>
+    </message>
+    <message>
+        <source>Intersect</source>
+        <comment>undo step</comment>
+        <translation>相交</translation>
+    </message>
+    <message>
+        <source>Intersecting the parts</source>
+        <translation>正在求部件的交集</translation>
+    </message>
+    <message>
+        <source>Edit Part</source>
+        <comment>undo step</comment>
+        <translation>更改部件</translation>
+    </message>
+    <message>
+        <source>Changing the list of parts</source>
+        <translation>正在更改部件列表</translation>
+    </message>
+    <message>
+        <source>Show or Hide Parts</source>
+        <comment>undo step</comment>
+        <translation>显示或隐藏部件</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <comment>undo step</comment>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Duplicating the part</source>
+        <translation>正在复制部件</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <comment>undo step</comment>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Deleting the part</source>
+        <translation>正在删除部件</translation>
+    </message>
+    <message>
+        <source>Separate</source>
+        <comment>undo step</comment>
+        <translation>拆分</translation>
+    </message>
+    <message>
+        <source>Separating the part</source>
+        <translation>正在拆分部件</translation>
+    </message>
+    <message>
+        <source>The model stays as it is: it has no such part, or the part is empty.</source>
+        <translation>模型保持不变：没有这个部件，或者部件是空的。</translation>
+    </message>
+    <message>
+        <source>The model stays as it is, because a part is hidden or locked. Show and unlock it first.</source>
+        <translation>模型保持不变，因为有部件被隐藏或锁定。请先显示并解锁它。</translation>
+    </message>
+    <message>
+        <source>The last part cannot be deleted.</source>
+        <translation>无法删除最后一个部件。</translation>
+    </message>
+    <message>
+        <source>The part is in one piece already, so nothing was separated.</source>
+        <translation>该部件已是一整块，没有拆分任何东西。</translation>
+    </message>
+    <message numerus="yes">
+        <source>The model stays as it is: it may have %Ln parts at most.</source>
+        <translation>
+            <numerusform>模型保持不变：最多只能有 %Ln 个部件。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The parts do not overlap, so nothing was subtracted.</source>
+        <translation>部件没有重叠，因此没有减去任何东西。</translation>
+    </message>
+    <message>
+        <source>The parts stay as they are, because nothing would be left of them.</source>
+        <translation>部件保持不变，因为不会剩下任何东西。</translation>
     </message>
 </context>
 <context>
@@ -2050,6 +2148,11 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>Add Model</source>
         <comment>undo step</comment>
         <translation>添加模型</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>undo step: name of the part, what was done to it</comment>
+        <translation>%1：%2</translation>
     </message>
 </context>
 <context>
@@ -3149,12 +3252,12 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>同时保护与笔刷颜色相近的区域。</translation>
     </message>
     <message>
-        <source>Mask Whole &amp;Parts</source>
-        <translation>遮罩整个部件(&amp;P)</translation>
+        <source>Mask Whole &amp;Pieces</source>
+        <translation>遮罩整块(&amp;P)</translation>
     </message>
     <message>
-        <source>Extends the mask to the whole of each part that it touches.</source>
-        <translation>把遮罩扩展到它碰到的每个部件的整体。</translation>
+        <source>Extends the mask to the whole of each connected piece that it touches.</source>
+        <translation>把遮罩扩展到它碰到的每个连通块的整体。</translation>
     </message>
     <message>
         <source>M&amp;ask</source>
@@ -3351,6 +3454,114 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     <message>
         <source>Left-&amp;Handed</source>
         <translation>左手(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Adds a copy of the active part at the same place.</source>
+        <translation>在同一位置添加当前部件的副本。</translation>
+    </message>
+    <message>
+        <source>&amp;Separate</source>
+        <translation>拆分(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Makes each connected piece of the active part a part of its own.</source>
+        <translation>将当前部件的每个连通块变成独立的部件。</translation>
+    </message>
+    <message>
+        <source>D&amp;elete</source>
+        <translation>删除(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Deletes the active part.</source>
+        <translation>删除当前部件。</translation>
+    </message>
+    <message>
+        <source>&amp;Join</source>
+        <translation>合并(&amp;J)</translation>
+    </message>
+    <message>
+        <source>Joins the active part with the other selected parts into one solid.</source>
+        <translation>将当前部件与其他选中的部件合并为一个实体。</translation>
+    </message>
+    <message>
+        <source>S&amp;ubtract</source>
+        <translation>减去(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Takes the other selected parts away from the active part.</source>
+        <translation>从当前部件中减去其他选中的部件。</translation>
+    </message>
+    <message>
+        <source>&amp;Intersect</source>
+        <translation>相交(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Keeps what the active part has in common with the other selected parts.</source>
+        <translation>保留当前部件与其他选中部件的公共部分。</translation>
+    </message>
+    <message>
+        <source>Is&amp;olate</source>
+        <translation>单独显示(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Shows only the active part. Again: shows the others as before.</source>
+        <translation>只显示当前部件。再次使用：恢复其他部件的显示。</translation>
+    </message>
+    <message>
+        <source>&amp;Hide or Show</source>
+        <translation>隐藏或显示(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Hides the active part, or shows it again.</source>
+        <translation>隐藏当前部件，或重新显示它。</translation>
+    </message>
+    <message>
+        <source>Show &amp;All</source>
+        <translation>全部显示(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Shows all parts.</source>
+        <translation>显示所有部件。</translation>
+    </message>
+    <message>
+        <source>&amp;Lock or Unlock</source>
+        <translation>锁定或解锁(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Protects the active part from all changes, or unlocks it again.</source>
+        <translation>保护当前部件不被更改，或解除锁定。</translation>
+    </message>
+    <message>
+        <source>Changes the name of the active part.</source>
+        <translation>更改当前部件的名称。</translation>
+    </message>
+    <message>
+        <source>&amp;Colour in the List…</source>
+        <translation>列表中的颜色(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Marks the active part with a colour in the list.</source>
+        <translation>在列表中用颜色标记当前部件。</translation>
+    </message>
+    <message>
+        <source>Move U&amp;p</source>
+        <translation>上移(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Moves the active part up in the list.</source>
+        <translation>在列表中将当前部件上移。</translation>
+    </message>
+    <message>
+        <source>Move Do&amp;wn</source>
+        <translation>下移(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Moves the active part down in the list.</source>
+        <translation>在列表中将当前部件下移。</translation>
+    </message>
+    <message>
+        <source>Pa&amp;rts</source>
+        <translation>部件(&amp;R)</translation>
     </message>
 </context>
 <context>
@@ -7464,7 +7675,6 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>%1 cm behind the surface</source>
-        <extracomment>%1: a number</extracomment>
         <translation>在表面后 %1 厘米</translation>
     </message>
 </context>
@@ -9133,6 +9343,10 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <extracomment>key and value, as in place: &quot;there&quot;</extracomment>
         <translation>%1 不是 %2 之一</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; must be a list of whole numbers, as in [0, 2]</source>
+        <translation>“%1”必须是整数列表，例如 [0, 2]</translation>
+    </message>
 </context>
 <context>
     <name>app::CommandOptions</name>
@@ -9241,6 +9455,68 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     <message>
         <source>(standard output)</source>
         <translation>（标准输出）</translation>
+    </message>
+</context>
+<context>
+    <name>app::DocumentStrokes</name>
+    <message>
+        <source>%1 is hidden. Show it, or choose another part.</source>
+        <translation>%1 已隐藏。请显示它，或选择其他部件。</translation>
+    </message>
+    <message>
+        <source>%1 is locked. Unlock it, or choose another part.</source>
+        <translation>%1 已锁定。请解锁它，或选择其他部件。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PartName</name>
+    <message>
+        <source>Part %1</source>
+        <translation>部件 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PartsPanel</name>
+    <message>
+        <source>Shown. Click to hide.</source>
+        <translation>已显示。点击隐藏。</translation>
+    </message>
+    <message>
+        <source>Hidden. Click to show.</source>
+        <translation>已隐藏。点击显示。</translation>
+    </message>
+    <message>
+        <source>Locked. Click to unlock.</source>
+        <translation>已锁定。点击解锁。</translation>
+    </message>
+    <message>
+        <source>Unlocked. Click to lock.</source>
+        <translation>未锁定。点击锁定。</translation>
+    </message>
+    <message>
+        <source>%1, locked</source>
+        <translation>%1，已锁定</translation>
+    </message>
+    <message>
+        <source>%1, hidden</source>
+        <translation>%1，已隐藏</translation>
+    </message>
+    <message>
+        <source>The parts of the model. Click one to sculpt it; with Ctrl choose others to combine it with. Double-click a name to change it.</source>
+        <translation>模型的部件。点击一个进行雕刻；按住 Ctrl 选择要与它组合的其他部件。双击名称可更改。</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>部件</translation>
+    </message>
+    <message>
+        <source>%1 copy</source>
+        <comment>name of a copied part</comment>
+        <translation>%1 副本</translation>
+    </message>
+    <message>
+        <source>Colour of %1 in the List</source>
+        <translation>%1 在列表中的颜色</translation>
     </message>
 </context>
 </TS>

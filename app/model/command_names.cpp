@@ -21,7 +21,7 @@ QString nameOf(const core::MaskOperation& change)
         CommandNames::tr("Blur Mask", "undo step"),       CommandNames::tr("Sharpen Mask", "undo step"),
         CommandNames::tr("Grow Mask", "undo step"),       CommandNames::tr("Shrink Mask", "undo step"),
         CommandNames::tr("Mask Cavities", "undo step"),   CommandNames::tr("Mask by Colour", "undo step"),
-        CommandNames::tr("Mask Whole Parts", "undo step")};
+        CommandNames::tr("Mask Whole Pieces", "undo step")};
     static_assert(std::size(names) == static_cast<std::size_t>(core::MaskOperation::Kind::Part) + 1);
     return names[static_cast<std::size_t>(change.how)];
 }

@@ -14,7 +14,7 @@ namespace ui
 {
 namespace
 {
-constexpr std::array<HelpPage, 33> pages{{{"first-steps"},
+constexpr std::array<HelpPage, 34> pages{{{"first-steps"},
                                           {"lesson-vase", "lesson-vase.png"},
                                           {"lesson-head", "lesson-head.png"},
                                           {"lesson-tablet", "lesson-tablet.png"},
@@ -27,6 +27,7 @@ constexpr std::array<HelpPage, 33> pages{{{"first-steps"},
                                           {"mask"},
                                           {"colour"},
                                           {"model"},
+                                          {"parts"},
                                           {"open", "", "file.open"},
                                           {"repair", "", "file.open"},
                                           {"files", "", "file.save"},

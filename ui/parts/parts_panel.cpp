@@ -24,13 +24,12 @@ namespace ui
 {
 namespace
 {
-constexpr int idRole = Qt::UserRole;
 enum Column { Name, Shown, Locked };
 constexpr int tagSize = 12; ///< side of the square that shows a part's colour, pixels
 
 core::PartId idOf(const QTreeWidgetItem* row)
 {
-    return static_cast<core::PartId>(row->data(0, idRole).toUInt());
+    return static_cast<core::PartId>(row->type());
 }
 
 QIcon tagIcon(const std::optional<core::Rgb>& tag)
@@ -42,7 +41,6 @@ QIcon tagIcon(const std::optional<core::Rgb>& tag)
 
 void fillRow(QTreeWidgetItem* row, const core::Part& part)
 {
-    row->setData(0, idRole, part.id);
     row->setFlags(row->flags() | Qt::ItemIsEditable);
     row->setText(Name, partName(part));
     row->setIcon(Name, tagIcon(part.tag));
@@ -142,14 +140,22 @@ void PartsPanel::connectActions(const Actions& actions)
 void PartsPanel::setParts(const core::PartList& parts, core::PartId active)
 {
     const QScopedValueRollback filling(m_isFilling, true);
+    const bool hasSameRows = std::ranges::equal(parts.all(), m_parts.all(), {}, &core::Part::id, &core::Part::id) &&
+                             m_list->topLevelItemCount() > 0;
     const std::vector<core::PartId> selected = others();
     m_parts = parts;
     m_active = active;
-    m_list->clear();
+    if (!hasSameRows) { // otherwise rows stay, because a click may be in progress
+        m_list->clear();
+        for (const core::Part& part : parts.all())
+            new QTreeWidgetItem(m_list, {QString(), QString(), QString()}, part.id);
+    }
     for (const core::Part& part : parts.all())
-        fillRow(new QTreeWidgetItem(m_list), part);
-    if (QTreeWidgetItem* row = rowOf(active))
+        fillRow(rowOf(part.id), part);
+    if (QTreeWidgetItem* row = rowOf(active); row && row != m_list->currentItem())
         m_list->setCurrentItem(row);
+    if (hasSameRows)
+        return;
     for (const core::PartId id : selected) {
         if (QTreeWidgetItem* row = rowOf(id))
             row->setSelected(true);
