@@ -1,7 +1,7 @@
 // Prints tables of costs: of a dab (the paper's Table 1, scale, large dabs, strength, tools), drawings, the print
 // check, files, booleans, the journal and memory. Run by hand, on a release build:
 //   fettle_bench
-//   [--benchmark_filter=table1|peersStroke|largeDab|strength|tools|drags|drawing|print|files|memory|boolean|journal]
+//   [--benchmark_filter=table1|peersStroke|largeDab|strength|tools|drags|drawing|print|files|memory|boolean|parts|journal]
 //   FETTLE_AGED_DABS=100000 fettle_bench --benchmark_filter=agedStroke
 // Each row is run five times, interleaved; the smallest value of each counter is printed. A quick estimate:
 // --benchmark_repetitions=1.
@@ -86,6 +86,17 @@ std::vector<bench::Table> tables()
         {"boolean",
          "Two balls of 1,003,520 triangles, combined and judged: milliseconds",
          {{"faces", "triangles", 0}, {"wall", "wall", 0}}},
+        {"parts",
+         "A stroke on one part of 50,412 vertices, alone and among 19 others: microseconds a dab",
+         {{"vertices", "vertices", 0},
+          {"touched", "touched", 0},
+          {"cpu", "cpu", 0},
+          {"cpu_p99", "p99", 0},
+          {"wall", "wall", 0},
+          {"verify", "verify", 0},
+          {"patch", "patch", 0},
+          {"stroke", "stroke", 0},
+          {"undo", "undo", 0}}},
         {"print", "Print check of 1,004,892 vertices: milliseconds", {{"wall", "wall", 1}}},
         {"journal",
          "Journal, strokes of 24 dabs: microseconds of the mesh thread without it and with it, bytes a dab, "
