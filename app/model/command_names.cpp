@@ -17,10 +17,10 @@ struct Names
 QString nameOf(const core::MaskOperation& change)
 {
     const QString names[] = {
-        CommandNames::tr("Invert Mask", "undo step"),     CommandNames::tr("Clear Mask", "undo step"),
-        CommandNames::tr("Blur Mask", "undo step"),       CommandNames::tr("Sharpen Mask", "undo step"),
-        CommandNames::tr("Grow Mask", "undo step"),       CommandNames::tr("Shrink Mask", "undo step"),
-        CommandNames::tr("Mask Cavities", "undo step"),   CommandNames::tr("Mask by Colour", "undo step"),
+        CommandNames::tr("Invert Mask", "undo step"),      CommandNames::tr("Clear Mask", "undo step"),
+        CommandNames::tr("Blur Mask", "undo step"),        CommandNames::tr("Sharpen Mask", "undo step"),
+        CommandNames::tr("Grow Mask", "undo step"),        CommandNames::tr("Shrink Mask", "undo step"),
+        CommandNames::tr("Mask Cavities", "undo step"),    CommandNames::tr("Mask by Colour", "undo step"),
         CommandNames::tr("Mask Whole Pieces", "undo step")};
     static_assert(std::size(names) == static_cast<std::size_t>(core::MaskOperation::Kind::Part) + 1);
     return names[static_cast<std::size_t>(change.how)];
@@ -44,6 +44,7 @@ Names namesOf(const core::CombineParts& combination)
 
 Names namesOf(const core::ModelCommand& command)
 {
+    const auto* hide = std::get_if<core::Hide>(&command);
     const auto* combination = std::get_if<core::CombineParts>(&command);
     const auto* mask = std::get_if<core::MaskOperation>(&command);
     const Names names[] = {
@@ -73,7 +74,10 @@ Names namesOf(const core::ModelCommand& command)
         {CommandNames::tr("Delete", "undo step"), CommandNames::tr("Deleting the part"), QStringLiteral("trash")},
         {CommandNames::tr("Separate", "undo step"), CommandNames::tr("Separating the part"),
          QStringLiteral("part-separate")},
-        combination ? namesOf(*combination) : Names()};
+        combination ? namesOf(*combination) : Names(),
+        {hide && hide->what == core::Hide::What::Nothing ? CommandNames::tr("Show All", "undo step")
+                                                         : CommandNames::tr("Hide", "undo step"),
+         CommandNames::tr("Hiding and showing"), QStringLiteral("part-hidden")}};
     static_assert(std::size(names) == std::variant_size_v<core::ModelCommand>);
     return names[command.index()];
 }
@@ -98,6 +102,9 @@ QString CommandNames::unchanged(const core::ModelCommand& command)
 {
     if (std::holds_alternative<core::MaskOperation>(command))
         return tr("The mask is like that already.");
+    if (const auto* const hide = std::get_if<core::Hide>(&command))
+        return hide->what == core::Hide::What::Nothing ? tr("Nothing is hidden.")
+                                                       : tr("Nothing is masked, so nothing was hidden.");
     return std::holds_alternative<core::RemeshUniformly>(command) ? tr("The mesh is as uniform as that already.")
                                                                   : tr("The model is like that already.");
 }

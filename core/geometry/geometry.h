@@ -20,6 +20,7 @@ using Triangle = std::array<Slot, 3>;
 
 /// Identifies a part of a document (core/parts).
 using PartId = std::uint16_t;
+inline constexpr PartId maxPartId = 0x7fff;
 
 /// A colour in 8-bit sRGB.
 struct Rgb

@@ -38,7 +38,7 @@ VertexImage vertexImage(const Mesh& mesh, Slot v)
             mesh.color(v),
             mesh.mask(v),
             mesh.isVertex(v),
-            mesh.part(v),
+            static_cast<PartId>(mesh.part(v) | (mesh.isHidden(v) ? hiddenBit : 0)),
             itemOf<OpenMesh::ArrayItems::Vertex>(mesh.outgoing(v))};
 }
 

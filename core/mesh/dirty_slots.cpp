@@ -45,7 +45,7 @@ void fillValues(MeshPatch& patch, const Mesh& mesh)
     const std::vector<bool> drawn = drawnParts(mesh);
     const auto isDrawn = [&](Slot f) {
         const PartId part = mesh.partOfFace(f);
-        return mesh.isFace(f) && part < drawn.size() && drawn[part];
+        return mesh.isFace(f) && part < drawn.size() && drawn[part] && !mesh.isFaceHidden(f);
     };
     std::vector<Slot> slots;
     for (const SlotSpan& span : patch.vertexSpans) {

@@ -133,7 +133,7 @@ std::uint64_t Mesh::stateHash() const
     for (Slot n : {m_vertexSlots.size(), m_edgeSlots.size(), m_faceSlots.size()})
         add(n);
     for (Slot v = 0; v < m_vertexSlots.size(); ++v)
-        add(isVertex(v) ? outgoing(v) : noSlot), add(isVertex(v) ? mask(v) | (std::uint32_t(part(v)) << 8) : 0);
+        add(isVertex(v) ? outgoing(v) : noSlot), add(isVertex(v) ? mask(v) | (std::uint32_t(m_parts[v]) << 8) : 0);
     for (Slot e = 0; e < m_edgeSlots.size(); ++e) {
         for (Slot h : {2 * e, 2 * e + 1}) {
             add(isEdge(e) ? to(h) : noSlot);
@@ -180,7 +180,13 @@ void Mesh::setMask(Slot v, std::uint8_t mask)
 void Mesh::setPart(Slot v, PartId part)
 {
     touchVertex(v);
-    m_parts[v] = part;
+    m_parts[v] = static_cast<PartId>(part | (m_parts[v] & hiddenBit));
+}
+
+void Mesh::setHidden(Slot v, bool isHidden)
+{
+    touchVertex(v);
+    m_parts[v] = static_cast<PartId>(part(v) | (isHidden ? hiddenBit : 0));
 }
 
 void Mesh::setOutgoing(Slot v, Slot h)
@@ -234,7 +240,7 @@ Slot Mesh::newVertex(Slot hint, const Vec3f& p, const OpenMesh::Vec4uc& colorAnd
     m_vertexSlots.setFree(v, false);
     m_kernel.set_point(vertexHandle(v), p);
     m_kernel.set_color(vertexHandle(v), colorAndMask);
-    m_parts[v] = m_parts[hint];
+    m_parts[v] = part(hint);
     return v;
 }
 

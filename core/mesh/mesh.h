@@ -12,6 +12,7 @@
 #include <OpenMesh/Core/Geometry/EigenVectorT.hh>
 // clang-format on
 
+#include <algorithm>
 #include <cassert>
 #include <span>
 
@@ -67,18 +68,25 @@ public:
     /// Returns how far the vertex is protected from brushes: 0 not at all, 255 completely.
     std::uint8_t mask(Slot v) const { return m_kernel.vertex_colors()[v][3]; }
     /// Returns the share of a displacement that the mask lets through, 0 to 1.
-    double freedom(Slot v) const { return (255 - mask(v)) / 255.0; }
-    /// Returns whether the mask is at least one half. Such a vertex is neither removed by remeshing nor fused (the same
-    /// threshold as in Blender's dynamic topology).
-    bool isMasked(Slot v) const { return mask(v) >= 128; }
+    double freedom(Slot v) const { return isHidden(v) ? 0 : (255 - mask(v)) / 255.0; }
+    /// Returns whether the mask is at least one half, or the vertex is hidden. Such a vertex is neither removed by
+    /// remeshing nor fused (the same threshold as in Blender's dynamic topology).
+    bool isMasked(Slot v) const { return mask(v) >= 128 || isHidden(v); }
+    /// Returns whether the vertex is hidden: strokes and commands leave it as it is.
+    bool isHidden(Slot v) const { return (m_parts[v] & hiddenBit) != 0; }
+    /// Returns whether all corners of the face are hidden. Such a face is neither drawn nor met by rays.
+    bool isFaceHidden(Slot f) const
+    {
+        return std::ranges::all_of(m_corners[f], [&](Slot v) { return isHidden(v); });
+    }
     /// Returns whether the mask allows removing the edge: both of its ends are unmasked.
     bool mayGo(Slot e) const { return !isMasked(to(2 * e)) && !isMasked(to(2 * e + 1)); }
     /// Returns whether the mask allows splitting the edge. One unmasked end is enough, because a split keeps the shape.
     bool mayBeSplit(Slot e) const { return !isMasked(to(2 * e)) || !isMasked(to(2 * e + 1)); }
     const Triangle& corners(Slot f) const { return m_corners[f]; }
     /// Returns the part of a live vertex, or of a live face, whose corners all belong to one part.
-    PartId part(Slot v) const { return m_parts[v]; }
-    PartId partOfFace(Slot f) const { return m_parts[m_corners[f][0]]; }
+    PartId part(Slot v) const { return m_parts[v] & maxPartId; }
+    PartId partOfFace(Slot f) const { return part(m_corners[f][0]); }
 
     Slot to(Slot h) const { return slot(m_kernel.to_vertex_handle(halfedge(h))); }
     Slot from(Slot h) const { return to(h ^ 1); }
@@ -110,6 +118,7 @@ public:
     void setMask(Slot v, std::uint8_t mask);
     /// Moves the vertex to another part. The caller moves all vertices that are connected to it.
     void setPart(Slot v, PartId part);
+    void setHidden(Slot v, bool isHidden);
     /// Inserts a vertex into edge e at p, with the mean colour and mask of the edge's ends. Returns the vertex.
     Slot splitEdge(Slot e, const Vec3f& p);
     /// Replaces faces by others. Precondition: isSurgeryOk(*this, surgery). Returns the new vertices, which belong to
@@ -232,7 +241,8 @@ private:
     MeshFrame m_frame;
     Kernel m_kernel;
     std::vector<Triangle> m_corners;
-    std::vector<PartId> m_parts; ///< by vertex slot
+    /// By vertex slot: the part, and hiddenBit if the vertex is hidden.
+    std::vector<PartId> m_parts;
     SlotMap m_vertexSlots, m_edgeSlots, m_faceSlots;
 
     /// Epoch in which each element was last journalled. Every mark begins a new epoch, in which an element is

@@ -18,7 +18,7 @@ void Mesh::relocate(const Lattice& lattice, std::span<const Vec3f> points)
 
 void Mesh::reverseOrientation(std::optional<PartId> part)
 {
-    const auto isMeant = [&](Slot v) { return !part || m_parts[v] == *part; };
+    const auto isMeant = [&](Slot v) { return !part || this->part(v) == *part; };
     for (const Slot e : edges()) {
         const Slot a = to(2 * e), b = to(2 * e + 1);
         if (!isMeant(a))
@@ -63,7 +63,7 @@ void Mesh::assignVertex(const Mesh& other, Slot v)
         return;
     }
     if (wasThere && point(v) == other.point(v) && color(v) == other.color(v) && mask(v) == other.mask(v) &&
-        part(v) == other.part(v) && outgoing(v) == other.outgoing(v))
+        m_parts[v] == other.m_parts[v] && outgoing(v) == other.outgoing(v))
         return;
     touchVertex(v);
     m_vertexSlots.setFree(v, false);

@@ -10,6 +10,9 @@
 
 namespace core
 {
+/// Flag of hidden vertices, beside their part.
+inline constexpr PartId hiddenBit = maxPartId + 1;
+
 /// Before-image: the state of an element before an edit touched it. `stamp` is the element's stamp at that time (see
 /// Mesh).
 struct VertexImage
@@ -20,7 +23,7 @@ struct VertexImage
     Rgb color;
     std::uint8_t mask;
     bool live;
-    PartId part;
+    PartId part; ///< and hiddenBit if the vertex is hidden
     OpenMesh::ArrayItems::Vertex item;
 };
 struct EdgeImage

@@ -66,7 +66,7 @@ std::optional<SurfaceHit> firstHitOf(const Mesh& mesh, const FaceOctree& octree,
     };
     octree.traverse(enter, [&](Slot f) {
         const double t = hitTriangle(ray, cornersOf(f));
-        if (t >= 0 && (t < first || (t == first && f < face))) {
+        if (t >= 0 && (t < first || (t == first && f < face)) && !mesh.isFaceHidden(f)) {
             first = t;
             face = f;
         }

@@ -156,4 +156,19 @@ void applyMaskOperation(Mesh& mesh, const MaskOperation& command)
             mesh.setMask(v, masks[v]);
     }
 }
+
+void applyHide(Mesh& mesh, const Hide& command, std::optional<PartId> part)
+{
+    constexpr int half = 128;
+    const bool showsAll = command.what == Hide::What::Nothing;
+    const auto isMeant = [&](Slot v) { return showsAll || !part || mesh.part(v) == *part; };
+    const auto isHalfMasked = [&](Slot v) { return mesh.mask(v) >= half; };
+    if (!showsAll && std::ranges::none_of(mesh.vertices(), [&](Slot v) { return isMeant(v) && isHalfMasked(v); }))
+        return;
+    for (const Slot v : mesh.vertices()) {
+        const bool hides = !showsAll && isHalfMasked(v) == (command.what == Hide::What::Masked);
+        if (isMeant(v) && mesh.isHidden(v) != hides && (hides || showsAll))
+            mesh.setHidden(v, hides);
+    }
+}
 } // namespace core

@@ -95,6 +95,8 @@ std::unique_ptr<Mesh> meshOf(const Snapshot& snapshot)
 
 bool isOnAllParts(const ModelCommand& command)
 {
+    if (const auto* const hide = std::get_if<Hide>(&command))
+        return hide->what == Hide::What::Nothing;
     return std::holds_alternative<Scale>(command) || std::holds_alternative<Recentre>(command) ||
            std::holds_alternative<PlaceOnBed>(command) || std::holds_alternative<Reset>(command) ||
            std::holds_alternative<ShowParts>(command);
@@ -120,7 +122,9 @@ ModelChange applyToCopy(Mesh copy, const ModelCommand& command, const JobControl
         return applyInFrame(copy, command, part.value_or(copy.frame().parts.all().front().id));
     ModelChange change;
     copy.beginStroke();
-    if (isOnParts(command))
+    if (const auto* const hide = std::get_if<Hide>(&command))
+        applyHide(copy, *hide, part);
+    else if (isOnParts(command))
         applyToParts(copy, command, part, change, control);
     else if (part && copy.frame().parts.size() > 1 && !isOnAllParts(command))
         applyToPart(copy, command, *part, change, control);

@@ -69,6 +69,12 @@ struct MaskOperation
     Kind how = Kind::Invert;
     Rgb color = {}; ///< used by Kind::Color only
 };
+/// Hides vertices of the part, or shows all of all parts. Hidden vertices stay as they are until they are shown.
+struct Hide
+{
+    enum class What { Masked, Unmasked, Nothing };
+    What what = What::Masked; ///< Nothing: shows everything that is hidden
+};
 /// Remeshes so that all edges are between d and d_detail = 2 d, as far as shape and mask allow.
 struct RemeshUniformly
 {
@@ -133,7 +139,7 @@ struct CombineParts
 
 using ModelCommand = std::variant<Move, Rotate, Scale, Mirror, Recentre, Insert, Fill, RemeshUniformly, Symmetrize,
                                   Reset, PlaceOnBed, FlattenBase, MaskOperation, EditPart, ShowParts, DuplicatePart,
-                                  DeletePart, SeparatePart, CombineParts>;
+                                  DeletePart, SeparatePart, CombineParts, Hide>;
 
 /// Reasons why a command left the model unchanged.
 enum class ModelRefusal {

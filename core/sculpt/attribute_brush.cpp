@@ -27,6 +27,8 @@ void addMask(Mesh& mesh, Slot v, double change)
 
 void change(Mesh& mesh, const StrokeSettings& settings, Slot v, double share)
 {
+    if (mesh.isHidden(v))
+        return;
     if (settings.tool == Tool::Paint)
         paint(mesh, v, settings.color, share * mesh.freedom(v));
     else

@@ -86,7 +86,7 @@ bool canMirror(DabContext& context, const std::vector<Slot>& faces)
 bool touchesMask(const Mesh& mesh, const Surgery& surgery)
 {
     return std::ranges::any_of(surgery.removed, [&](Slot f) {
-        return std::ranges::any_of(mesh.corners(f), [&](Slot v) { return mesh.mask(v) > 0; });
+        return std::ranges::any_of(mesh.corners(f), [&](Slot v) { return mesh.freedom(v) < 1; });
     });
 }
 

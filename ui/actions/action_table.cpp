@@ -165,6 +165,13 @@ public:
         {MenuId::Mask, "mask.part", QT_TR_NOOP("Mask Whole &Pieces"),
          QT_TR_NOOP("Extends the mask to the whole of each connected piece that it touches."), "", "mask-part"},
 
+        {MenuId::Mask, "mask.hideMasked", QT_TR_NOOP("&Hide Masked"),
+         QT_TR_NOOP("Hides what is masked. Hidden clay is neither seen nor changed."), "Alt+X", "part-hidden", true},
+        {MenuId::Mask, "mask.hideUnmasked", QT_TR_NOOP("Hide &Unmasked"),
+         QT_TR_NOOP("Hides what is not masked."), "Alt+Shift+X", "part-hidden"},
+        {MenuId::Mask, "mask.showHidden", QT_TR_NOOP("Sho&w Hidden"),
+         QT_TR_NOOP("Shows all clay that was hidden by its mask."), "Ctrl+Shift+H", "part-shown"},
+
         {MenuId::Sculpt, "brush.smaller", QT_TR_NOOP("S&maller Brush"),
          QT_TR_NOOP("Makes the brush's radius a tenth smaller."), "[", "smaller", true},
         {MenuId::Sculpt, "brush.larger", QT_TR_NOOP("&Larger Brush"),

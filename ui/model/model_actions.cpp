@@ -40,6 +40,9 @@ void connectModel(const Actions& actions, QWidget* window, const std::function<c
     on("mask.color", [=] { request(core::MaskOperation{How::Color, brush->stroke().color}); });
     for (const auto& [id, how] : maskActions)
         on(id, [=, how = how] { request(core::MaskOperation{how}); });
+    on("mask.hideMasked", [=] { request(core::Hide{core::Hide::What::Masked}); });
+    on("mask.hideUnmasked", [=] { request(core::Hide{core::Hide::What::Unmasked}); });
+    on("mask.showHidden", [=] { request(core::Hide{core::Hide::What::Nothing}); });
     on("model.remesh", [=] { askForRemesh(window, modelInfo(), request); });
 }
 } // namespace ui

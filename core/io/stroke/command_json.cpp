@@ -55,6 +55,7 @@ constexpr CommandRow commandTable[] = {
      [](Draft d, Settings) -> ModelCommand {
          return CombineParts{d.operation, d.parts};
      }},
+    {"hide", bit(WhatKey), 0, [](Draft d, Settings) -> ModelCommand { return Hide{d.hides}; }},
 };
 constexpr auto commandNames = [] {
     std::array<std::string_view, std::size(commandTable)> names;
@@ -62,6 +63,7 @@ constexpr auto commandNames = [] {
     return names;
 }();
 constexpr std::array<std::string_view, 2> keepTable{"positive", "negative"};
+constexpr std::array<std::string_view, 3> hideTable{"masked", "unmasked", "nothing"};
 constexpr std::array<std::string_view, 3> operationTable{"union", "subtract", "intersect"};
 constexpr std::array<std::string_view, 3> whereTable{"beside", "as_it_is", "centre"};
 } // namespace
@@ -91,6 +93,8 @@ bool StrokeJsonReader::commandWord(const std::string& typed)
         return take(whereTable, m_command.where);
     case HowKey:
         return take(maskChangeNames, m_command.how);
+    case WhatKey:
+        return take(hideTable, m_command.hides);
     case OperationKey:
         return take(operationTable, m_command.operation);
     case NameKey:

@@ -47,10 +47,11 @@ namespace core
 ///     {"command":"show_parts","parts":[0,1]}              {"command":"duplicate_part","part":1,"name":"Wheel"}
 ///     {"command":"delete_part","part":1}                  {"command":"separate_part","part":0}
 ///     {"command":"combine_parts","part":0,"operation":"union","parts":[1]}
+///     {"command":"hide","what":"masked"}
 ///
 /// Each stroke and command may have "part", the id of the part that it changes (PartId; default 0). "operation" is
-/// union, subtract or intersect; "parts" are the parts to show, or to combine with the part. Only "name" of edit_part
-/// is required.
+/// union, subtract or intersect; "what" is masked, unmasked or nothing; "parts" are the parts to show, or to combine
+/// with the part. Only "name" of edit_part is required.
 ///
 /// "keep" is positive (the default) or negative. "detail_length" defaults to the mesh's own, Mesh::uniformDetail().
 /// "how" is one of maskChangeNames (stroke_keys.h); only color needs the key "color". "where" is beside (the default),

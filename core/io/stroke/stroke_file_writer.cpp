@@ -176,6 +176,10 @@ std::string keysOf(const FileCommand& entry)
                    Text(operations[static_cast<std::size_t>(combination.operation)]) + R"(","parts":)" +
                    list(combination.others);
         },
+        [](const Hide& hide) {
+            constexpr std::string_view words[] = {"masked", "unmasked", "nothing"};
+            return R"("hide","what":")" + Text(words[static_cast<std::size_t>(hide.what)]) + '"';
+        },
     };
     return std::visit(keys, entry.command);
 }

@@ -26,6 +26,7 @@ struct CommandDraft
     bool isLocked = false;
     std::optional<Rgb> tag;
     SetOperation operation = SetOperation::Union;
+    Hide::What hides = Hide::What::Masked;
     std::size_t position = std::numeric_limits<std::size_t>::max(); ///< in the list of parts
 };
 

@@ -116,7 +116,7 @@ double StrokeJsonReader::wholeIn(double value, double max) const
 
 PartId StrokeJsonReader::partIn(double value) const
 {
-    return static_cast<PartId>(wholeIn(value, std::numeric_limits<PartId>::max()));
+    return static_cast<PartId>(wholeIn(value, maxPartId));
 }
 
 bool StrokeJsonReader::number(double value)

@@ -76,9 +76,10 @@ enum StrokeKey {
     LockedKey,
     TagKey,
     OperationKey,
-    ListPositionKey // the keys from CommandKey to here are keys of commands only
+    ListPositionKey,
+    WhatKey // the keys from CommandKey to here are keys of commands only
 };
-inline constexpr Keys<44> strokeKeys{{"tool",
+inline constexpr Keys<45> strokeKeys{{"tool",
                                       "radius",
                                       "samples",
                                       "brush",
@@ -121,7 +122,8 @@ inline constexpr Keys<44> strokeKeys{{"tool",
                                       "locked",
                                       "tag",
                                       "operation",
-                                      "list_position"},
+                                      "list_position",
+                                      "what"},
                                      3};
 
 /// The keys that only commands have.

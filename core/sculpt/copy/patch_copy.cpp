@@ -21,7 +21,7 @@ bool isImage(const Mesh& mesh, const ChangedPatch& patch, const Turn& turn, Slot
 {
     const ChangedPatch::VertexState state = patch.before(mesh, v);
     return mesh.point(image) == turn * state.point && mesh.color(image) == state.color &&
-           mesh.mask(image) == state.mask;
+           mesh.mask(image) == state.mask && !mesh.isHidden(image);
 }
 } // namespace
 

@@ -144,7 +144,7 @@ bool MirrorMap::learnFace(Slot f, const FaceOctree& octree)
     for (Slot v : m_mesh.corners(f)) {
         if (imageOf(v) == noSlot && !lookUp(v, octree))
             return false;
-        if (m_mesh.mask(v) != m_mesh.mask(imageOf(v)))
+        if (m_mesh.mask(v) != m_mesh.mask(imageOf(v)) || m_mesh.isHidden(v) != m_mesh.isHidden(imageOf(v)))
             return false;
     }
     const Slot image = imageOfFace(f);

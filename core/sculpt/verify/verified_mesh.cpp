@@ -78,8 +78,14 @@ void VerifiedMesh::follow(const MeshDelta& swapped)
     }
     for (const VertexImage& image : swapped.vertices) {
         touched.vertices.push_back(image.slot);
-        if (image.slot < m_mesh.slots().vertices && m_mesh.isVertex(image.slot))
-            m_mesh.forEachOutgoing(image.slot, [&](Slot h) { m_swappedFaces.add(m_mesh.face(h)); });
+        if (image.slot >= m_mesh.slots().vertices || !m_mesh.isVertex(image.slot))
+            continue;
+        const bool wasHidden = image.live && (image.part & hiddenBit) != 0;
+        m_mesh.forEachOutgoing(image.slot, [&](Slot h) {
+            m_swappedFaces.add(m_mesh.face(h));
+            if (m_mesh.isHidden(image.slot) != wasHidden)
+                touched.faces.push_back(m_mesh.face(h)); // to be drawn, or no longer
+        });
     }
     m_octree.removeDead(m_mesh, touched.faces);
     m_octree.update(m_mesh, m_swappedFaces.slots());

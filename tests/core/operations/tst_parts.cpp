@@ -14,8 +14,9 @@
 
 #include <QTest>
 
+#include <array>
 #include <map>
-#include <numbers>
+#include <set>
 #include <sstream>
 
 using core::CombineParts;
@@ -144,6 +145,7 @@ private Q_SLOTS:
     void combine_refuses();
     void snapshot_restoresParts();
     void check_allowsPartsToOverlap();
+    void hidden_clayIsNeitherDrawnNorChanged();
     void randomWork_staysSound();
 };
 
@@ -466,6 +468,66 @@ void TestParts::check_allowsPartsToOverlap()
     QCOMPARE(report.genus, std::optional<std::int64_t>(0));
     whole.parts.clear();
     QVERIFY(!core::checkMesh(whole).printReady());
+}
+
+/// Masks the half x > 0, hides it, and sculpts with every tool over the border.
+void TestParts::hidden_clayIsNeitherDrawnNorChanged()
+{
+    Sculptor sculptor(threeBalls());
+    const auto run = [&](const core::ModelCommand& command) {
+        ModelChange change = core::applyToCopy(sculptor.mesh(), command, {}, 0);
+        sculptor.swap(change.delta);
+        return change;
+    };
+    QVERIFY(!core::applyToCopy(sculptor.mesh(), core::Hide{core::Hide::What::Masked}, {}, 0).changes);
+    core::StrokeSettings masking;
+    masking.tool = core::Tool::Mask;
+    masking.radius = 9;
+    masking.falloff = 0;
+    sculptor.beginStroke(masking);
+    core::StrokeSample sample;
+    sample.position = {10, 0, 0};
+    sculptor.addSample(sample);
+    sculptor.endStroke();
+    const auto hides = run(core::Hide{core::Hide::What::Masked});
+    QVERIFY(hides.changes);
+    run(core::MaskOperation{core::MaskOperation::Kind::Clear, {}});
+    const auto hiddenPlaces = [&] {
+        std::set<std::array<float, 3>> places;
+        for (const Slot v : sculptor.mesh().vertices()) {
+            const core::Vec3f& p = sculptor.mesh().point(v);
+            if (sculptor.mesh().isHidden(v))
+                places.insert({p.x(), p.y(), p.z()});
+        }
+        return places;
+    };
+    const auto before = hiddenPlaces();
+    QVERIFY(before.size() > 50);
+    core::DrawArrays arrays;
+    arrays.apply(sculptor.wholePatch());
+    for (const Slot f : sculptor.mesh().faces())
+        QCOMPARE(arrays.isFree(f), sculptor.mesh().isFaceHidden(f));
+    // a ray through the hidden side meets no front face; the other side is met from its outside
+    QVERIFY(!sculptor.hit({{50, 0, 0}, {-1, 0, 0}}));
+    QVERIFY(sculptor.hit({{-50, 0, 0}, {1, 0, 0}}).has_value());
+    StrokeFuzzer random(numberFromEnvironment("FETTLE_SEED", 1));
+    for (int i = 0; i < byEffort(48, 480); ++i) {
+        core::Stroke stroke = random.stroke(sculptor.mesh());
+        stroke.settings.part = 0;
+        stroke.settings.tool = static_cast<core::Tool>(i % static_cast<int>(core::toolNames().size()));
+        sculptor.beginStroke(stroke.settings);
+        for (const core::StrokeSample& one : stroke.samples)
+            sculptor.addSample(one);
+        sculptor.endStroke();
+        QVERIFY2(hiddenPlaces() == before, qPrintable(QStringLiteral("stroke %1").arg(i)));
+    }
+    QVERIFY(isEveryPartSound(sculptor.mesh()));
+    QVERIFY(run(core::Hide{core::Hide::What::Nothing}).changes);
+    QVERIFY(hiddenPlaces().empty());
+    core::DrawArrays shown;
+    shown.apply(sculptor.wholePatch());
+    for (const Slot f : sculptor.mesh().faces())
+        QVERIFY(!shown.isFree(f));
 }
 
 /// Random strokes and part commands, undone at the end.
