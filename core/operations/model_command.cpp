@@ -49,26 +49,25 @@ void edit(Mesh& mesh, const ModelCommand& command, std::optional<PartId> part, M
     std::visit(apply, command);
 }
 
+template <class... Commands> bool isAnyOf(const ModelCommand& command)
+{
+    return (std::holds_alternative<Commands>(command) || ...);
+}
+
 /// Returns whether the command adds, removes or regroups parts.
 bool isOnParts(const ModelCommand& command)
 {
-    return std::holds_alternative<DuplicatePart>(command) || std::holds_alternative<DeletePart>(command) ||
-           std::holds_alternative<SeparatePart>(command) || std::holds_alternative<CombineParts>(command);
-}
-
-bool isRigid(const ModelCommand& command)
-{
-    return std::holds_alternative<Move>(command) || std::holds_alternative<Rotate>(command) ||
-           std::holds_alternative<Mirror>(command);
+    return isAnyOf<DuplicatePart, DeletePart, SeparatePart, CombineParts>(command);
 }
 
 /// Applies a command to one part of several.
 void applyToPart(Mesh& mesh, const ModelCommand& command, PartId part, ModelChange& change, const JobControl& control)
 {
-    change.refusal = hasFaces(mesh, part) ? refusalOf(mesh, part) : ModelRefusal::NoSuchPart;
-    if (change.refusal != ModelRefusal::None)
+    if (!hasFaces(mesh, part)) {
+        change.refusal = ModelRefusal::NoSuchPart;
         return;
-    if (isRigid(command))
+    }
+    if (isAnyOf<Move, Rotate, Mirror>(command))
         return edit(mesh, command, part, change, control);
     DetachedPart detached(mesh, part);
     detached.mesh().beginStroke();
@@ -97,14 +96,12 @@ bool isOnAllParts(const ModelCommand& command)
 {
     if (const auto* const hide = std::get_if<Hide>(&command))
         return hide->what == Hide::What::Nothing;
-    return std::holds_alternative<Scale>(command) || std::holds_alternative<Recentre>(command) ||
-           std::holds_alternative<PlaceOnBed>(command) || std::holds_alternative<Reset>(command) ||
-           std::holds_alternative<ShowParts>(command);
+    return isAnyOf<Scale, Recentre, PlaceOnBed, Reset, ShowParts>(command);
 }
 
 bool isInFrame(const ModelCommand& command)
 {
-    return std::holds_alternative<EditPart>(command) || std::holds_alternative<ShowParts>(command);
+    return isAnyOf<EditPart, ShowParts>(command);
 }
 
 ModelChange applyInFrame(const Mesh& mesh, const ModelCommand& command, PartId part)
@@ -121,6 +118,10 @@ ModelChange applyToCopy(Mesh copy, const ModelCommand& command, const JobControl
     if (isInFrame(command))
         return applyInFrame(copy, command, part.value_or(copy.frame().parts.all().front().id));
     ModelChange change;
+    if (part && !isOnAllParts(command))
+        change.refusal = refusalOf(copy, *part);
+    if (change.refusal != ModelRefusal::None)
+        return change;
     copy.beginStroke();
     if (const auto* const hide = std::get_if<Hide>(&command))
         applyHide(copy, *hide, part);

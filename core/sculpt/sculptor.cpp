@@ -300,7 +300,10 @@ void Sculptor::Engine::warmUp()
     dab.strength = 1;
     DabRequest request = {settings, displacements, rest, betweenSubsteps, totals};
     DabContext context(surface, request, dab, grabs.first().own);
+    const PartId active = surface.octree().activePart();
+    surface.activate(mesh.part(v));
     pipeline.warmUp(context);
+    surface.activate(active);
 }
 
 Sculptor::Sculptor(std::unique_ptr<Mesh> mesh) : m_mesh(std::move(mesh)), m_engine(std::make_unique<Engine>(*m_mesh)) {}

@@ -233,6 +233,9 @@ void TestParts::stroke_ofAHiddenOrLockedPartDoesNothing()
     apply(*mesh, core::ShowParts{{1, 2}});
     apply(*mesh, core::EditPart{"Wheel", true, core::Rgb{255, 0, 0}, 0}, 1);
     QCOMPARE(mesh->frame().parts.all().front().name, std::string("Wheel"));
+    for (const PartId part : {PartId(0), PartId(1)})
+        QCOMPARE(core::applyToCopy(*mesh, core::Move{{1, 0, 0}}, {}, part).refusal, ModelRefusal::NotEditable);
+    QCOMPARE(core::applyToCopy(*mesh, core::Fill{{1, 2, 3}}, {}, 7).refusal, ModelRefusal::NoSuchPart);
     Sculptor sculptor(std::make_unique<Mesh>(*mesh));
     for (const PartId part : {PartId(0), PartId(1), PartId(7)}) {
         core::StrokeSettings settings;
