@@ -167,6 +167,10 @@ set(FETTLE_RESOURCE_FILES
     icons/tint.svg
     icons/tool-names.svg
     icons/trash.svg
+    icons/trim-box.svg
+    icons/trim-lasso.svg
+    icons/trim-line.svg
+    icons/trim-polygon.svg
     icons/turn-down.svg
     icons/turn-left.svg
     icons/turn-right.svg

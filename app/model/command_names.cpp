@@ -77,7 +77,8 @@ Names namesOf(const core::ModelCommand& command)
         combination ? namesOf(*combination) : Names(),
         {hide && hide->what == core::Hide::What::Nothing ? CommandNames::tr("Show All", "undo step")
                                                          : CommandNames::tr("Hide", "undo step"),
-         CommandNames::tr("Hiding and showing"), QStringLiteral("part-hidden")}};
+         CommandNames::tr("Hiding and showing"), QStringLiteral("part-hidden")},
+        {CommandNames::tr("Trim", "undo step"), CommandNames::tr("Trimming the model"), QStringLiteral("trim-lasso")}};
     static_assert(std::size(names) == std::variant_size_v<core::ModelCommand>);
     return names[command.index()];
 }
@@ -105,6 +106,8 @@ QString CommandNames::unchanged(const core::ModelCommand& command)
     if (const auto* const hide = std::get_if<core::Hide>(&command))
         return hide->what == core::Hide::What::Nothing ? tr("Nothing is hidden.")
                                                        : tr("Nothing is masked, so nothing was hidden.");
+    if (std::holds_alternative<core::Trim>(command))
+        return tr("Nothing was cut away: none of the model is on that side of the curve.");
     return std::holds_alternative<core::RemeshUniformly>(command) ? tr("The mesh is as uniform as that already.")
                                                                   : tr("The model is like that already.");
 }
@@ -156,6 +159,12 @@ QString CommandNames::refusal(const core::ModelChange& change, const QString& in
         return tr("The parts stay as they are, because nothing would be left of them.");
     case core::ModelRefusal::TooFine:
         return tr("The mesh stays as it is: with edges this short it would need too many triangles (%1).").arg(faces);
+    case core::ModelRefusal::NoOutline:
+        return tr("The model stays as it is, because the curve does not go around an area.");
+    case core::ModelRefusal::NothingLeft:
+        return tr("The model stays as it is, because the cut would remove all of it.");
+    case core::ModelRefusal::NoCut:
+        return tr("The model stays as it is, because the cut would not leave one sound surface; another curve may do.");
     }
     return {};
 }

@@ -9,6 +9,7 @@
 #include "core/operations/snapshot.h"
 #include "core/operations/symmetrize.h"
 #include "core/operations/transform.h"
+#include "core/operations/trim.h"
 #include "core/operations/uniform_remesh.h"
 #include "core/util/overloaded.h"
 
@@ -36,6 +37,7 @@ void edit(Mesh& mesh, const ModelCommand& command, std::optional<PartId> part, M
         [&](const RemeshUniformly& remesh) { remeshUniformly(mesh, remesh, change, control); },
         [&](const Symmetrize& symmetrizing) { symmetrize(mesh, symmetrizing, change, control); },
         [&](const FlattenBase& flattening) { flattenBase(mesh, flattening, change, control); },
+        [&](const Trim& trimming) { trim(mesh, trimming, change, control); },
         [&](const Fill& filling) { fill(mesh, filling.color); },
         [&](const MaskOperation& operation) { applyMaskOperation(mesh, operation); },
         [&](const Reset& reset) { mesh.assign(*meshOf(*reset.start)); },

@@ -89,6 +89,23 @@ struct Symmetrize
     Half keep = Half::Positive;   ///< sign of the coordinate in the half that is kept
 };
 
+/// Cuts away what lies within a closed curve, or beside it, through the whole depth of the model. Each corner of the
+/// curve is swept along a straight line: away from the eye, or, without one, along the direction of the view. Where the
+/// curve crosses or overlaps itself, every point that it goes around counts as inside (non-zero winding rule). What
+/// lies behind the eye stays. The mask does not protect from the cut.
+struct Trim
+{
+    enum class Remove { Inside, Outside };
+    static constexpr std::size_t mostCorners = 10'000; ///< that stroke files may have
+
+    std::vector<Vec3> outline;       ///< corners; all in front of the eye, if there is one
+    Vec3 direction = -Vec3::UnitZ(); ///< direction of the view, any length but zero
+    std::optional<Vec3> eye;         ///< set if the view is a perspective one
+    Remove remove = Remove::Inside;
+    Symmetry symmetry = Symmetry::None; ///< also cuts along the curve's mirror image about this plane
+    std::optional<Rgb> color;           ///< of the cut; without it, that of the model, if it has only one
+};
+
 /// Copy of a mesh without the data needed for editing: 40 bytes per vertex.
 struct Snapshot
 {
@@ -139,7 +156,7 @@ struct CombineParts
 
 using ModelCommand = std::variant<Move, Rotate, Scale, Mirror, Recentre, Insert, Fill, RemeshUniformly, Symmetrize,
                                   Reset, PlaceOnBed, FlattenBase, MaskOperation, EditPart, ShowParts, DuplicatePart,
-                                  DeletePart, SeparatePart, CombineParts, Hide>;
+                                  DeletePart, SeparatePart, CombineParts, Hide, Trim>;
 
 /// Reasons why a command left the model unchanged.
 enum class ModelRefusal {
@@ -160,7 +177,10 @@ enum class ModelRefusal {
     TooManyParts,
     PartsApart,    ///< no two of the parts to combine overlap, so nothing would be subtracted
     LeavesNothing, ///< nothing would be left of the part
-    TooFine        ///< the mesh would need too many faces (`faces`), or edges too short for the lattice
+    TooFine,       ///< the mesh would need too many faces (`faces`), or edges too short for the lattice
+    NoOutline,     ///< the curve to cut along has fewer than three corners, or no area
+    NothingLeft,   ///< the cut would remove the whole model
+    NoCut          ///< the cut would not leave one sound surface
 };
 
 /// Result of a command.

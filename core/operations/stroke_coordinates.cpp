@@ -18,6 +18,17 @@ Vec3 snapped(const Lattice& lattice, const Vec3& p)
 {
     return {lattice.snap(p.x()), lattice.snap(p.y()), lattice.snap(p.z())};
 }
+
+/// Converts to the document's coordinates. Drops the symmetry if its plane is not the document's.
+void shift(Trim& trim, const Vec3& by)
+{
+    for (Vec3& p : trim.outline)
+        p -= by;
+    if (trim.eye)
+        *trim.eye -= by;
+    if (trim.symmetry != Symmetry::None && by[axisOf(trim.symmetry)] != 0)
+        trim.symmetry = Symmetry::None;
+}
 } // namespace
 
 Vec3 StrokeCoordinates::offset(const Mesh& mesh) const
@@ -46,6 +57,8 @@ ModelChange StrokeCoordinates::apply(const Mesh& mesh, ModelCommand command, Par
     const Vec3 by = offset(mesh);
     if (auto* const insert = std::get_if<Insert>(&command))
         insert->centre -= by;
+    if (auto* const trim = std::get_if<Trim>(&command))
+        shift(*trim, by);
     if (const auto* const half = std::get_if<Symmetrize>(&command); half && by[axisOf(half->plane)] != 0)
         return symmetrizedBeside(mesh, *half, by);
     const bool isWhole = mesh.frame().parts.size() == 1;

@@ -64,7 +64,7 @@ const FolderRule folderRules[] = {
     {"ui/input", "core/stroke core/mesh ui/settings ui/scene"},
     {"ui/viewport", "core/stroke core/mesh core/render ui/util ui/settings ui/widgets ui/actions ui/scene "
                     "ui/input"},
-    {"ui/model", "core/analysis core/repair core/operations ui/settings ui/widgets ui/actions"},
+    {"ui/model", "core/analysis core/repair core/operations ui/settings ui/widgets ui/actions ui/viewport"},
     {"ui/files", "core/util core/drawing core/operations core/io ui/util ui/settings ui/widgets ui/actions ui/scene "
                  "ui/model"},
     {"ui/brush", "core/util core/geometry core/stroke core/drawing core/sculpt/deform core/io/stroke core/io "

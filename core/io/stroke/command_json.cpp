@@ -56,6 +56,11 @@ constexpr CommandRow commandTable[] = {
          return CombineParts{d.operation, d.parts};
      }},
     {"hide", bit(WhatKey), 0, [](Draft d, Settings) -> ModelCommand { return Hide{d.hides}; }},
+    {"trim", bit(OutlineKey) | bit(AlongKey), bit(EyeKey) | bit(RemoveKey) | bit(SymmetryKey) | bit(ColorKey),
+     [](Draft d, Settings s) -> ModelCommand {
+         return Trim{d.outline, d.along,    d.hasEye ? std::optional(d.eye) : std::nullopt,
+                     d.remove,  s.symmetry, d.hasColor ? std::optional(s.color) : std::nullopt};
+     }},
 };
 constexpr auto commandNames = [] {
     std::array<std::string_view, std::size(commandTable)> names;
@@ -65,6 +70,7 @@ constexpr auto commandNames = [] {
 constexpr std::array<std::string_view, 2> keepTable{"positive", "negative"};
 constexpr std::array<std::string_view, 3> hideTable{"masked", "unmasked", "nothing"};
 constexpr std::array<std::string_view, 3> operationTable{"union", "subtract", "intersect"};
+constexpr std::array<std::string_view, 2> removeTable{"inside", "outside"};
 constexpr std::array<std::string_view, 3> whereTable{"beside", "as_it_is", "centre"};
 } // namespace
 
@@ -89,6 +95,8 @@ bool StrokeJsonReader::commandWord(const std::string& typed)
         return m_command.plane != Symmetry::None;
     case KeepKey:
         return take(keepTable, m_command.keep);
+    case RemoveKey:
+        return take(removeTable, m_command.remove);
     case WhereKey:
         return take(whereTable, m_command.where);
     case HowKey:
@@ -126,9 +134,12 @@ void StrokeJsonReader::endCommand()
     const CommandRow& row = *found;
     const bool wantsCentre = row.name == "insert" && m_command.where == Insert::Place::Centre;
     const bool wantsColor = row.name == "mask" && m_command.how == MaskOperation::Kind::Color;
+    m_command.hasEye = m_seen & bit(EyeKey);
+    m_command.hasColor = m_seen & bit(ColorKey);
     const KeySet wanted = (wantsCentre ? bit(CentreKey) : 0) | (wantsColor ? bit(ColorKey) : 0);
+    const KeySet conditional = bit(CentreKey) | (row.name == "mask" ? bit(ColorKey) : 0);
     const KeySet required = row.required | wanted,
-                 known = bit(CommandKey) | bit(PartKey) | required | (row.optional & ~(bit(CentreKey) | bit(ColorKey)));
+                 known = bit(CommandKey) | bit(PartKey) | required | (row.optional & ~conditional);
     requireNoneOf(~known);
     for (std::size_t i = 0; i < strokeKeys.names.size(); ++i) {
         m_key = static_cast<int>(i);

@@ -48,6 +48,8 @@ namespace core
 ///     {"command":"delete_part","part":1}                  {"command":"separate_part","part":0}
 ///     {"command":"combine_parts","part":0,"operation":"union","parts":[1]}
 ///     {"command":"hide","what":"masked"}
+///     {"command":"trim","outline":[[0,0,5],[9,0,5],[0,9,5]],"along":[0,0,-1],"eye":[0,0,99],"remove":"inside",
+///      "symmetry":"none"}
 ///
 /// Each stroke and command may have "part", the id of the part that it changes (PartId; default 0). "operation" is
 /// union, subtract or intersect; "what" is masked, unmasked or nothing; "parts" are the parts to show, or to combine
@@ -56,6 +58,8 @@ namespace core
 /// "keep" is positive (the default) or negative. "detail_length" defaults to the mesh's own, Mesh::uniformDetail().
 /// "how" is one of maskChangeNames (stroke_keys.h); only color needs the key "color". "where" is beside (the default),
 /// as_it_is or centre; only centre needs the key "centre". "recenter" and "center" are accepted, too.
+/// A trim has "eye" if the view along "along" is a perspective one; "remove" is inside (the default) or outside;
+/// "color" is the colour of the cut.
 struct StrokeFileError : std::runtime_error
 {
     enum class Kind {

@@ -129,6 +129,18 @@ void write(std::ostream& out, const Stroke& stroke)
     out << "]}";
 }
 
+std::string keysOf(const Trim& trim)
+{
+    std::string text = R"("trim","outline":[)";
+    for (std::size_t i = 0; i < trim.outline.size(); ++i)
+        text += (i == 0 ? "" : ",") + list(trim.outline[i]);
+    text += R"(],"along":)" + list(trim.direction);
+    text += trim.eye ? R"(,"eye":)" + list(*trim.eye) : "";
+    text += trim.remove == Trim::Remove::Inside ? R"(,"remove":"inside")" : R"(,"remove":"outside")";
+    text += R"(,"symmetry":")" + std::string(name(trim.symmetry)) + '"';
+    return trim.color ? text + R"(,"color":)" + list(*trim.color) : text;
+}
+
 /// Returns the text that follows "command": in the file, up to the closing brace.
 std::string keysOf(const FileCommand& entry)
 {
@@ -180,6 +192,7 @@ std::string keysOf(const FileCommand& entry)
             constexpr std::string_view words[] = {"masked", "unmasked", "nothing"};
             return R"("hide","what":")" + Text(words[static_cast<std::size_t>(hide.what)]) + '"';
         },
+        [](const Trim& trim) { return keysOf(trim); },
     };
     return std::visit(keys, entry.command);
 }

@@ -143,6 +143,8 @@ bool StrokeJsonReader::start_array(std::size_t)
         m_level = Level::Strokes;
     else if (!m_inVector && m_level == Level::Stroke && m_key == SamplesKey)
         m_level = Level::Samples;
+    else if (!m_inVector && !m_inOutline && m_level == Level::Stroke && m_key == OutlineKey)
+        m_inOutline = true;
     else if (!m_inVector && (vectorLength() > 0 || isPartList()))
         m_inVector = true;
     else
@@ -155,6 +157,8 @@ bool StrokeJsonReader::end_array()
 {
     if (m_inVector) {
         endVector();
+    } else if (m_inOutline) {
+        m_inOutline = false;
     } else if (m_level == Level::Strokes) {
         m_level = Level::File;
         m_key = Strokes;

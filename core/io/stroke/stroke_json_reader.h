@@ -28,6 +28,10 @@ struct CommandDraft
     SetOperation operation = SetOperation::Union;
     Hide::What hides = Hide::What::Masked;
     std::size_t position = std::numeric_limits<std::size_t>::max(); ///< in the list of parts
+    std::vector<Vec3> outline;
+    Vec3 eye = Vec3::Zero(), along = Vec3::Zero();
+    Trim::Remove remove = Trim::Remove::Inside;
+    bool hasEye = false, hasColor = false; ///< the object has the keys "eye" and "color"
 };
 
 /// Receives the JSON parser's events and tracks the position in the format. Throws at the first event that the format
@@ -94,8 +98,9 @@ private:
     std::span<const std::string_view> m_words; ///< keywords allowed for the current key; empty: any text
     KeySet m_seen = 0;                         ///< keys read so far in the innermost object
     KeySet m_seenOuter = 0, m_seenStroke = 0;
-    bool m_inVector = false; ///< true between the brackets of a list of numbers
-    std::size_t m_count = 0; ///< numbers read so far in the open list
+    bool m_inOutline = false; ///< true between the outer brackets of a list of points
+    bool m_inVector = false;  ///< true between the brackets of a list of numbers
+    std::size_t m_count = 0;  ///< numbers read so far in the open list
     std::array<double, 4> m_vector{};
     double m_turntable = 0;
     std::optional<std::size_t> m_undirected; ///< index of the stroke's first sample that has no direction

@@ -46,8 +46,11 @@ double StrokeJsonReader::inRange(double value, Parameter parameter) const
 /// Returns the number of values in the current key's list; 0 if the key has no list.
 std::size_t StrokeJsonReader::vectorLength() const
 {
+    const auto isAmong = [this](auto... keys) { return ((m_key == keys) || ...); };
+    if (m_level == Level::Stroke && m_key == OutlineKey)
+        return m_inOutline ? 3 : 0;
     if (m_level == Level::Stroke)
-        return m_key == TurnKey ? 4 : isColorKey() || m_key == ByKey || m_key == CentreKey ? 3 : 0;
+        return m_key == TurnKey ? 4 : isAmong(ColorKey, TagKey, ByKey, CentreKey, EyeKey, AlongKey) ? 3 : 0;
     if (m_level == Level::Sample)
         return m_key == RotationKey ? 4 : m_key == PositionKey || m_key == DirectionKey || m_key == UpKey ? 3 : 0;
     return 0;
@@ -90,6 +93,19 @@ void StrokeJsonReader::strokeVector(const Vec3& vector)
         break;
     case CentreKey:
         m_command.centre = vector;
+        break;
+    case OutlineKey:
+        if (m_command.outline.size() == Trim::mostCorners)
+            refuse(Kind::OutOfRange);
+        m_command.outline.push_back(vector);
+        break;
+    case EyeKey:
+        m_command.eye = vector;
+        break;
+    case AlongKey:
+        if (vector.cwiseAbs().maxCoeff() < minDirection)
+            refuse(Kind::OutOfRange);
+        m_command.along = vector;
         break;
     default:
         m_command.rotation = unitRotation();
@@ -226,7 +242,7 @@ bool StrokeJsonReader::boolean(bool value)
 {
     if (m_level == Level::Start)
         refuse(Kind::NotStrokes);
-    if (m_level != Level::Stroke || m_inVector ||
+    if (m_level != Level::Stroke || m_inVector || m_inOutline ||
         (m_key != FusionKey && m_key != SymmetryKey && m_key != AddKey && m_key != JoinKey && m_key != InvertKey &&
          m_key != AlphaFollowsKey && m_key != AnchoredKey && m_key != LockedKey))
         refuse(Kind::WrongType);
@@ -253,7 +269,7 @@ bool StrokeJsonReader::string(string_t& value)
 {
     if (m_level == Level::Start)
         refuse(Kind::NotStrokes);
-    if (m_level == Level::Stroke && !m_inVector)
+    if (m_level == Level::Stroke && !m_inVector && !m_inOutline)
         strokeWord(value);
     else if (m_level != Level::File || m_key != Format)
         refuse(Kind::WrongType);

@@ -77,9 +77,13 @@ enum StrokeKey {
     TagKey,
     OperationKey,
     ListPositionKey,
-    WhatKey // the keys from CommandKey to here are keys of commands only
+    WhatKey,
+    OutlineKey,
+    EyeKey,
+    AlongKey,
+    RemoveKey // the keys from CommandKey to here are keys of commands only
 };
-inline constexpr Keys<45> strokeKeys{{"tool",
+inline constexpr Keys<49> strokeKeys{{"tool",
                                       "radius",
                                       "samples",
                                       "brush",
@@ -123,7 +127,11 @@ inline constexpr Keys<45> strokeKeys{{"tool",
                                       "tag",
                                       "operation",
                                       "list_position",
-                                      "what"},
+                                      "what",
+                                      "outline",
+                                      "eye",
+                                      "along",
+                                      "remove"},
                                      3};
 
 /// The keys that only commands have.

@@ -232,7 +232,12 @@ QString valueFor(const QString& key)
                                                {QStringLiteral("keep"), QStringLiteral("\"positive\"")},
                                                {QStringLiteral("file"), QStringLiteral("\"a.stl\"")},
                                                {QStringLiteral("where"), QStringLiteral("\"centre\"")},
-                                               {QStringLiteral("how"), QStringLiteral("\"color\"")}};
+                                               {QStringLiteral("how"), QStringLiteral("\"color\"")},
+                                               {QStringLiteral("outline"), QStringLiteral("[[1,0,0],[0,1,0],[0,0,0]]")},
+                                               {QStringLiteral("along"), QStringLiteral("[0,0,-1]")},
+                                               {QStringLiteral("eye"), QStringLiteral("[0,0,9]")},
+                                               {QStringLiteral("remove"), QStringLiteral("\"inside\"")},
+                                               {QStringLiteral("symmetry"), QStringLiteral("\"x\"")}};
     return values.value(key, QStringLiteral("1"));
 }
 

@@ -410,6 +410,18 @@ void TestStrokeFile::refuses_data()
     command(R"("command":"mask","how":"grow","color":[1,2,3])", Kind::UnknownKey, "color");
     command(R"("command":"flatten_base","height":0)", Kind::OutOfRange, "height");
     command(R"("command":"place_on_bed","height":1)", Kind::UnknownKey, "height");
+    command(R"("command":"trim","along":[0,0,9])", Kind::MissingKey, "outline");
+    command(R"("command":"trim","outline":[],"eye":[0,0,9])", Kind::MissingKey, "along");
+    command(R"("command":"trim","outline":[],"along":[0,0,0])", Kind::OutOfRange, "along");
+    command(R"("command":"trim","outline":[1,2,3],"along":[0,0,1])", Kind::WrongType, "outline");
+    command(R"("command":"trim","outline":[[1,2]],"along":[0,0,1])", Kind::WrongType, "outline");
+    command(R"("command":"trim","outline":[[1,2,3,4]],"along":[0,0,1])", Kind::WrongType, "outline");
+    command(R"("command":"trim","outline":[[[1,2,3]]],"along":[0,0,1])", Kind::WrongType, "outline");
+    command(R"("command":"trim","outline":["a"],"along":[0,0,1])", Kind::WrongType, "outline");
+    command(R"("command":"trim","outline":[],"along":[0,0,1],"remove":"left")", Kind::UnknownValue, "remove: \"left\"");
+    command(R"("command":"trim","outline":[],"along":[0,0,1],"symmetry":"w")", Kind::UnknownValue, "symmetry: \"w\"");
+    command(R"("command":"trim","outline":[],"along":[0,0,1],"plane":"x")", Kind::UnknownKey, "plane");
+    command(R"("command":"move","by":[1,0,0],"eye":[0,0,9])", Kind::UnknownKey, "eye");
     command(R"("command":"insert")", Kind::MissingKey, "file");
     command(R"("command":"insert","file":"")", Kind::UnknownValue, "file: \"\"");
     command(R"("command":"insert","file":"a.stl","centre":[0,0,0])", Kind::UnknownKey, "centre");
@@ -551,10 +563,12 @@ void TestStrokeFile::commands_roundTrip()
 {"command":"place_on_bed"},
 {"command":"flatten_base","height":0.5},
 {"command":"mask","how":"shrink"},
-{"command":"mask","how":"color","color":[200,120,80]}]}
+{"command":"mask","how":"color","color":[200,120,80]},
+{"command":"trim","outline":[[0,0,5],[9,0.1,5]],"along":[0,0,-1],"eye":[0,0,99],"remove":"inside","symmetry":"x"},
+{"command":"trim","outline":[[0,0,5]],"along":[0,-1,0],"remove":"outside","symmetry":"none","color":[1,2,3]}]}
 )";
     const std::vector<FileEntry> entries = parseStrokes(text);
-    QCOMPARE(entries.size(), std::size_t(17));
+    QCOMPARE(entries.size(), std::size_t(19));
     std::ostringstream out;
     writeStrokes(out, entries);
     QCOMPARE(out.str(), text);
@@ -566,6 +580,9 @@ void TestStrokeFile::commands_roundTrip()
     QVERIFY(std::get<Symmetrize>(commandAt(12).command).keep == Half::Negative);
     QCOMPARE(std::get<core::FlattenBase>(commandAt(14).command).height, 0.5);
     QCOMPARE(std::get<core::MaskOperation>(commandAt(15).command).how, core::MaskOperation::Kind::Shrink);
+    const auto trim = std::get<core::Trim>(commandAt(17).command);
+    QVERIFY(trim.eye == Vec3(0, 0, 99) && trim.outline.at(1) == Vec3(9, 0.1, 5) && !trim.color);
+    QVERIFY(std::get<core::Trim>(commandAt(18).command).direction == Vec3(0, -1, 0));
 
     const auto swapped =
         parseStrokes(R"({"format":"fettle-strokes","version":1,"strokes":[{"by":[1,0,0],"command":"move"}]})");

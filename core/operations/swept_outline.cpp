@@ -1,0 +1,316 @@
+// Sweeps a closed curve through a model:
+//   1. project   the curve and the model along the lines of sight onto a plane
+//   2. clip      the curve to the model's rectangle there, so that the solid is about as large as the model
+//   3. resolve   crossings of the curve                                                        winding_outline
+//   4. cap       in front of the model and behind it                                           polygon_triangulation
+//   5. wall      between the caps, in rows of triangles about as large as the model's
+
+#include "core/operations/swept_outline.h"
+
+#include "core/mesh/mesh.h"
+#include "core/operations/transform.h"
+#include "core/operations/winding_outline.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace core
+{
+namespace
+{
+using Flat = Eigen::Vector2d;
+using FlatBox = Eigen::AlignedBox2d;
+
+/// Distance from the model to the caps and to the clipping rectangle, as a share of the model's size.
+constexpr double margin = 0.03;
+/// Least depth of the front cap in perspective, as a share of the greatest depth of the model.
+constexpr double leastDepth = 1e-3;
+/// Least ratio of a corner's depth to its distance from the eye: corners farther aside are refused.
+constexpr double leastCosine = 0.02;
+/// Half the side of the square on the plane lattice into which the curve is fitted.
+constexpr double latticeReach = 1 << 20;
+/// Largest number of wall faces; above it they are made larger than the model's.
+constexpr double mostWallFaces = 60'000;
+
+/// The lines of sight, and the coordinates that they give: where a line meets a plane, and the depth along the view.
+class Sight
+{
+public:
+    explicit Sight(const Trim& command);
+
+    /// Returns x and y on the plane, and the depth. In perspective x and y are at depth 1; meaningless if the depth is
+    /// not above 0.
+    Vec3 seen(const Vec3& p) const
+    {
+        const Vec3 at = m_axes.transpose() * (p - m_eye);
+        return m_isPerspective ? Vec3(at.x() / at.z(), at.y() / at.z(), at.z()) : at;
+    }
+    Vec3 placed(const Flat& at, double depth) const { return m_eye + m_axes * placedAlong(at, depth); }
+    bool isPerspective() const { return m_isPerspective; }
+    double scaleAt(double depth) const { return m_isPerspective ? depth : 1; }
+
+private:
+    Vec3 placedAlong(const Flat& at, double depth) const
+    {
+        return {at.x() * scaleAt(depth), at.y() * scaleAt(depth), depth};
+    }
+
+    bool m_isPerspective;
+    Vec3 m_eye = Vec3::Zero();
+    Eigen::Matrix3d m_axes; ///< right-handed; the last one is along the view
+};
+
+Sight::Sight(const Trim& command) : m_isPerspective(command.eye.has_value())
+{
+    m_eye = command.eye.value_or(Vec3::Zero());
+    Vec3 along = command.direction;
+    along.stableNormalize();
+    const Vec3 right = along.unitOrthogonal();
+    m_axes << right, along.cross(right), along;
+}
+
+/// The model as seen: its range of depths, and the rectangle around it if all of it is in front of the eye.
+struct SeenModel
+{
+    double front = 0, back = 0; ///< depths of the caps
+    FlatBox rectangle;          ///< empty: there is none
+    double edge = 0;            ///< mean edge length, mm
+};
+
+SeenModel seenModel(const Sight& sight, const Mesh& mesh)
+{
+    const double size = boxOf(mesh).diagonal().norm();
+    SeenModel model{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), {}, 0};
+    for (const Slot v : mesh.vertices()) {
+        const Vec3 at = sight.seen(mesh.point(v).cast<double>());
+        model.front = std::min(model.front, at.z());
+        model.back = std::max(model.back, at.z());
+        model.rectangle.extend(Flat(at.head<2>()));
+    }
+    model.front -= margin * size;
+    model.back += margin * size;
+    const double least = leastDepth * model.back;
+    if (sight.isPerspective() && model.front < least) {
+        model.front = least;
+        model.rectangle.setEmpty();
+    }
+    if (!model.rectangle.isEmpty()) {
+        const Flat by = margin * model.rectangle.diagonal().norm() * Flat::Ones();
+        model.rectangle = FlatBox(model.rectangle.min() - by, model.rectangle.max() + by);
+    }
+    double length = 0;
+    for (const Slot e : mesh.edges())
+        length += static_cast<double>((mesh.point(mesh.to(2 * e)) - mesh.point(mesh.to(2 * e + 1))).norm());
+    model.edge = length / static_cast<double>(mesh.live().edges);
+    return model;
+}
+
+/// Clips a closed curve to one side of a line parallel to an axis (Sutherland and Hodgman 1974). Winding numbers of
+/// points on that side stay as they are.
+std::vector<Flat> clipped(const std::vector<Flat>& curve, int axis, double limit, bool isUpper)
+{
+    std::vector<Flat> result;
+    const auto isKept = [&](const Flat& p) { return isUpper ? p[axis] <= limit : p[axis] >= limit; };
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+        const Flat& p = curve[i];
+        const Flat& q = curve[(i + 1) % curve.size()];
+        if (isKept(p))
+            result.push_back(p);
+        if (isKept(p) == isKept(q))
+            continue;
+        Flat cut = p + (limit - p[axis]) / (q[axis] - p[axis]) * (q - p);
+        cut[axis] = limit;
+        result.push_back(cut);
+    }
+    return result;
+}
+
+std::vector<Flat> clipped(std::vector<Flat> curve, const FlatBox& box)
+{
+    for (int axis = 0; axis < 2; ++axis) {
+        curve = clipped(curve, axis, box.min()[axis], false);
+        curve = clipped(curve, axis, box.max()[axis], true);
+    }
+    return curve;
+}
+
+/// The loops around the area of a curve, on a plane lattice that is fitted to it.
+class FittedLoops
+{
+public:
+    explicit FittedLoops(const std::vector<Flat>& curve)
+    {
+        FlatBox box;
+        for (const Flat& p : curve)
+            box.extend(p);
+        if (curve.size() < 3 || box.sizes().maxCoeff() <= 0)
+            return;
+        m_center = box.center();
+        m_unit = box.sizes().maxCoeff() / 2 / latticeReach;
+        std::vector<FlatPoint> points;
+        for (const Flat& p : curve)
+            points.emplace_back(((p - m_center) / m_unit).array().round().cast<int>());
+        m_loops = windingOutline(points);
+    }
+
+    const std::vector<FlatLoop>& loops() const { return m_loops; }
+    Flat placeOf(const FlatPoint& p) const { return m_center + m_unit * p.cast<double>(); }
+
+private:
+    std::vector<FlatLoop> m_loops;
+    Flat m_center = Flat::Zero();
+    double m_unit = 1;
+};
+
+/// Builds the solid between the two caps.
+class Sweeper
+{
+public:
+    Sweeper(const Sight& sight, const SeenModel& model, const FittedLoops& outline);
+
+    TriangleMesh solid();
+
+private:
+    struct Side
+    {
+        Slot from, to; ///< corners, as indices in m_corners
+        int parts;     ///< number of wall edges in a row
+    };
+    Slot add(const Flat& at, double depth)
+    {
+        m_mesh.points.push_back(m_sight.placed(at, depth).cast<float>());
+        return static_cast<Slot>(m_mesh.points.size() - 1);
+    }
+    double wallFaces(double edge);
+    void addWall(const Side& side, std::span<const Slot> firsts, std::span<const Slot> afters);
+
+    const Sight& m_sight;
+    const SeenModel& m_model;
+    std::vector<Flat> m_corners;
+    std::vector<FlatPoint> m_points;
+    std::vector<std::vector<Slot>> m_loops;
+    std::vector<Side> m_sides;
+    int m_rows = 1; ///< rows of wall points between the caps
+    TriangleMesh m_mesh;
+};
+
+Sweeper::Sweeper(const Sight& sight, const SeenModel& model, const FittedLoops& outline)
+    : m_sight(sight)
+    , m_model(model)
+{
+    for (const FlatLoop& flat : outline.loops()) {
+        std::vector<Slot>& loop = m_loops.emplace_back();
+        const auto first = static_cast<Slot>(m_corners.size());
+        for (std::size_t i = 0; i < flat.size(); ++i) {
+            loop.push_back(first + static_cast<Slot>(i));
+            m_points.push_back(flat[i]);
+            m_corners.push_back(outline.placeOf(flat[i]));
+            m_sides.push_back({loop.back(), first + static_cast<Slot>((i + 1) % flat.size()), 1});
+        }
+    }
+}
+
+/// Divides the walls into edges of about this length. Returns the number of faces that they would have.
+double Sweeper::wallFaces(double edge)
+{
+    const double depth = m_model.back - m_model.front;
+    const double scale = m_sight.scaleAt((m_model.front + m_model.back) / 2);
+    double sum = 0;
+    for (Side& side : m_sides) {
+        const double parts = std::ceil((m_corners[side.to] - m_corners[side.from]).norm() * scale / edge);
+        side.parts = static_cast<int>(std::clamp(parts, 1.0, mostWallFaces));
+        sum += side.parts;
+    }
+    m_rows = static_cast<int>(std::clamp(std::ceil(depth / edge) - 1, 1.0, mostWallFaces));
+    return 2 * sum * m_rows;
+}
+
+/// Adds the wall along a side. `firsts` and `afters`: points at its two ends, from the front cap to the back cap.
+void Sweeper::addWall(const Side& side, std::span<const Slot> firsts, std::span<const Slot> afters)
+{
+    std::vector<Slot> before;
+    for (int row = 1; row <= m_rows; ++row) {
+        const double depth = std::lerp(m_model.front, m_model.back, static_cast<double>(row) / (m_rows + 1));
+        std::vector<Slot> points = {firsts[static_cast<std::size_t>(row)]};
+        for (int part = 1; part < side.parts; ++part) {
+            const double share = static_cast<double>(part) / side.parts;
+            points.push_back(add(m_corners[side.from] + share * (m_corners[side.to] - m_corners[side.from]), depth));
+        }
+        points.push_back(afters[static_cast<std::size_t>(row)]);
+        for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+            if (row == 1) {
+                m_mesh.triangles.push_back({firsts.front(), points[i + 1], points[i]});
+            } else {
+                m_mesh.triangles.push_back({before[i], before[i + 1], points[i + 1]});
+                m_mesh.triangles.push_back({before[i], points[i + 1], points[i]});
+            }
+        }
+        before = std::move(points);
+    }
+    m_mesh.triangles.push_back({firsts.front(), afters.front(), afters[1]});
+    for (std::size_t i = 0; i + 1 < before.size(); ++i)
+        m_mesh.triangles.push_back({before[i], before[i + 1], firsts.back()});
+    m_mesh.triangles.push_back({before.back(), afters.back(), firsts.back()});
+}
+
+/// Returns the solid; empty if loops cross.
+TriangleMesh Sweeper::solid()
+{
+    constexpr double larger = 1.25;
+    const auto cap = triangulatePolygon(m_points, m_loops);
+    if (!cap)
+        return {};
+    for (double edge = m_model.edge; wallFaces(edge) > mostWallFaces && m_rows > 1;)
+        edge *= larger;
+    std::vector<std::vector<Slot>> columns(m_corners.size()); // points of each corner, from front to back
+    for (std::size_t i = 0; i < m_corners.size(); ++i) {
+        for (int row = 0; row <= m_rows + 1; ++row)
+            columns[i].push_back(
+                add(m_corners[i], std::lerp(m_model.front, m_model.back, static_cast<double>(row) / (m_rows + 1))));
+    }
+    for (const auto& [a, b, c] : *cap) {
+        m_mesh.triangles.push_back({columns[a].front(), columns[c].front(), columns[b].front()});
+        m_mesh.triangles.push_back({columns[a].back(), columns[b].back(), columns[c].back()});
+    }
+    for (const Side& side : m_sides)
+        addWall(side, columns[side.from], columns[side.to]);
+    return std::move(m_mesh);
+}
+
+/// Returns the corners as seen; empty if one is beside or behind the eye.
+std::vector<Flat> seenCurve(const Sight& sight, const Trim& command)
+{
+    std::vector<Flat> curve;
+    for (const Vec3& p : command.outline) {
+        const Vec3 at = sight.seen(p);
+        if (!at.allFinite() || (sight.isPerspective() && !(at.z() > leastCosine * (p - *command.eye).norm())))
+            return {};
+        curve.emplace_back(at.head<2>());
+    }
+    return curve;
+}
+} // namespace
+
+SweptOutline sweptOutline(const Trim& command, const Mesh& mesh)
+{
+    const Sight sight(command);
+    const std::vector<Flat> curve = seenCurve(sight, command);
+    SweptOutline swept;
+    const FittedLoops whole(curve);
+    swept.hasArea = !whole.loops().empty();
+    const SeenModel model = seenModel(sight, mesh);
+    if (!swept.hasArea || !(model.back > model.front))
+        return swept;
+    FlatBox box;
+    for (const Flat& p : curve)
+        box.extend(p);
+    if (model.rectangle.isEmpty() || model.rectangle.contains(box)) {
+        swept.solid = Sweeper(sight, model, whole).solid();
+        swept.hasArea = !swept.solid.triangles.empty();
+    } else if (const FittedLoops part(clipped(curve, model.rectangle)); !part.loops().empty()) {
+        swept.solid = Sweeper(sight, model, part).solid();
+        swept.hasArea = !swept.solid.triangles.empty();
+    }
+    return swept;
+}
+} // namespace core
