@@ -163,6 +163,7 @@ QString Actions::menuTitle(MenuId menu) const
                               tr("M&ask"),
                               tr("Mo&del"),
                               tr("Pa&rts"),
+                              tr("Trim &Away"),
                               tr("&View"),
                               tr("T&urn and Zoom"),
                               tr("Mat&erial"),

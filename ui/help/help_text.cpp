@@ -83,6 +83,8 @@ QString menuPathText(const ActionInfo& row, const Actions& actions)
         way.prepend(MenuId::File);
     if (row.menu == MenuId::Tool || row.menu == MenuId::Mask)
         way.prepend(MenuId::Sculpt);
+    if (row.menu == MenuId::Trim)
+        way.prepend(MenuId::Model);
     if (row.menu == MenuId::Turn || row.menu == MenuId::Material || row.menu == MenuId::Background)
         way.prepend(MenuId::View);
     QStringList words;

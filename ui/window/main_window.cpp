@@ -21,6 +21,7 @@
 #include "ui/lesson/lesson_panel.h"
 #include "ui/model/model_actions.h"
 #include "ui/model/model_panel.h"
+#include "ui/model/trim_actions.h"
 #include "ui/parts/parts_panel.h"
 #include "ui/preferences/preferences_actions.h"
 #include "ui/print/print_panel.h"
@@ -148,8 +149,10 @@ void MainWindow::State::buildBars()
                 actions.fill(menu->addMenu(actions.menuTitle(sub)), sub);
         }
         actions.fill(menu, id);
-        if (id == MenuId::Model)
-            actions.fill(menu->addMenu(actions.menuTitle(MenuId::Parts)), MenuId::Parts);
+        if (id == MenuId::Model) {
+            for (const MenuId sub : {MenuId::Parts, MenuId::Trim})
+                actions.fill(menu->addMenu(actions.menuTitle(sub)), sub);
+        }
         if (id == MenuId::File)
             files.addMenus(menu, actions);
         if (id != MenuId::View)
@@ -244,9 +247,10 @@ template <class What> void MainWindow::State::on(const char* id, What what)
 void MainWindow::State::connectActions()
 {
     connectFiles();
+    const auto request = [this](const core::ModelCommand& command) { Q_EMIT q->commandRequested(command); };
     connectModel(
-        actions, q, [this]() -> const ModelInfo& { return model; }, &brush,
-        [this](const core::ModelCommand& command) { Q_EMIT q->commandRequested(command); });
+        actions, q, [this]() -> const ModelInfo& { return model; }, &brush, request);
+    connectTrim(actions, viewport, &brush, request);
     connectTools();
     headset = new HeadsetActions({&actions, viewport, new PartnerBar({&actions, &brush, viewport}, q)}, q);
     connectView(actions, viewport);
@@ -278,7 +282,8 @@ void MainWindow::State::connectTools()
 void MainWindow::State::setBusy(bool isBusy)
 {
     for (const ActionInfo& row : actionTable())
-        if (row.menu == MenuId::Model || row.menu == MenuId::Parts || row.menu == MenuId::Mask)
+        if (row.menu == MenuId::Model || row.menu == MenuId::Parts || row.menu == MenuId::Trim ||
+            row.menu == MenuId::Mask)
             actions.get(QLatin1StringView(row.id))->setEnabled(!isBusy);
     for (const char* id : {"file.save", "file.saveAs", "file.saveCopy", "file.exportAs", "file.exportFor",
                            "file.exportDrawing", "file.timeLapse", "file.report", "brush.fromModel"})

@@ -101,7 +101,7 @@ double volumeOf(const Mesh& mesh, PartId part)
 }
 
 /// Applies the command and checks that undo and redo restore every bit.
-ModelChange change(Mesh& mesh, const core::ModelCommand& command, PartId part = 0)
+ModelChange applyChecked(Mesh& mesh, const core::ModelCommand& command, PartId part = 0)
 {
     ModelChange change = core::applyToCopy(mesh, command, {}, part);
     if (change.refusal != ModelRefusal::None)
@@ -230,8 +230,8 @@ void TestParts::stroke_ofAPartIsThatOfThePartAlone()
 void TestParts::stroke_ofAHiddenOrLockedPartDoesNothing()
 {
     const std::unique_ptr<Mesh> mesh = threeBalls();
-    change(*mesh, core::ShowParts{{1, 2}});
-    change(*mesh, core::EditPart{"Wheel", true, core::Rgb{255, 0, 0}, 0}, 1);
+    applyChecked(*mesh, core::ShowParts{{1, 2}});
+    applyChecked(*mesh, core::EditPart{"Wheel", true, core::Rgb{255, 0, 0}, 0}, 1);
     QCOMPARE(mesh->frame().parts.all().front().name, std::string("Wheel"));
     for (const PartId part : {PartId(0), PartId(1)})
         QCOMPARE(core::applyToCopy(*mesh, core::Move{{1, 0, 0}}, {}, part).refusal, ModelRefusal::NotEditable);
@@ -311,7 +311,7 @@ void TestParts::commands_changeOnePart()
     const std::unique_ptr<Mesh> mesh = threeBalls();
     const auto before = hashes(*mesh);
     const double volume = volumeOf(*mesh, 1);
-    const ModelChange change = change(*mesh, commands[command], 1);
+    const ModelChange change = applyChecked(*mesh, commands[command], 1);
     QVERIFY(change.changes);
     QVERIFY(isEveryPartSound(*mesh));
     QCOMPARE(mesh->frame().parts.size(), std::size_t(3));
@@ -329,10 +329,10 @@ void TestParts::commands_onAllParts()
 {
     const std::unique_ptr<Mesh> mesh = threeBalls();
     const double volumes[] = {volumeOf(*mesh, 0), volumeOf(*mesh, 1), volumeOf(*mesh, 2)};
-    QVERIFY(change(*mesh, core::Scale{2}, 1).changes);
+    QVERIFY(applyChecked(*mesh, core::Scale{2}, 1).changes);
     for (const PartId part : {PartId(0), PartId(1), PartId(2)})
         QVERIFY(std::abs(volumeOf(*mesh, part) / volumes[part] - 8) < 1e-3);
-    QVERIFY(change(*mesh, core::PlaceOnBed{}, 2).changes);
+    QVERIFY(applyChecked(*mesh, core::PlaceOnBed{}, 2).changes);
     QVERIFY(isEveryPartSound(*mesh));
     float lowest = 1e9f;
     for (const Slot v : mesh->vertices())
@@ -347,7 +347,7 @@ void TestParts::part_thatGrowsTakesAllToAnotherLattice()
     const double volume = volumeOf(*mesh, 0);
     int moves = 0;
     while (mesh->lattice() == before && ++moves < 12)
-        QVERIFY(change(*mesh, core::Move{{std::ldexp(3.0, moves), 0, 0}}, 1).refusal != ModelRefusal::FacesMeet);
+        QVERIFY(applyChecked(*mesh, core::Move{{std::ldexp(3.0, moves), 0, 0}}, 1).refusal != ModelRefusal::FacesMeet);
     QVERIFY(moves < 12 || mesh->lattice() == before);
     QVERIFY(isEveryPartSound(*mesh));
     QVERIFY(std::abs(volumeOf(*mesh, 0) - volume) < 1e-3 * volume);
@@ -356,7 +356,7 @@ void TestParts::part_thatGrowsTakesAllToAnotherLattice()
 void TestParts::duplicate_addsTheSame()
 {
     const std::unique_ptr<Mesh> mesh = threeBalls();
-    QVERIFY(change(*mesh, core::DuplicatePart{"Copy"}, 1).changes);
+    QVERIFY(applyChecked(*mesh, core::DuplicatePart{"Copy"}, 1).changes);
     const auto after = hashes(*mesh);
     QCOMPARE(mesh->frame().parts.size(), std::size_t(4));
     QCOMPARE(mesh->frame().parts.all()[2].name, std::string("Copy")); // behind the original
@@ -368,11 +368,11 @@ void TestParts::delete_removesIt()
 {
     const std::unique_ptr<Mesh> mesh = threeBalls();
     const auto before = hashes(*mesh);
-    QVERIFY(change(*mesh, core::DeletePart{}, 1).changes);
+    QVERIFY(applyChecked(*mesh, core::DeletePart{}, 1).changes);
     QCOMPARE(hashes(*mesh), (std::map<PartId, std::uint64_t>{{0, before.at(0)}, {2, before.at(2)}}));
-    QCOMPARE(change(*mesh, core::DeletePart{}, 1).refusal, ModelRefusal::NoSuchPart);
-    QVERIFY(change(*mesh, core::DeletePart{}, 0).changes);
-    QCOMPARE(change(*mesh, core::DeletePart{}, 2).refusal, ModelRefusal::LastPart);
+    QCOMPARE(applyChecked(*mesh, core::DeletePart{}, 1).refusal, ModelRefusal::NoSuchPart);
+    QVERIFY(applyChecked(*mesh, core::DeletePart{}, 0).changes);
+    QCOMPARE(applyChecked(*mesh, core::DeletePart{}, 2).refusal, ModelRefusal::LastPart);
     QVERIFY(isEveryPartSound(*mesh));
 }
 
@@ -385,7 +385,7 @@ void TestParts::separate_keepsVoids()
         shells.push_back({0, shell, {}, {}});
     const std::unique_ptr<Mesh> mesh = core::buildMesh(core::joined(shells)).mesh;
     const double volume = volumeOf(*mesh, 0);
-    QVERIFY(change(*mesh, core::SeparatePart{}).changes);
+    QVERIFY(applyChecked(*mesh, core::SeparatePart{}).changes);
     QCOMPARE(mesh->frame().parts.size(), std::size_t(3));
     QVERIFY(isEveryPartSound(*mesh));
     double sum = 0;
@@ -393,7 +393,7 @@ void TestParts::separate_keepsVoids()
         sum += volumeOf(*mesh, part.id);
     QVERIFY(std::abs(sum - volume) < 1e-6 * volume);
     for (const Part& part : mesh->frame().parts.all())
-        QCOMPARE(change(*mesh, core::SeparatePart{}, part.id).refusal, ModelRefusal::OnePiece);
+        QCOMPARE(applyChecked(*mesh, core::SeparatePart{}, part.id).refusal, ModelRefusal::OnePiece);
 }
 
 void TestParts::combine_volumesAddUp()
@@ -405,7 +405,7 @@ void TestParts::combine_volumesAddUp()
             document({ballAt({0, 0, 0}, 10), ballAt(centre, random.uniform(3, 8)), ballAt({40, 0, 0}, 3)});
         const auto after = [&](SetOperation operation) {
             Mesh mesh = *start;
-            const ModelChange change = change(mesh, CombineParts{operation, {1}});
+            const ModelChange change = applyChecked(mesh, CombineParts{operation, {1}});
             if (change.refusal == ModelRefusal::FacesMeet)
                 qFatal("seed and pair %d, operation %d: refused", i, static_cast<int>(operation));
             if (!change.changes)
@@ -442,18 +442,18 @@ void TestParts::combine_refuses()
     QCOMPARE(refusal(SetOperation::Union, {7}), ModelRefusal::NoSuchPart);
     QCOMPARE(refusal(SetOperation::Union, {}), ModelRefusal::NoSuchPart);
     QCOMPARE(refusal(SetOperation::Union, {1}), ModelRefusal::None); // two pieces in one part
-    change(*mesh, core::ShowParts{{0}});
+    applyChecked(*mesh, core::ShowParts{{0}});
     QCOMPARE(refusal(SetOperation::Union, {1}), ModelRefusal::NotEditable);
 }
 
 void TestParts::snapshot_restoresParts()
 {
     const std::unique_ptr<Mesh> mesh = threeBalls();
-    change(*mesh, core::EditPart{"Nose", false, {}, 9}, 1);
+    applyChecked(*mesh, core::EditPart{"Nose", false, {}, 9}, 1);
     const auto start = core::snapshotOf(*mesh);
     const auto before = hashes(*mesh);
-    QVERIFY(change(*mesh, core::DeletePart{}, 1).changes);
-    QVERIFY(change(*mesh, core::Reset{start}).changes);
+    QVERIFY(applyChecked(*mesh, core::DeletePart{}, 1).changes);
+    QVERIFY(applyChecked(*mesh, core::Reset{start}).changes);
     QCOMPARE(hashes(*mesh), before);
     QVERIFY(mesh->frame() == start->frame);
     // a saved document: built again from its surface and frame

@@ -1,0 +1,290 @@
+// Draws curves over a ball in the view, and looks at what the requested cuts leave of it.
+
+#include "ui/model/trim_actions.h"
+
+#include "core/analysis/mesh_check.h"
+#include "core/mesh/dirty_slots.h"
+#include "core/mesh/mesh_builder.h"
+#include "tests/support/test_main.h"
+#include "tests/ui/ui_test.h"
+#include "ui/actions/actions.h"
+#include "ui/viewport/curve_drawing.h"
+
+#include <QAction>
+#include <QLabel>
+#include <QMainWindow>
+
+#include <cmath>
+#include <numbers>
+
+using Projection = ui::OrbitCamera::Projection;
+
+namespace
+{
+/// A window with a ball seen from the front, and the last cut that was requested.
+struct Stage
+{
+    explicit Stage(Projection projection = Projection::Perspective)
+    {
+        window.setCentralWidget(viewport);
+        window.resize(600, 450);
+        ui::connectTrim(actions, viewport, &brush,
+                        [this](const core::ModelCommand& command) { requested = std::get<core::Trim>(command); });
+        viewport->setPatchSource([this] { return std::exchange(next, std::nullopt); });
+        viewport->setReducesMotion(true);
+        viewport->showModel({core::Vec3::Constant(-30), core::Vec3::Constant(30)});
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        viewport->navigation()->turnTo(ui::OrbitCamera::Side::Front);
+        viewport->navigation()->setProjection(projection);
+        show();
+    }
+
+    ui::CurveDrawing* drawing() const { return viewport->findChild<ui::CurveDrawing*>(); }
+    double volume() const { return core::checkMesh(core::extractMesh(*mesh)).volume.value(); }
+
+    /// Returns the pixel at this place in units of the ball's radius from its middle, y up.
+    QPoint at(double x, double y) const
+    {
+        const ui::OrbitCamera::Pixel p = viewport->camera().project(30 * core::Vec3(x, y, 0));
+        return QPointF(p.x(), p.y()).toPoint();
+    }
+
+    void start(const char* id)
+    {
+        actions.get(QLatin1StringView(id))->trigger();
+        QVERIFY(drawing()->isActive() && drawing()->isVisible());
+    }
+
+    void press(const QPoint& p, Qt::MouseButton button = Qt::LeftButton)
+    {
+        sendMouse(viewport, QEvent::MouseButtonPress, p, button);
+    }
+    void release(const QPoint& p, Qt::MouseButton button = Qt::LeftButton, Qt::KeyboardModifiers keys = {})
+    {
+        QMouseEvent event(QEvent::MouseButtonRelease, p, viewport->mapToGlobal(p), button, Qt::NoButton, keys);
+        QCoreApplication::sendEvent(viewport, &event);
+    }
+    void click(const QPoint& p, Qt::MouseButton button = Qt::LeftButton)
+    {
+        press(p, button);
+        release(p, button);
+    }
+    void move(const QPoint& p, Qt::KeyboardModifiers keys = {}, Qt::MouseButtons held = Qt::LeftButton)
+    {
+        QMouseEvent event(QEvent::MouseMove, p, viewport->mapToGlobal(p), Qt::NoButton, held, keys);
+        QCoreApplication::sendEvent(viewport, &event);
+    }
+    void drag(const QPoint& from, const QPoint& to, Qt::KeyboardModifiers keys = Qt::NoModifier)
+    {
+        press(from);
+        for (int i = 1; i <= 10; ++i)
+            move(from + (to - from) * i / 10, keys);
+        release(to, Qt::LeftButton, keys);
+    }
+
+    /// Makes the requested cut, checks the result, and that undo restores the model. Returns the share of the volume
+    /// that is left; -1 on a fault.
+    double shareLeft()
+    {
+        if (!requested || drawing()->isActive())
+            return -1;
+        const double whole = volume();
+        const std::uint64_t before = mesh->stateHash();
+        core::ModelChange change = applyToCopy(*mesh, *requested);
+        if (!change.changes)
+            return -1;
+        mesh->swap(change.delta);
+        const bool isSound = core::checkMesh(core::extractMesh(*mesh)).printReady();
+        const double left = volume();
+        mesh->swap(change.delta);
+        const bool isUndone = mesh->stateHash() == before;
+        mesh->swap(change.delta);
+        show();
+        return isSound && isUndone ? left / whole : -1;
+    }
+
+    void show()
+    {
+        const quint64 before = viewport->stats().patches;
+        next = core::wholePatchOf(*mesh);
+        viewport->patchReady();
+        QTRY_COMPARE(viewport->stats().patches, before + 1);
+    }
+
+    QMainWindow window;
+    ui::Actions actions{&window};
+    ui::BrushSettings brush;
+    ui::Viewport* viewport = new ui::Viewport(&brush);
+    std::unique_ptr<core::Mesh> mesh = core::buildMesh(core::icosphere(4, 30)).mesh;
+    std::optional<core::MeshPatch> next;
+    std::optional<core::Trim> requested;
+};
+
+void addProjections()
+{
+    QTest::addColumn<Projection>("projection");
+    QTest::newRow("perspective") << Projection::Perspective;
+    QTest::newRow("orthographic") << Projection::Orthographic;
+}
+} // namespace
+
+class TestTrimActions : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { SKIP_WITHOUT_GRAPHICS(); }
+
+    void lasso_cutsThrough_data() { addProjections(); }
+    void lasso_cutsThrough()
+    {
+        QFETCH(Projection, projection);
+        constexpr int samples = 300;
+        constexpr double radius = 0.4;
+        Stage s(projection);
+        const auto sample = [&](int i) {
+            const double angle = 2 * std::numbers::pi * i / samples;
+            return s.at(radius * std::cos(angle), radius * std::sin(angle));
+        };
+        s.start("trim.lasso");
+        s.press(sample(0));
+        for (int i = 1; i < samples; ++i)
+            s.move(sample(i));
+        const QImage before = s.window.grab().toImage();
+        s.release(sample(samples - 1));
+        QVERIFY(s.requested);
+        QVERIFY2(s.requested->outline.size() < samples / 2, qPrintable(QString::number(s.requested->outline.size())));
+        const double left = s.shareLeft();
+        if (projection == Projection::Orthographic) {
+            // a cylinder through a ball leaves (1 - radius^2)^1.5 of it
+            QVERIFY2(std::abs(left - std::pow(1 - radius * radius, 1.5)) < 0.02, qPrintable(QString::number(left)));
+        } else {
+            QVERIFY2(left > 0.65 && left < 0.85, qPrintable(QString::number(left)));
+        }
+        // the hole is seen through, and the tint has gone
+        const QImage after = s.window.grab().toImage();
+        QVERIFY(after.pixelColor(s.viewport->mapTo(&s.window, s.at(0, 0))) !=
+                before.pixelColor(s.viewport->mapTo(&s.window, s.at(0, 0))));
+    }
+
+    void box_isCutOut()
+    {
+        Stage s(Projection::Orthographic);
+        s.start("trim.box");
+        s.drag(s.at(-0.5, 1.2), s.at(1.2, -1.2));
+        const double left = s.shareLeft(); // a cap of half the radius has 5/32
+        QVERIFY2(std::abs(left - 5.0 / 32) < 0.02, qPrintable(QString::number(left)));
+    }
+
+    void line_takesItsRightSide()
+    {
+        Stage s;
+        s.start("trim.line");
+        s.drag(s.at(-0.3, 0), s.at(0.4, 0));
+        const double left = s.shareLeft();
+        QVERIFY2(std::abs(left - 0.5) < 0.02, qPrintable(QString::number(left)));
+        for (const core::Slot v : s.mesh->vertices())
+            QVERIFY(s.mesh->point(v).y() > -2);
+    }
+
+    void polygon_endsWithADoubleClick()
+    {
+        Stage s;
+        s.start("trim.polygon");
+        for (const QPoint& corner : {s.at(-1.2, 0), s.at(1.2, 0), s.at(0.1, 0.1)})
+            s.click(corner);
+        QTest::keyClick(s.viewport, Qt::Key_Backspace);
+        s.click(s.at(1.2, 1.2));
+        s.click(s.at(-1.2, 1.2));
+        QVERIFY(s.drawing()->isActive());
+        sendMouse(s.viewport, QEvent::MouseButtonDblClick, s.at(-1.2, 1.2), Qt::LeftButton);
+        s.release(s.at(-1.2, 1.2));
+        const double left = s.shareLeft();
+        QVERIFY2(std::abs(left - 0.5) < 0.02, qPrintable(QString::number(left)));
+    }
+
+    void polygon_endsWithReturnAndAtItsFirstCorner()
+    {
+        Stage s;
+        const QPoint corners[] = {s.at(-1.2, 0), s.at(1.2, 0), s.at(1.2, 1.2), s.at(-1.2, 1.2)};
+        s.start("trim.polygon");
+        for (const QPoint& corner : corners)
+            s.click(corner);
+        QTest::keyClick(s.viewport, Qt::Key_Return);
+        QVERIFY(!s.drawing()->isActive() && s.requested);
+        const std::size_t size = s.requested->outline.size();
+        s.requested.reset();
+        s.start("trim.polygon");
+        for (const QPoint& corner : corners)
+            s.click(corner);
+        s.click(corners[0] + QPoint(2, 1));
+        QVERIFY(!s.drawing()->isActive() && s.requested);
+        QCOMPARE(s.requested->outline.size(), size);
+    }
+
+    void shift_takesTheOutside()
+    {
+        Stage s(Projection::Orthographic);
+        s.start("trim.box");
+        s.drag(s.at(-0.5, 1.2), s.at(1.2, -1.2), Qt::ShiftModifier);
+        const double left = s.shareLeft();
+        QVERIFY2(std::abs(left - 27.0 / 32) < 0.02, qPrintable(QString::number(left)));
+    }
+
+    void symmetry_isThatOfTheBrush()
+    {
+        Stage s(Projection::Orthographic);
+        s.brush.setSymmetric(true);
+        s.start("trim.box");
+        s.drag(s.at(0.5, 1.2), s.at(1.2, -1.2));
+        const double left = s.shareLeft();
+        QVERIFY2(std::abs(left - 22.0 / 32) < 0.03, qPrintable(QString::number(left)));
+    }
+
+    void curve_canBeGivenUp()
+    {
+        Stage s;
+        s.start("trim.lasso");
+        s.press(s.at(-0.3, 0));
+        s.move(s.at(0.3, 0.2));
+        QTest::keyClick(s.viewport, Qt::Key_Escape);
+        QVERIFY(!s.drawing()->isActive() && !s.drawing()->isVisible());
+        s.release(s.at(0.3, 0.2));
+
+        s.start("trim.polygon");
+        s.click(s.at(0, 0));
+        s.click(s.at(0.3, 0));
+        QTest::keyClick(s.viewport, Qt::Key_Return); // two corners have no area
+        QVERIFY(s.drawing()->isActive());
+        s.click(s.at(0.3, 0.3), Qt::RightButton);
+        QVERIFY(!s.drawing()->isActive());
+
+        s.start("trim.box");
+        s.click(s.at(0, 0)); // a click is no box
+        QVERIFY(s.drawing()->isActive());
+        s.start("trim.line");
+        s.window.resize(500, 400); // the curve would no longer be where it was drawn
+        QTRY_VERIFY(!s.drawing()->isActive());
+        QVERIFY(!s.requested);
+    }
+
+    /// While a curve is awaited, the middle button turns the view; the left one does not sculpt.
+    void view_canBeTurnedBefore()
+    {
+        Stage s;
+        const core::Vec3 before = s.viewport->camera().viewDirection();
+        s.start("trim.lasso");
+        s.press({100, 100}, Qt::MiddleButton);
+        for (int i = 1; i <= 5; ++i)
+            s.move({100 + 20 * i, 100}, {}, Qt::MiddleButton);
+        s.release({200, 100}, Qt::MiddleButton);
+        QVERIFY((s.viewport->camera().viewDirection() - before).norm() > 0.1);
+        QVERIFY(s.drawing()->isActive());
+        s.press(s.at(0, 0));
+        QVERIFY(!s.viewport->input()->strokeOpen() && !s.viewport->input()->isPressPending());
+    }
+};
+
+FETTLE_TEST(TestTrimActions, ui::TestApplication)
+#include "tst_trim_actions.moc"

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/operations/model_command.h"
+
+#include <functional>
+
+namespace ui
+{
+class Actions;
+class BrushSettings;
+class Viewport;
+
+/// Connects the actions of the menu Trim. Each lets the user draw a curve over the view, and then calls `request` with
+/// the cut along it, mirrored as the brush's strokes are. Precondition: all arguments outlive the actions. Thread: gui.
+void connectTrim(const Actions& actions, Viewport* viewport, const BrushSettings* brush,
+                 const std::function<void(const core::ModelCommand&)>& request);
+} // namespace ui
