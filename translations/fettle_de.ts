@@ -1765,13 +1765,13 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Nach Farbe maskieren</translation>
     </message>
     <message>
+        <source>The mask is like that already.</source>
+        <translation>Die Maske ist bereits so.</translation>
+    </message>
+    <message>
         <source>Mask Whole Pieces</source>
         <comment>undo step</comment>
         <translation>Ganze Stücke maskieren</translation>
-    </message>
-    <message>
-        <source>The mask is like that already.</source>
-        <translation>Die Maske ist bereits so.</translation>
     </message>
     <message>
         <source>Join</source>
@@ -1871,6 +1871,53 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>The parts stay as they are, because nothing would be left of them.</source>
         <translation>Die Teile bleiben, wie sie sind, weil nichts von ihnen übrig bliebe.</translation>
+    </message>
+    <message>
+        <source>Show All</source>
+        <comment>undo step</comment>
+        <translation>Alles einblenden</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <comment>undo step</comment>
+        <translation>Ausblenden</translation>
+    </message>
+    <message>
+        <source>Hiding and showing</source>
+        <translation>Ausblenden und Einblenden</translation>
+    </message>
+    <message>
+        <source>Trim</source>
+        <comment>undo step</comment>
+        <translation>Wegschneiden</translation>
+    </message>
+    <message>
+        <source>Trimming the model</source>
+        <translation>Ein Teil des Modells wird weggeschnitten</translation>
+    </message>
+    <message>
+        <source>Nothing is hidden.</source>
+        <translation>Es ist nichts ausgeblendet.</translation>
+    </message>
+    <message>
+        <source>Nothing is masked, so nothing was hidden.</source>
+        <translation>Es ist nichts maskiert; es wurde nichts ausgeblendet.</translation>
+    </message>
+    <message>
+        <source>Nothing was cut away: none of the model is on that side of the curve.</source>
+        <translation>Nichts wurde weggeschnitten: Auf dieser Seite der Kurve ist nichts vom Modell.</translation>
+    </message>
+    <message>
+        <source>The model stays as it is, because the curve does not go around an area.</source>
+        <translation>Das Modell bleibt, wie es ist, weil die Kurve keine Fläche umschließt.</translation>
+    </message>
+    <message>
+        <source>The model stays as it is, because the cut would remove all of it.</source>
+        <translation>Das Modell bleibt, wie es ist, weil der Schnitt alles entfernen würde.</translation>
+    </message>
+    <message>
+        <source>The model stays as it is, because the cut would not leave one sound surface; another curve may do.</source>
+        <translation>Das Modell bleibt, wie es ist, weil der Schnitt keine fehlerfreie Oberfläche ergäbe; vielleicht geht es mit einer anderen Kurve.</translation>
     </message>
 </context>
 <context>
@@ -3266,14 +3313,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Schützt auch Bereiche, die der Malfarbe nahekommen.</translation>
     </message>
     <message>
-        <source>Mask Whole &amp;Pieces</source>
-        <translation>Ganze S&amp;tücke maskieren</translation>
-    </message>
-    <message>
-        <source>Extends the mask to the whole of each connected piece that it touches.</source>
-        <translation>Dehnt die Maske auf jedes zusammenhängende Stück aus, das sie berührt.</translation>
-    </message>
-    <message>
         <source>M&amp;ask</source>
         <translation>Mask&amp;e</translation>
     </message>
@@ -3470,6 +3509,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Linkshändig</translation>
     </message>
     <message>
+        <source>Mask Whole &amp;Pieces</source>
+        <translation>Ganze S&amp;tücke maskieren</translation>
+    </message>
+    <message>
+        <source>Extends the mask to the whole of each connected piece that it touches.</source>
+        <translation>Dehnt die Maske auf jedes zusammenhängende Stück aus, das sie berührt.</translation>
+    </message>
+    <message>
         <source>Adds a copy of the active part at the same place.</source>
         <translation>Fügt eine Kopie des aktiven Teils an derselben Stelle hinzu.</translation>
     </message>
@@ -3576,6 +3623,66 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Pa&amp;rts</source>
         <translation>Tei&amp;le</translation>
+    </message>
+    <message>
+        <source>&amp;Hide Masked</source>
+        <translation>Maskiertes aus&amp;blenden</translation>
+    </message>
+    <message>
+        <source>Hides what is masked. Hidden clay is neither seen nor changed.</source>
+        <translation>Blendet aus, was maskiert ist. Ausgeblendeter Ton wird weder gezeigt noch geändert.</translation>
+    </message>
+    <message>
+        <source>Hide &amp;Unmasked</source>
+        <translation>&amp;Unmaskiertes ausblenden</translation>
+    </message>
+    <message>
+        <source>Hides what is not masked.</source>
+        <translation>Blendet aus, was nicht maskiert ist.</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w Hidden</source>
+        <translation>Ausgeblendetes &amp;zeigen</translation>
+    </message>
+    <message>
+        <source>Shows all clay that was hidden by its mask.</source>
+        <translation>Zeigt allen Ton, der nach seiner Maske ausgeblendet wurde.</translation>
+    </message>
+    <message>
+        <source>&amp;Lasso</source>
+        <translation>&amp;Lasso</translation>
+    </message>
+    <message>
+        <source>Cuts away what you draw around, through the whole depth of the model.</source>
+        <translation>Schneidet weg, was Sie umfahren, durch die ganze Tiefe des Modells.</translation>
+    </message>
+    <message>
+        <source>&amp;Box</source>
+        <translation>&amp;Rechteck</translation>
+    </message>
+    <message>
+        <source>Cuts away what is inside a box that you drag.</source>
+        <translation>Schneidet weg, was in einem Rechteck liegt, das Sie aufziehen.</translation>
+    </message>
+    <message>
+        <source>L&amp;ine</source>
+        <translation>L&amp;inie</translation>
+    </message>
+    <message>
+        <source>Cuts away everything on one side of a line.</source>
+        <translation>Schneidet alles auf einer Seite einer Linie weg.</translation>
+    </message>
+    <message>
+        <source>&amp;Polygon</source>
+        <translation>&amp;Vieleck</translation>
+    </message>
+    <message>
+        <source>Cuts away what is inside the corners that you click.</source>
+        <translation>Schneidet weg, was zwischen den Ecken liegt, die Sie anklicken.</translation>
+    </message>
+    <message>
+        <source>Trim &amp;Away</source>
+        <translation>&amp;Wegschneiden</translation>
     </message>
 </context>
 <context>
@@ -7952,10 +8059,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>zusammenziehen, schärfen</translation>
     </message>
     <message>
-        <source>line, groove, wrinkle, cut</source>
-        <translation>Rille, Linie, Falte, schneiden</translation>
-    </message>
-    <message>
         <source>move, drag, pull out</source>
         <translation>bewegen, verschieben, ziehen</translation>
     </message>
@@ -8106,6 +8209,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>bright, daylight</source>
         <translation>Licht, Tageslicht</translation>
+    </message>
+    <message>
+        <source>line, groove, wrinkle</source>
+        <translation>Rille, Linie, Falte</translation>
+    </message>
+    <message>
+        <source>cut, slice, crop, scissors, knife, trim</source>
+        <translation>schneiden, Schere, Messer, beschneiden, stutzen</translation>
     </message>
 </context>
 <context>
@@ -9499,6 +9610,25 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>%1 is locked. Unlock it, or choose another part.</source>
         <translation>%1 ist gesperrt. Entsperren Sie es, oder wählen Sie ein anderes Teil.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::CurveDrawing</name>
+    <message>
+        <source>Draw around what is to go. Shift: what is around it goes. Esc cancels.</source>
+        <translation>Umfahren Sie, was weg soll. Umschalt: weg kommt, was darum liegt. Esc bricht ab.</translation>
+    </message>
+    <message>
+        <source>Drag a box over what is to go. Shift: what is around it goes. Esc cancels.</source>
+        <translation>Ziehen Sie ein Rechteck über das auf, was weg soll. Umschalt: weg kommt, was darum liegt. Esc bricht ab.</translation>
+    </message>
+    <message>
+        <source>Drag a line: what is tinted goes. Shift: the other side goes. Esc cancels.</source>
+        <translation>Ziehen Sie eine Linie: Was getönt ist, kommt weg. Umschalt: die andere Seite kommt weg. Esc bricht ab.</translation>
+    </message>
+    <message>
+        <source>Click corners around what is to go; double click ends. Shift: what is around it goes. Esc cancels.</source>
+        <translation>Klicken Sie Ecken um das, was weg soll; ein Doppelklick schließt ab. Umschalt: weg kommt, was darum liegt. Esc bricht ab.</translation>
     </message>
 </context>
 <context>

@@ -1754,13 +1754,13 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>按颜色遮罩</translation>
     </message>
     <message>
+        <source>The mask is like that already.</source>
+        <translation>遮罩已经是这样了。</translation>
+    </message>
+    <message>
         <source>Mask Whole Pieces</source>
         <comment>undo step</comment>
         <translation>遮罩整块</translation>
-    </message>
-    <message>
-        <source>The mask is like that already.</source>
-        <translation>遮罩已经是这样了。</translation>
     </message>
     <message>
         <source>Join</source>
@@ -1859,6 +1859,53 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>The parts stay as they are, because nothing would be left of them.</source>
         <translation>部件保持不变，因为不会剩下任何东西。</translation>
+    </message>
+    <message>
+        <source>Show All</source>
+        <comment>undo step</comment>
+        <translation>全部显示</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <comment>undo step</comment>
+        <translation>隐藏</translation>
+    </message>
+    <message>
+        <source>Hiding and showing</source>
+        <translation>正在隐藏或显示</translation>
+    </message>
+    <message>
+        <source>Trim</source>
+        <comment>undo step</comment>
+        <translation>裁剪</translation>
+    </message>
+    <message>
+        <source>Trimming the model</source>
+        <translation>正在裁剪模型</translation>
+    </message>
+    <message>
+        <source>Nothing is hidden.</source>
+        <translation>没有隐藏任何内容。</translation>
+    </message>
+    <message>
+        <source>Nothing is masked, so nothing was hidden.</source>
+        <translation>没有遮罩，因此没有隐藏任何内容。</translation>
+    </message>
+    <message>
+        <source>Nothing was cut away: none of the model is on that side of the curve.</source>
+        <translation>没有切去任何部分：曲线的这一侧没有模型。</translation>
+    </message>
+    <message>
+        <source>The model stays as it is, because the curve does not go around an area.</source>
+        <translation>模型保持不变：曲线没有围出面积。</translation>
+    </message>
+    <message>
+        <source>The model stays as it is, because the cut would remove all of it.</source>
+        <translation>模型保持不变：这样裁剪会去掉整个模型。</translation>
+    </message>
+    <message>
+        <source>The model stays as it is, because the cut would not leave one sound surface; another curve may do.</source>
+        <translation>模型保持不变：这样裁剪不会得到完好的表面；可换一条曲线。</translation>
     </message>
 </context>
 <context>
@@ -3252,14 +3299,6 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>同时保护与笔刷颜色相近的区域。</translation>
     </message>
     <message>
-        <source>Mask Whole &amp;Pieces</source>
-        <translation>遮罩整块(&amp;P)</translation>
-    </message>
-    <message>
-        <source>Extends the mask to the whole of each connected piece that it touches.</source>
-        <translation>把遮罩扩展到它碰到的每个连通块的整体。</translation>
-    </message>
-    <message>
         <source>M&amp;ask</source>
         <translation>遮罩(&amp;A)</translation>
     </message>
@@ -3456,6 +3495,14 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>左手(&amp;H)</translation>
     </message>
     <message>
+        <source>Mask Whole &amp;Pieces</source>
+        <translation>遮罩整块(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Extends the mask to the whole of each connected piece that it touches.</source>
+        <translation>把遮罩扩展到它碰到的每个连通块的整体。</translation>
+    </message>
+    <message>
         <source>Adds a copy of the active part at the same place.</source>
         <translation>在同一位置添加当前部件的副本。</translation>
     </message>
@@ -3562,6 +3609,66 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     <message>
         <source>Pa&amp;rts</source>
         <translation>部件(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Hide Masked</source>
+        <translation>隐藏被遮罩的部分(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Hides what is masked. Hidden clay is neither seen nor changed.</source>
+        <translation>隐藏被遮罩的部分。隐藏的粘土既不显示也不会被更改。</translation>
+    </message>
+    <message>
+        <source>Hide &amp;Unmasked</source>
+        <translation>隐藏未遮罩的部分(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Hides what is not masked.</source>
+        <translation>隐藏未被遮罩的部分。</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w Hidden</source>
+        <translation>显示隐藏的部分(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Shows all clay that was hidden by its mask.</source>
+        <translation>显示所有按遮罩隐藏的粘土。</translation>
+    </message>
+    <message>
+        <source>&amp;Lasso</source>
+        <translation>套索(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Cuts away what you draw around, through the whole depth of the model.</source>
+        <translation>切去您圈出的部分，贯穿模型的整个深度。</translation>
+    </message>
+    <message>
+        <source>&amp;Box</source>
+        <translation>方框(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Cuts away what is inside a box that you drag.</source>
+        <translation>切去您拖出的方框内的部分。</translation>
+    </message>
+    <message>
+        <source>L&amp;ine</source>
+        <translation>直线(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Cuts away everything on one side of a line.</source>
+        <translation>切去直线一侧的全部。</translation>
+    </message>
+    <message>
+        <source>&amp;Polygon</source>
+        <translation>多边形(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Cuts away what is inside the corners that you click.</source>
+        <translation>切去您单击的各角点所围的部分。</translation>
+    </message>
+    <message>
+        <source>Trim &amp;Away</source>
+        <translation>裁剪(&amp;A)</translation>
     </message>
 </context>
 <context>
@@ -7922,10 +8029,6 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>收缩, 锐化</translation>
     </message>
     <message>
-        <source>line, groove, wrinkle, cut</source>
-        <translation>刻线, 皱纹, 切</translation>
-    </message>
-    <message>
         <source>move, drag, pull out</source>
         <translation>移动, 拖动</translation>
     </message>
@@ -8076,6 +8179,14 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     <message>
         <source>bright, daylight</source>
         <translation>明亮, 日光</translation>
+    </message>
+    <message>
+        <source>line, groove, wrinkle</source>
+        <translation>刻线, 皱纹</translation>
+    </message>
+    <message>
+        <source>cut, slice, crop, scissors, knife, trim</source>
+        <translation>切, 裁切, 剪刀, 刀, 修剪</translation>
     </message>
 </context>
 <context>
@@ -9466,6 +9577,25 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     <message>
         <source>%1 is locked. Unlock it, or choose another part.</source>
         <translation>%1 已锁定。请解锁它，或选择其他部件。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::CurveDrawing</name>
+    <message>
+        <source>Draw around what is to go. Shift: what is around it goes. Esc cancels.</source>
+        <translation>圈出要去掉的部分。Shift：去掉圈外的部分。Esc 取消。</translation>
+    </message>
+    <message>
+        <source>Drag a box over what is to go. Shift: what is around it goes. Esc cancels.</source>
+        <translation>在要去掉的部分上拖出方框。Shift：去掉框外的部分。Esc 取消。</translation>
+    </message>
+    <message>
+        <source>Drag a line: what is tinted goes. Shift: the other side goes. Esc cancels.</source>
+        <translation>拖出一条直线：着色的一侧被去掉。Shift：去掉另一侧。Esc 取消。</translation>
+    </message>
+    <message>
+        <source>Click corners around what is to go; double click ends. Shift: what is around it goes. Esc cancels.</source>
+        <translation>单击要去掉部分周围的角点；双击结束。Shift：去掉外面的部分。Esc 取消。</translation>
     </message>
 </context>
 <context>
