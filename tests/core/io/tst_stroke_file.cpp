@@ -124,6 +124,7 @@ private Q_SLOTS:
     void refusal_atEachTruncation();
     void reads_aMillionSamples();
     void commands_roundTrip();
+    void partCommands_roundTrip();
     void readStrokes_refusesWhatIsNoFile();
 };
 
@@ -410,6 +411,19 @@ void TestStrokeFile::refuses_data()
     command(R"("command":"mask","how":"grow","color":[1,2,3])", Kind::UnknownKey, "color");
     command(R"("command":"flatten_base","height":0)", Kind::OutOfRange, "height");
     command(R"("command":"place_on_bed","height":1)", Kind::UnknownKey, "height");
+    command(R"("command":"edit_part")", Kind::MissingKey, "name");
+    command(R"("command":"edit_part","name":5)", Kind::WrongType, "name");
+    command(R"("command":"edit_part","name":"a","list_position":1001)", Kind::OutOfRange, "list_position");
+    command(R"("command":"edit_part","name":"a","locked":1)", Kind::WrongType, "locked");
+    command(R"("command":"show_parts")", Kind::MissingKey, "parts");
+    command(R"("command":"show_parts","parts":3)", Kind::WrongType, "parts");
+    command(R"("command":"show_parts","parts":[0.5])", Kind::WrongType, "parts");
+    command(R"("command":"show_parts","parts":[-1])", Kind::OutOfRange, "parts");
+    command(R"("command":"show_parts","parts":[[1]])", Kind::WrongType, "parts");
+    command(R"("command":"move","by":[1,0,0],"part":32768)", Kind::OutOfRange, "part");
+    command(R"("command":"combine_parts","parts":[1],"operation":"xor")", Kind::UnknownValue, "operation: \"xor\"");
+    command(R"("command":"hide","what":"parts")", Kind::UnknownValue, "what: \"parts\"");
+    command(R"("command":"delete_part","parts":[1])", Kind::UnknownKey, "parts");
     command(R"("command":"trim","along":[0,0,9])", Kind::MissingKey, "outline");
     command(R"("command":"trim","outline":[],"eye":[0,0,9])", Kind::MissingKey, "along");
     command(R"("command":"trim","outline":[],"along":[0,0,0])", Kind::OutOfRange, "along");
@@ -587,6 +601,35 @@ void TestStrokeFile::commands_roundTrip()
     const auto swapped =
         parseStrokes(R"({"format":"fettle-strokes","version":1,"strokes":[{"by":[1,0,0],"command":"move"}]})");
     QVERIFY(std::get<Move>(std::get<FileCommand>(swapped.at(0)).command).by == Vec3(1, 0, 0));
+}
+
+void TestStrokeFile::partCommands_roundTrip()
+{
+    const std::string text = R"({"format":"fettle-strokes","version":1,"strokes":[
+{"command":"move","by":[1,-2,0.1],"part":3},
+{"command":"edit_part","name":"R\"ad ü","locked":true,"tag":[255,0,9],"list_position":2,"part":1},
+{"command":"edit_part","name":"","locked":false,"list_position":1000},
+{"command":"show_parts","parts":[0,32767]},
+{"command":"show_parts","parts":[]},
+{"command":"duplicate_part","name":"a","part":1},
+{"command":"delete_part","part":1},
+{"command":"separate_part"},
+{"command":"combine_parts","operation":"subtract","parts":[2,4],"part":1},
+{"command":"hide","what":"unmasked"},
+{"command":"hide","what":"nothing"}]}
+)";
+    const std::vector<FileEntry> entries = parseStrokes(text);
+    std::ostringstream out;
+    writeStrokes(out, entries);
+    QCOMPARE(out.str(), text);
+    const auto commandAt = [&](std::size_t i) { return std::get<FileCommand>(entries[i]); };
+    QCOMPARE(commandAt(0).part, core::PartId(3));
+    QCOMPARE(std::get<core::EditPart>(commandAt(1).command).name, std::string("R\"ad ü"));
+    QVERIFY(!std::get<core::EditPart>(commandAt(2).command).tag);
+    QCOMPARE(std::get<core::ShowParts>(commandAt(3).command).visible.back(), core::PartId(32767));
+    QCOMPARE(std::get<core::CombineParts>(commandAt(8).command).others.size(), std::size_t(2));
+    const std::string stroke = R"({"tool":"pull","radius":1,"samples":[],"part":7})";
+    QCOMPARE(std::get<Stroke>(parseStrokes(file(stroke)).at(0)).settings.part, core::PartId(7));
 }
 
 void TestStrokeFile::readStrokes_refusesWhatIsNoFile()
