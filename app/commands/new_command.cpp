@@ -5,7 +5,7 @@
 #include "app/model/model_loader.h"
 
 #include "core/io/mesh_io.h"
-#include "core/operations/starter_models.h"
+#include "core/primitives/starter_models.h"
 #include "ui/util/error_messages.h"
 
 namespace app

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/operations/starter_models.h"
+#include "core/primitives/starter_models.h"
 
 #include <QObject>
 #include <QString>

@@ -4,7 +4,7 @@
 #include "app/lesson/lesson_recorder.h"
 #include "app/lesson/lesson_writer.h"
 
-#include "core/operations/starter_models.h"
+#include "core/primitives/starter_models.h"
 #include "ui/lesson/lesson_editor.h"
 #include "ui/util/background_thread.h"
 

@@ -155,14 +155,12 @@ QString CommandNames::refusal(const core::ModelChange& change, const QString& in
                   static_cast<int>(core::PartList::maxParts));
     case core::ModelRefusal::PartsApart:
         return tr("The parts do not overlap, so nothing was subtracted.");
-    case core::ModelRefusal::LeavesNothing:
-        return tr("The parts stay as they are, because nothing would be left of them.");
     case core::ModelRefusal::TooFine:
         return tr("The mesh stays as it is: with edges this short it would need too many triangles (%1).").arg(faces);
     case core::ModelRefusal::NoOutline:
         return tr("The model stays as it is, because the curve does not go around an area.");
     case core::ModelRefusal::NothingLeft:
-        return tr("The model stays as it is, because the cut would remove all of it.");
+        return tr("The model stays as it is, because nothing would be left of it.");
     case core::ModelRefusal::NoCut:
         return tr("The model stays as it is, because the cut would not leave one sound surface; another curve may do.");
     }

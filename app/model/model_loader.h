@@ -2,7 +2,7 @@
 
 #include "core/analysis/print_check.h"
 #include "core/io/document_metadata.h"
-#include "core/operations/starter_models.h"
+#include "core/primitives/starter_models.h"
 #include "core/util/job_control.h"
 #include "ui/model/repair_doubt.h"
 

@@ -34,13 +34,20 @@ constexpr int finest = 2;
 class Boolean
 {
 public:
-    Boolean(SetOperation operation, std::span<const TriangleMesh> solids, const JobControl& control,
-            const std::optional<Lattice>& lattice)
+    Boolean(SetOperation operation, std::span<const TriangleMesh> solids, const JobControl& control)
         : m_operation(operation)
         , m_solids(solids)
         , m_control(control)
-        , m_lattice(lattice)
-        , m_soup(soupOf(operation, solids, lattice))
+        , m_soup(soupOf(operation, solids))
+    {}
+    /// Tries one lattice only, whose points the solids have.
+    Boolean(const Lattice& lattice, SetOperation operation, std::span<const TriangleMesh> solids,
+            const JobControl& control)
+        : m_operation(operation)
+        , m_solids(solids)
+        , m_control(control)
+        , m_isLatticeFixed(true)
+        , m_soup(soupOn({lattice, Vec3::Zero()}, operation, solids))
     {}
 
     BooleanResult run()
@@ -61,8 +68,8 @@ private:
     {
         if (attempt(crossingFaces(m_soup, m_control.stop), 0, m_control.part(0, afterChecking)))
             return true;
-        for (int finer = 1; finer <= finest && !m_control.isCancelled(); ++finer) {
-            SolidSoup soup = soupOf(m_operation, m_solids, m_lattice, finer);
+        for (int finer = 1; finer <= finest && !m_isLatticeFixed && !m_control.isCancelled(); ++finer) {
+            SolidSoup soup = soupOf(m_operation, m_solids, finer);
             if (soup.placement.lattice == m_soup.placement.lattice)
                 return false;
             m_soup = std::move(soup);
@@ -78,9 +85,12 @@ private:
     {
         constexpr double tolerances[] = {2, 16, 128}; // lattice units; the last is 1/10,000 of the size
         for (const int finer : {0, finest}) {
-            if (m_control.isCancelled() || m_result.mesh || (m_lattice && finer > 0))
+            if (m_control.isCancelled() || m_result.mesh)
                 return false;
-            m_soup = soupOf(m_operation, m_solids, m_lattice, finer);
+            if (!m_isLatticeFixed)
+                m_soup = soupOf(m_operation, m_solids, finer);
+            else if (finer > 0)
+                return false;
             const std::vector<Slot> meeting = meetingFaces(m_soup, m_control.stop);
             for (const double tolerance : tolerances)
                 if (!m_control.isCancelled() && attempt(meeting, tolerance, {m_control.stop, {}}))
@@ -163,7 +173,7 @@ private:
     SetOperation m_operation;
     std::span<const TriangleMesh> m_solids;
     const JobControl& m_control;
-    std::optional<Lattice> m_lattice; ///< see combine()
+    bool m_isLatticeFixed = false;
     SolidSoup m_soup;
     BooleanResult m_result;
     double m_distance = std::numeric_limits<double>::infinity(); ///< mean distance of the result from the exact one, mm
@@ -173,9 +183,14 @@ private:
 
 namespace core
 {
-BooleanResult combine(SetOperation operation, std::span<const TriangleMesh> solids, const JobControl& control,
-                      const std::optional<Lattice>& lattice)
+BooleanResult combine(SetOperation operation, std::span<const TriangleMesh> solids, const JobControl& control)
 {
-    return boolean::Boolean(operation, solids, control, lattice).run();
+    return boolean::Boolean(operation, solids, control).run();
+}
+
+BooleanResult combineOn(const Lattice& lattice, SetOperation operation, std::span<const TriangleMesh> solids,
+                        const JobControl& control)
+{
+    return boolean::Boolean(lattice, operation, solids, control).run();
 }
 } // namespace core

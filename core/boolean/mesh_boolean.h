@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/analysis/mesh_check.h"
+#include "core/geometry/lattice.h"
 #include "core/geometry/triangle_mesh.h"
 #include "core/util/job_control.h"
 
@@ -48,8 +49,10 @@ struct BooleanResult
 ///
 /// Thread: any; uses all cores. The result does not depend on their number. Cost: a tree of boxes where solids overlap,
 /// quadratic in the number of faces that meet one face, and checkMesh() of the result.
-///
-/// `lattice`: the only lattice to use, for solids of a document; all points must be on it.
-BooleanResult combine(SetOperation operation, std::span<const TriangleMesh> solids, const JobControl& control = {},
-                      const std::optional<Lattice>& lattice = {});
+BooleanResult combine(SetOperation operation, std::span<const TriangleMesh> solids, const JobControl& control = {});
+/// Same, but all points of the result are on the given lattice. No finer lattice is tried, so more needles and surfaces
+/// that nearly coincide are merged within 2, 16 or 128 units. Precondition: all points of the solids are on the
+/// lattice.
+BooleanResult combineOn(const Lattice& lattice, SetOperation operation, std::span<const TriangleMesh> solids,
+                        const JobControl& control = {});
 } // namespace core

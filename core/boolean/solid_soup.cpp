@@ -3,6 +3,7 @@
 #include "core/geometry/face_geometry.h"
 #include "core/util/parallel.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace core::boolean
@@ -34,17 +35,19 @@ void addColors(const TriangleMesh& solid, std::vector<Rgb>& colors)
 }
 } // namespace
 
-SolidSoup soupOf(SetOperation operation, std::span<const TriangleMesh> solids, const std::optional<Lattice>& lattice,
-                 int finer)
+SolidSoup soupOf(SetOperation operation, std::span<const TriangleMesh> solids, int finer)
+{
+    Box box;
+    for (const TriangleMesh& solid : solids)
+        box.extend(core::boxOf(solid));
+    return soupOn(placementFor(box, finer), operation, solids);
+}
+
+SolidSoup soupOn(const LatticePlacement& placement, SetOperation operation, std::span<const TriangleMesh> solids)
 {
     SolidSoup soup;
-    Box box;
-    bool isColored = false;
-    for (const TriangleMesh& solid : solids) {
-        box.extend(core::boxOf(solid));
-        isColored = isColored || !solid.colors.empty();
-    }
-    soup.placement = lattice ? LatticePlacement{*lattice} : placementFor(box, finer);
+    soup.placement = placement;
+    const bool isColored = std::ranges::any_of(solids, [](const TriangleMesh& solid) { return !solid.colors.empty(); });
     soup.isDifference = operation == SetOperation::Difference;
     soup.least = operation == SetOperation::Intersection ? static_cast<int>(solids.size()) : 1;
     repair::TriangleSoup& surface = soup.surface;

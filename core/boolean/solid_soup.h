@@ -53,8 +53,9 @@ inline FaceBox floatBox(const LatticeBox& box, float margin = 0)
     return {box.min.array().cast<float>() - margin, box.max.array().cast<float>() + margin};
 }
 
-/// Puts the solids on `lattice`, or without one on the lattice of an import, 2^finer times finer (`finer`: 0 to 2). Far
-/// from the origin, that lattice is no finer than float32 numbers are there.
-SolidSoup soupOf(SetOperation operation, std::span<const TriangleMesh> solids, const std::optional<Lattice>& lattice,
-                 int finer = 0);
+/// Puts the solids on the lattice of an import, 2^finer times finer (`finer`: 0 to 2). Far from the origin, the lattice
+/// is no finer than float32 numbers are there.
+SolidSoup soupOf(SetOperation operation, std::span<const TriangleMesh> solids, int finer = 0);
+/// Puts the solids on a lattice. Precondition: it contains them.
+SolidSoup soupOn(const LatticePlacement& placement, SetOperation operation, std::span<const TriangleMesh> solids);
 } // namespace core::boolean

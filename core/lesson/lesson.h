@@ -2,7 +2,7 @@
 
 #include "core/io/stroke/stroke_file.h"
 #include "core/lesson/checkpoint.h"
-#include "core/operations/starter_models.h"
+#include "core/primitives/starter_models.h"
 
 #include <map>
 #include <optional>

@@ -1,6 +1,7 @@
 // Inserts another model, as free topology adds a sphere (paper, section 3.5.1), for any solid:
 //   1. check     the inserted model alone: it must bound a solid                                    mesh_check
-//   2. place     beside the present model, where its own file puts it, or at a requested centre
+//   2. place     beside the present model, where its own file puts it, or at a requested point
+// If it is combined with the present model, combine_models does the rest. Else:
 //   3. touch     no face of one model may meet a face of the other, on a common lattice             self_intersection
 //   4. fit       the combined mesh must be sound on the lattice; neither model inside the other's material  lattice_fit
 //   5. write     through the mesh's gate
@@ -13,9 +14,12 @@
 #include "core/geometry/morton_order.h"
 #include "core/mesh/lattice_fit.h"
 #include "core/mesh/mesh_builder.h"
+#include "core/operations/combine_models.h"
 #include "core/operations/transform.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 namespace core
 {
@@ -34,6 +38,17 @@ double longest(const Box& box)
     return box.sizes().maxCoeff();
 }
 
+/// Returns the model to insert; nothing, with the reason in `change`, if it is a primitive that cannot be made.
+std::optional<TriangleMesh> modelOf(const Insert& command, ModelChange& change)
+{
+    if (!command.primitive)
+        return command.model;
+    change.primitive = makePrimitive(*command.primitive);
+    if (!change.primitive.mesh)
+        change.refusal = ModelRefusal::Primitive;
+    return std::exchange(change.primitive.mesh, std::nullopt);
+}
+
 /// Returns the vector by which the inserted model is moved. Beside the present model it is set on the same floor (least
 /// y).
 Vec3 offsetOf(const Insert& command, const Mesh& mesh, const Box& present, const Box& added)
@@ -43,6 +58,8 @@ Vec3 offsetOf(const Insert& command, const Mesh& mesh, const Box& present, const
         return -mesh.frame().place;
     case Insert::Place::Centre:
         return command.centre - added.center();
+    case Insert::Place::Floor:
+        return command.centre - Vec3(added.center().x(), added.min().y(), added.center().z());
     case Insert::Place::Beside:
         break;
     }
@@ -100,30 +117,10 @@ void write(Mesh& mesh, const Lattice& lattice, const LatticeFit& fit, TriangleMe
     mesh.relocate(lattice, points);
     mesh.replaceFaces(additionOf(inMortonOrder(added, lattice), *mesh.vertices().begin()));
 }
-} // namespace
 
-void insertModel(Mesh& mesh, const Insert& command, ModelChange& change, const JobControl& control)
+void insertApart(Mesh& mesh, const TriangleMesh& added, const Vec3& offset, const Box& whole, ModelChange& change,
+                 const JobControl& control)
 {
-    change.report = checkMesh(command.model, control.part(0, afterJudging));
-    if (control.isCancelled())
-        return;
-    if (!change.report.printReady()) {
-        change.refusal = ModelRefusal::Unsound;
-        return;
-    }
-    const TriangleMesh added = withoutUnusedVertices(command.model);
-    const Box present = boxOf(mesh);
-    Box place = boxOf(added);
-    const Vec3 offset = offsetOf(command, mesh, present, place);
-    place.translate(offset);
-    if (std::sqrt(place.center().squaredNorm()) > farthestInSizes * std::max(longest(present), longest(place))) {
-        change.refusal = ModelRefusal::TooFar;
-        return;
-    }
-    const Box whole = present.merged(place);
-    change.refusal = refusalOf(whole);
-    if (change.refusal != ModelRefusal::None)
-        return;
     const Both both = together(mesh, added, offset);
     const Lattice lattice = latticeFor(whole, mesh.lattice());
     if (doTouch(both, lattice, control)) {
@@ -137,5 +134,37 @@ void insertModel(Mesh& mesh, const Insert& command, ModelChange& change, const J
     change.faces = fit.unsnappable;
     if (change.refusal == ModelRefusal::None && !control.isCancelled())
         write(mesh, lattice, fit, added);
+}
+} // namespace
+
+void insertModel(Mesh& mesh, const Insert& command, ModelChange& change, const JobControl& control)
+{
+    const auto made = modelOf(command, change);
+    if (!made)
+        return;
+    change.report = checkMesh(*made, control.part(0, afterJudging));
+    if (control.isCancelled())
+        return;
+    if (!change.report.printReady()) {
+        change.refusal = ModelRefusal::Unsound;
+        return;
+    }
+    const TriangleMesh added = withoutUnusedVertices(*made);
+    const Box present = boxOf(mesh);
+    Box place = boxOf(added);
+    const Vec3 offset = offsetOf(command, mesh, present, place);
+    place.translate(offset);
+    if (std::sqrt(place.center().squaredNorm()) > farthestInSizes * std::max(longest(present), longest(place))) {
+        change.refusal = ModelRefusal::TooFar;
+        return;
+    }
+    const Box whole = present.merged(place);
+    change.refusal = refusalOf(whole);
+    if (change.refusal != ModelRefusal::None)
+        return;
+    if (command.combination == Insert::Combination::Apart)
+        insertApart(mesh, added, offset, whole, change, control);
+    else
+        combineModels(mesh, command.combination, {added, offset, whole}, change, control.part(afterJudging, 1));
 }
 } // namespace core

@@ -3,6 +3,8 @@
 #include "core/analysis/mesh_check.h"
 #include "core/boolean/mesh_boolean.h"
 #include "core/mesh/mesh_delta.h"
+#include "core/primitives/model_limits.h"
+#include "core/primitives/primitives.h"
 #include "core/stroke/tool.h"
 #include "core/util/job_control.h"
 
@@ -46,17 +48,27 @@ struct FlattenBase
 {
     double height = 0; ///< height of the plane above the lowest point; above 0 and below the model's height
 };
-/// Adds another model, which must be outside this one or wholly in one of its voids, without touching it.
+/// Adds another model, or combines this one with it.
 struct Insert
 {
     enum class Place {
         Beside, ///< in +x direction with a gap, on the same floor, box centres level in z
         AsItIs, ///< where the inserted model's file has it
-        Centre  ///< centre of its bounding box at `centre`
+        Centre, ///< centre of its bounding box at `centre`
+        Floor   ///< centre of the bottom of its bounding box at `centre`
     };
-    TriangleMesh model;
+    /// How the solids are combined. All but Apart are exact (mesh_boolean.h) and allow any overlap.
+    enum class Combination {
+        Apart,    ///< the inserted solid must be outside this one or wholly in one of its voids, without touching it
+        Join,     ///< space in either solid
+        Subtract, ///< space in this solid and not in the inserted one
+        Intersect ///< space in both solids
+    };
+    TriangleMesh model; ///< ignored if there is a primitive
     Place place = Place::Beside;
-    Vec3 centre = Vec3::Zero();
+    Vec3 centre = Vec3::Zero(); ///< used by Place::Centre and Place::Floor only
+    Combination combination = Combination::Apart;
+    std::optional<Primitive> primitive = std::nullopt; ///< inserted in place of `model`
 };
 struct Fill
 {
@@ -175,29 +187,24 @@ enum class ModelRefusal {
     LastPart,    ///< a document has at least one part
     OnePiece,    ///< the part is in one piece
     TooManyParts,
-    PartsApart,    ///< no two of the parts to combine overlap, so nothing would be subtracted
-    LeavesNothing, ///< nothing would be left of the part
-    TooFine,       ///< the mesh would need too many faces (`faces`), or edges too short for the lattice
-    NoOutline,     ///< the curve to cut along has fewer than three corners, or no area
-    NothingLeft,   ///< the cut would remove the whole model
-    NoCut          ///< the cut would not leave one sound surface
+    PartsApart,  ///< no two of the parts to combine overlap, so nothing would be subtracted
+    NoOutline,   ///< the curve to cut along has fewer than three corners, or no area
+    NoCut,       ///< the cut would not leave one sound surface
+    NothingLeft, ///< nothing would be left
+    Uncut,       ///< the solids nearly coincide, and no sound result was found
+    Primitive,   ///< the primitive's measures are not possible; `primitive` has the reason
+    TooFine      ///< the mesh would need too many faces (`faces`), or edges too short for the lattice
 };
 
 /// Result of a command.
 struct ModelChange
 {
     ModelRefusal refusal = ModelRefusal::None;
-    std::size_t faces = 0; ///< number of faces at fault, for refusals that mention `faces`
-    MeshReport report;     ///< check of the inserted model; Insert only
-    MeshDelta delta;       ///< the change; Mesh::swap applies it, and swaps it back
-    bool changes = false;  ///< true if the command was neither refused nor cancelled and the delta alters anything
-};
-
-struct ModelLimits
-{
-    /// limits of the largest magnitude of a coordinate, in the document's unit
-    static constexpr double minExtent = 1e-6, maxExtent = 1e7;
-    static constexpr std::size_t maxFaces = 20'000'000; ///< largest number of faces that a remeshing may aim at
+    std::size_t faces = 0;     ///< number of faces at fault, for refusals that mention `faces`
+    MeshReport report;         ///< check of the inserted model; Insert only
+    PrimitiveResult primitive; ///< reason why a primitive was not made, without its mesh; Insert only
+    MeshDelta delta;           ///< the change; Mesh::swap applies it, and swaps it back
+    bool changes = false;      ///< true if the command was neither refused nor cancelled and the delta alters anything
 };
 
 /// Applies the command to a copy of the mesh and checks the result completely and exactly. Swapping the returned delta

@@ -132,13 +132,13 @@ void PartOperations::combineWith(const CombineParts& command)
     }
     if (solids.size() == 1)
         return refuse(ModelRefusal::NoSuchPart);
-    BooleanResult result = combine(command.operation, solids, m_control, m_mesh.lattice());
+    BooleanResult result = combineOn(m_mesh.lattice(), command.operation, solids, m_control);
     if (m_control.isCancelled())
         return;
     m_change.report = result.report;
     if (!result.mesh) {
         m_change.faces = result.report.intersections.count;
-        return refuse(result.refusal == BooleanRefusal::LeavesNothing ? ModelRefusal::LeavesNothing
+        return refuse(result.refusal == BooleanRefusal::LeavesNothing ? ModelRefusal::NothingLeft
                                                                       : ModelRefusal::FacesMeet);
     }
     const bool isUnchanged = result.mesh->points.size() == solids.front().points.size() &&

@@ -4,7 +4,7 @@
 #include "core/preset/brush_picture.h"
 
 #include "core/mesh/mesh_builder.h"
-#include "core/operations/starter_models.h"
+#include "core/primitives/starter_models.h"
 #include "core/sculpt/deform/alpha.h"
 #include "core/sculpt/sculptor.h"
 

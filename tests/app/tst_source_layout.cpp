@@ -46,9 +46,9 @@ const FolderRule folderRules[] = {
     {"core/sculpt", "core/util core/geometry core/analysis core/repair core/stroke core/mesh core/sculpt/select "
                     "core/sculpt/edit core/sculpt/verify core/sculpt/remesh core/sculpt/deform core/sculpt/fuse "
                     "core/sculpt/copy"},
-    {"core/operations",
-     "core/util core/geometry core/parts core/analysis core/boolean core/stroke core/mesh core/sculpt/edit "
-     "core/sculpt/verify core/sculpt/remesh"},
+    {"core/primitives", "core/geometry core/analysis core/stroke"},
+    {"core/operations", "core/util core/geometry core/parts core/analysis core/boolean core/stroke core/mesh "
+                        "core/sculpt/edit core/sculpt/verify core/sculpt/remesh core/primitives"},
     {"core/io/stroke", "core/util core/geometry core/stroke core/sculpt/deform core/operations"},
     {"core/io/mesh", "core/util core/geometry core/sculpt/deform core/io/stroke core/io"},
     {"core/io", "core/util core/geometry core/analysis core/stroke core/mesh core/io/mesh"},

@@ -11,7 +11,7 @@
 #include "vr/scene/eye_target.h"
 #include "vr/scene/scene.h"
 
-#include "core/operations/starter_models.h"
+#include "core/primitives/starter_models.h"
 #include "core/sculpt/sculptor.h"
 
 #include <QDir>

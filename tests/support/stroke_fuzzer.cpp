@@ -2,7 +2,7 @@
 
 #include "tests/support/clay.h"
 
-#include "core/operations/starter_models.h"
+#include "core/primitives/starter_models.h"
 #include "core/sculpt/deform/alpha.h"
 #include "core/sculpt/deform/brush_model.h"
 

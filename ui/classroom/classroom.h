@@ -2,7 +2,7 @@
 
 #include "ui/settings/preferences.h"
 
-#include "core/operations/starter_models.h"
+#include "core/primitives/starter_models.h"
 #include "core/stroke/tool.h"
 
 #include <QList>

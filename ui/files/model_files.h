@@ -3,7 +3,7 @@
 #include "ui/files/file_entry.h"
 #include "ui/model/insert_request.h"
 
-#include "core/operations/starter_models.h"
+#include "core/primitives/starter_models.h"
 
 #include <QObject>
 #include <QString>

@@ -2,7 +2,7 @@
 
 #include "ui/lesson/lesson_step_editor.h"
 
-#include "core/operations/starter_models.h"
+#include "core/primitives/starter_models.h"
 
 #include <QWidget>
 

@@ -111,6 +111,8 @@ QString StrokeFileMessages::wrongType(const QString& key, core::StrokeFileError:
         return tr("\"%1\" must be three whole numbers from 0 to 255, as in [200, 120, 80]").arg(key);
     case Value::WholeNumbers:
         return tr("\"%1\" must be a list of whole numbers, as in [0, 2]").arg(key);
+    case Value::Pairs:
+        return tr("\"%1\" must be a list of pairs of numbers, as in [[10, 0], [8, 20]]").arg(key);
     case Value::TrueOrFalse:
         return tr("\"%1\" must be true or false").arg(key);
     case Value::Word:

@@ -7,7 +7,7 @@
 #include "ui/settings/model_info.h"
 #include "ui/window/progress_bar.h"
 
-#include "core/operations/starter_models.h"
+#include "core/primitives/starter_models.h"
 
 #include <QMainWindow>
 

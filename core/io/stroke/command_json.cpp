@@ -25,9 +25,12 @@ constexpr CommandRow commandTable[] = {
          return Mirror{static_cast<int>(d.plane) - static_cast<int>(Symmetry::X)};
      }},
     {"recentre", 0, 0, [](Draft, Settings) -> ModelCommand { return Recentre{}; }},
-    {"insert", bit(ModelKey), bit(WhereKey) | bit(CentreKey),
+    {"insert", 0, bit(WhereKey) | bit(CombineKey), // and insertKeys()
      [](Draft d, Settings) -> ModelCommand {
-         return Insert{{}, d.where, d.centre};
+         Insert insert{{}, d.where, d.centre, d.combination};
+         if (d.file.empty())
+             insert.primitive = d.primitive;
+         return insert;
      }},
     {"fill", bit(ColorKey), 0, [](Draft, Settings s) -> ModelCommand { return Fill{s.color}; }},
     {"remesh", 0, bit(DetailLengthKey),
@@ -38,7 +41,8 @@ constexpr CommandRow commandTable[] = {
      }},
     {"reset", 0, 0, [](Draft, Settings) -> ModelCommand { return Reset{}; }},
     {"place_on_bed", 0, 0, [](Draft, Settings) -> ModelCommand { return PlaceOnBed{}; }},
-    {"flatten_base", bit(HeightKey), 0, [](Draft d, Settings) -> ModelCommand { return FlattenBase{d.height}; }},
+    {"flatten_base", bit(HeightKey), 0,
+     [](Draft d, Settings) -> ModelCommand { return FlattenBase{d.primitive.length(Primitive::Measure::Height)}; }},
     {"mask", bit(HowKey), bit(ColorKey),
      [](Draft d, Settings s) -> ModelCommand {
          return MaskOperation{d.how, s.color};
@@ -71,7 +75,17 @@ constexpr std::array<std::string_view, 2> keepTable{"positive", "negative"};
 constexpr std::array<std::string_view, 3> hideTable{"masked", "unmasked", "nothing"};
 constexpr std::array<std::string_view, 3> operationTable{"union", "subtract", "intersect"};
 constexpr std::array<std::string_view, 2> removeTable{"inside", "outside"};
-constexpr std::array<std::string_view, 3> whereTable{"beside", "as_it_is", "centre"};
+const auto primitiveNames = [] {
+    std::array<std::string_view, Primitive::kinds> names;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        names[i] = name(static_cast<Primitive::Kind>(i));
+    return names;
+}();
+
+std::size_t keyOf(Primitive::Measure measure)
+{
+    return static_cast<std::size_t>(strokeKeys.indexOf(name(measure)));
+}
 } // namespace
 
 /// Stores the keyword for the current key. Returns false if the key does not allow it.
@@ -98,7 +112,13 @@ bool StrokeJsonReader::commandWord(const std::string& typed)
     case RemoveKey:
         return take(removeTable, m_command.remove);
     case WhereKey:
-        return take(whereTable, m_command.where);
+        return take(placeNames, m_command.where);
+    case CombineKey:
+        return take(combinationNames, m_command.combination);
+    case AxisKey:
+        return take(axisNames, m_command.primitive.axis);
+    case PrimitiveKey:
+        return take(primitiveNames, m_command.primitive.kind);
     case HowKey:
         return take(maskChangeNames, m_command.how);
     case WhatKey:
@@ -125,6 +145,19 @@ void StrokeJsonReader::requireNoneOf(KeySet keys)
     }
 }
 
+/// Returns the keys that this insertion needs, besides optional ones.
+KeySet StrokeJsonReader::insertKeys() const
+{
+    const bool wantsCentre = m_command.where == Insert::Place::Centre || m_command.where == Insert::Place::Floor;
+    const KeySet keys = wantsCentre ? bit(CentreKey) : 0;
+    if (!(m_seen & bit(PrimitiveKey)))
+        return keys | bit(ModelKey);
+    KeySet measures = m_command.primitive.kind == Primitive::Kind::Lathe ? bit(ProfileKey) : 0;
+    for (const Primitive::Measure measure : measuresOf(m_command.primitive.kind))
+        measures |= bit(keyOf(measure));
+    return keys | bit(PrimitiveKey) | measures;
+}
+
 /// Builds the command. Its keys may precede "command" in the file, so only here are they checked against the command's
 /// own keys.
 void StrokeJsonReader::endCommand()
@@ -132,14 +165,15 @@ void StrokeJsonReader::endCommand()
     const auto found = std::ranges::find(commandTable, m_command.name, &CommandRow::name);
     assert(found != std::end(commandTable)); // commandWord() has refused other names
     const CommandRow& row = *found;
-    const bool wantsCentre = row.name == "insert" && m_command.where == Insert::Place::Centre;
     const bool wantsColor = row.name == "mask" && m_command.how == MaskOperation::Kind::Color;
     m_command.hasEye = m_seen & bit(EyeKey);
     m_command.hasColor = m_seen & bit(ColorKey);
-    const KeySet wanted = (wantsCentre ? bit(CentreKey) : 0) | (wantsColor ? bit(ColorKey) : 0);
-    const KeySet conditional = bit(CentreKey) | (row.name == "mask" ? bit(ColorKey) : 0);
-    const KeySet required = row.required | wanted,
-                 known = bit(CommandKey) | bit(PartKey) | required | (row.optional & ~conditional);
+    const KeySet wanted = (row.name == "insert" ? insertKeys() : 0) | (wantsColor ? bit(ColorKey) : 0);
+    const bool isPrimitive = row.name == "insert" && wanted & bit(PrimitiveKey);
+    const KeySet conditional = row.name == "mask" ? bit(ColorKey) : 0;
+    const KeySet required = row.required | wanted;
+    const KeySet known = bit(CommandKey) | bit(PartKey) | required | (row.optional & ~conditional) |
+                         (isPrimitive ? bit(EdgeLengthKey) | bit(AxisKey) : 0);
     requireNoneOf(~known);
     for (std::size_t i = 0; i < strokeKeys.names.size(); ++i) {
         m_key = static_cast<int>(i);

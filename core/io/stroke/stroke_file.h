@@ -40,7 +40,8 @@ namespace core
 ///     {"command":"rotate","rotation":[0,0,0,1]}           {"command":"symmetrize","plane":"x","keep":"positive"}
 ///     {"command":"scale","factor":2}                      {"command":"recentre"}
 ///     {"command":"fill","color":[200,120,80]}             {"command":"remesh","detail_length":0.1}
-///     {"command":"insert","file":"a.stl","where":"centre","centre":[0,3,0]}
+///     {"command":"insert","file":"a.stl","where":"centre","centre":[0,3,0],"combine":"subtract"}
+///     {"command":"insert","primitive":"cylinder","radius":2,"height":5,"where":"floor","centre":[0,0,0],"axis":"z"}
 ///     {"command":"reset"}                                 {"command":"place_on_bed"}
 ///     {"command":"flatten_base","height":2}               {"command":"mask","how":"invert"}
 ///     {"command":"edit_part","part":1,"name":"Wheel","locked":false,"tag":[255,0,0],"list_position":0}
@@ -57,7 +58,10 @@ namespace core
 ///
 /// "keep" is positive (the default) or negative. "detail_length" defaults to the mesh's own, Mesh::uniformDetail().
 /// "how" is one of maskChangeNames (stroke_keys.h); only color needs the key "color". "where" is beside (the default),
-/// as_it_is or centre; only centre needs the key "centre". "recenter" and "center" are accepted, too.
+/// as_it_is, centre or floor; only the last two need the key "centre". "combine" is apart (the default), join, subtract
+/// or intersect. An insertion has either "file" or "primitive", a name of a Primitive::Kind. A primitive needs the keys
+/// of its measures, which measuresOf() lists; a lathe needs "profile", a list of pairs [radius, height]. "edge_length"
+/// and "axis" (x, y or z; default y) are optional. "recenter" and "center" are accepted, too.
 /// A trim has "eye" if the view along "along" is a perspective one; "remove" is inside (the default) or outside;
 /// "color" is the colour of the cut.
 struct StrokeFileError : std::runtime_error
@@ -89,6 +93,7 @@ struct StrokeFileError : std::runtime_error
         TrueOrFalse,
         Word,
         WordOrTruth, ///< a keyword, true or false
+        Pairs,       ///< a list of pairs of numbers
         Object,
         Objects ///< a list of objects
     };

@@ -145,6 +145,8 @@ bool StrokeJsonReader::start_array(std::size_t)
         m_level = Level::Samples;
     else if (!m_inVector && !m_inOutline && m_level == Level::Stroke && m_key == OutlineKey)
         m_inOutline = true;
+    else if (!m_inVector && !m_inProfile && m_level == Level::Stroke && m_key == ProfileKey)
+        m_inProfile = true;
     else if (!m_inVector && (vectorLength() > 0 || isPartList()))
         m_inVector = true;
     else
@@ -159,6 +161,8 @@ bool StrokeJsonReader::end_array()
         endVector();
     } else if (m_inOutline) {
         m_inOutline = false;
+    } else if (m_inProfile) {
+        m_inProfile = false;
     } else if (m_level == Level::Strokes) {
         m_level = Level::File;
         m_key = Strokes;

@@ -16,10 +16,12 @@ struct CommandDraft
     std::string name, file;
     Vec3 by = Vec3::Zero(), centre = Vec3::Zero();
     Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
-    double factor = 1, height = 0;
+    double factor = 1;
     Symmetry plane = Symmetry::None;
     Half keep = Half::Positive;
     Insert::Place where = Insert::Place::Beside;
+    Insert::Combination combination = Insert::Combination::Apart;
+    Primitive primitive; ///< also has the height of a flattened base
     MaskOperation::Kind how = MaskOperation::Kind::Invert;
     std::vector<PartId> parts;
     std::string partName;
@@ -85,6 +87,8 @@ private:
     bool isCommand() const { return m_seen & bit(CommandKey); }
     bool commandWord(const std::string& typed);
     void endCommand();
+    KeySet insertKeys() const;
+    void commandNumber(double value);
     void requireNoneOf(KeySet keys);
     /// Returns the entry that is being read. A command is stored as a stroke until its object ends: its color and
     /// detail_length are read into the stroke's settings.
@@ -100,6 +104,7 @@ private:
     KeySet m_seenOuter = 0, m_seenStroke = 0;
     bool m_inOutline = false; ///< true between the outer brackets of a list of points
     bool m_inVector = false;  ///< true between the brackets of a list of numbers
+    bool m_inProfile = false; ///< true between the outer brackets of a profile
     std::size_t m_count = 0;  ///< numbers read so far in the open list
     std::array<double, 4> m_vector{};
     double m_turntable = 0;

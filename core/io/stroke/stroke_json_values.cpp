@@ -50,7 +50,10 @@ std::size_t StrokeJsonReader::vectorLength() const
     if (m_level == Level::Stroke && m_key == OutlineKey)
         return m_inOutline ? 3 : 0;
     if (m_level == Level::Stroke)
-        return m_key == TurnKey ? 4 : isAmong(ColorKey, TagKey, ByKey, CentreKey, EyeKey, AlongKey) ? 3 : 0;
+        return m_inProfile                                                     ? 2
+               : m_key == TurnKey                                              ? 4
+               : isAmong(ColorKey, TagKey, ByKey, CentreKey, EyeKey, AlongKey) ? 3
+                                                                               : 0;
     if (m_level == Level::Sample)
         return m_key == RotationKey ? 4 : m_key == PositionKey || m_key == DirectionKey || m_key == UpKey ? 3 : 0;
     return 0;
@@ -106,6 +109,11 @@ void StrokeJsonReader::strokeVector(const Vec3& vector)
         if (vector.cwiseAbs().maxCoeff() < minDirection)
             refuse(Kind::OutOfRange);
         m_command.along = vector;
+        break;
+    case ProfileKey:
+        if (m_command.primitive.profile.size() == PrimitiveLimits::maxProfile)
+            refuse(Kind::OutOfRange);
+        m_command.primitive.profile.push_back({vector.x(), vector.y()});
         break;
     default:
         m_command.rotation = unitRotation();
@@ -170,6 +178,7 @@ void StrokeJsonReader::strokeNumber(double value)
     switch (m_key) {
     case RadiusKey:
         settings.radius = inRange(value, Parameter::Radius);
+        m_command.primitive.length(Primitive::Measure::Radius) = value;
         break;
     case StrengthKey:
         settings.strength = inRange(value, Parameter::Strength);
@@ -180,17 +189,11 @@ void StrokeJsonReader::strokeNumber(double value)
     case DetailLengthKey:
         settings.detailLength = inRange(value, Parameter::Radius);
         break;
-    case HeightKey:
-        m_command.height = inRange(value, ModelLimits::minExtent, ModelLimits::maxExtent);
-        break;
     case PartKey:
         settings.part = partIn(value);
         break;
     case ListPositionKey:
         m_command.position = static_cast<std::size_t>(wholeIn(value, double(PartList::maxParts)));
-        break;
-    case FactorKey:
-        m_command.factor = inRange(value, minFactor, 1 / minFactor);
         break;
     case TurntableKey:
         m_turntable = inRange(value, -maxSampleMagnitude, maxSampleMagnitude);
@@ -211,6 +214,39 @@ void StrokeJsonReader::strokeNumber(double value)
         if (value != std::trunc(value))
             refuse(Kind::WrongType);
         settings.falloff = static_cast<int>(value);
+        break;
+    default:
+        commandNumber(value);
+    }
+}
+
+void StrokeJsonReader::commandNumber(double value)
+{
+    const auto extent = [&](bool orZero = false) {
+        return inRange(value, ModelLimits::minExtent, ModelLimits::maxExtent, orZero);
+    };
+    Primitive& primitive = m_command.primitive;
+    switch (m_key) {
+    case FactorKey:
+        m_command.factor = inRange(value, minFactor, 1 / minFactor);
+        break;
+    case WidthKey:
+        primitive.length(Primitive::Measure::Width) = extent();
+        break;
+    case HeightKey:
+        primitive.length(Primitive::Measure::Height) = extent();
+        break;
+    case DepthKey:
+        primitive.length(Primitive::Measure::Depth) = extent();
+        break;
+    case TopRadiusKey:
+        primitive.length(Primitive::Measure::TopRadius) = extent(true);
+        break;
+    case TubeRadiusKey:
+        primitive.length(Primitive::Measure::TubeRadius) = extent();
+        break;
+    case EdgeLengthKey:
+        primitive.edge = extent();
         break;
     default:
         refuse(Kind::WrongType);

@@ -81,9 +81,18 @@ enum StrokeKey {
     OutlineKey,
     EyeKey,
     AlongKey,
-    RemoveKey // the keys from CommandKey to here are keys of commands only
+    RemoveKey,
+    CombineKey,
+    PrimitiveKey,
+    WidthKey,
+    DepthKey,
+    TopRadiusKey,
+    TubeRadiusKey,
+    ProfileKey,
+    EdgeLengthKey,
+    AxisKey // the keys from CommandKey to here are keys of commands only
 };
-inline constexpr Keys<49> strokeKeys{{"tool",
+inline constexpr Keys<58> strokeKeys{{"tool",
                                       "radius",
                                       "samples",
                                       "brush",
@@ -131,7 +140,16 @@ inline constexpr Keys<49> strokeKeys{{"tool",
                                       "outline",
                                       "eye",
                                       "along",
-                                      "remove"},
+                                      "remove",
+                                      "combine",
+                                      "primitive",
+                                      "width",
+                                      "depth",
+                                      "top_radius",
+                                      "tube_radius",
+                                      "profile",
+                                      "edge_length",
+                                      "axis"},
                                      3};
 
 /// The keys that only commands have.
@@ -140,6 +158,12 @@ inline constexpr KeySet commandKeys = bit(strokeKeys.names.size()) - bit(Command
 /// The values of the key "how", in the order of MaskOperation::Kind.
 inline constexpr std::array<std::string_view, 9> maskChangeNames{"invert", "clear",  "blur",  "sharpen", "grow",
                                                                  "shrink", "cavity", "color", "part"};
+
+/// The values of the key "where", in the order of Insert::Place, and of "combine", in that of Insert::Combination.
+inline constexpr std::array<std::string_view, 4> placeNames{"beside", "as_it_is", "centre", "floor"};
+inline constexpr std::array<std::string_view, 4> combinationNames{"apart", "join", "subtract", "intersect"};
+/// The values of the key "axis".
+inline constexpr std::array<std::string_view, 3> axisNames{"x", "y", "z"};
 
 enum SampleKey {
     PositionKey,

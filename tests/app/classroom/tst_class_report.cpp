@@ -4,7 +4,7 @@
 #include "tests/support/test_main.h"
 
 #include "core/io/mesh_io.h"
-#include "core/operations/starter_models.h"
+#include "core/primitives/starter_models.h"
 #include "tests/support/effort.h"
 #include "ui/util/number_format.h"
 

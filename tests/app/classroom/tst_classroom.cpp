@@ -16,7 +16,7 @@
 #include "core/io/stroke/stroke_file.h"
 #include "core/journal/journal.h"
 #include "core/lesson/checkpoint.h"
-#include "core/operations/starter_models.h"
+#include "core/primitives/starter_models.h"
 #include "core/sculpt/sculptor.h"
 #include "ui/actions/actions.h"
 #include "ui/brush/brush_caption.h"

@@ -5,7 +5,7 @@
 #include "tests/support/unwritable_places.h"
 
 #include "core/mesh/mesh_builder.h"
-#include "core/operations/starter_models.h"
+#include "core/primitives/starter_models.h"
 #include "core/sculpt/sculptor.h"
 
 #include <QDir>

@@ -3,7 +3,7 @@
 #include "core/analysis/mesh_check.h"
 #include "core/geometry/face_geometry.h"
 #include "core/io/mesh_io.h"
-#include "core/operations/starter_models.h"
+#include "core/primitives/starter_models.h"
 #include "tests/support/shapes.h"
 #include "tests/support/test_main.h"
 #include "tests/support/unwritable_places.h"

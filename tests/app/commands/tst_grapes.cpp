@@ -13,7 +13,7 @@
 //
 // The body is nearly convex. The overlap of several berries begins between their centres, and thus inside the body, so
 // berries leave no tunnel between them.
-#include "core/operations/starter_models.h"
+#include "core/primitives/starter_models.h"
 #include "tests/app/commands/played_strokes.h"
 #include "tests/support/solid_asserts.h"
 #include "tests/support/test_main.h"

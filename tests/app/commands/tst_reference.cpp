@@ -237,7 +237,17 @@ QString valueFor(const QString& key)
                                                {QStringLiteral("along"), QStringLiteral("[0,0,-1]")},
                                                {QStringLiteral("eye"), QStringLiteral("[0,0,9]")},
                                                {QStringLiteral("remove"), QStringLiteral("\"inside\"")},
-                                               {QStringLiteral("symmetry"), QStringLiteral("\"x\"")}};
+                                               {QStringLiteral("symmetry"), QStringLiteral("\"x\"")},
+                                               {QStringLiteral("name"), QStringLiteral("\"a\"")},
+                                               {QStringLiteral("parts"), QStringLiteral("[1]")},
+                                               {QStringLiteral("locked"), QStringLiteral("true")},
+                                               {QStringLiteral("tag"), QStringLiteral("[1,2,3]")},
+                                               {QStringLiteral("operation"), QStringLiteral("\"union\"")},
+                                               {QStringLiteral("what"), QStringLiteral("\"masked\"")},
+                                               {QStringLiteral("combine"), QStringLiteral("\"join\"")},
+                                               {QStringLiteral("primitive"), QStringLiteral("\"ball\"")},
+                                               {QStringLiteral("axis"), QStringLiteral("\"x\"")},
+                                               {QStringLiteral("profile"), QStringLiteral("[[0,0],[1,1],[0,2]]")}};
     return values.value(key, QStringLiteral("1"));
 }
 
@@ -338,6 +348,7 @@ private Q_SLOTS:
     void strokes_haveTheseValues();
     void strokes_haveTheseDefaults();
     void commands_ofStrokeFiles();
+    void primitives_haveTheseMeasures();
     void words_ofStrokeFiles();
     void formats_areThoseOfTheProgram();
     void presets_haveTheseKeys();
@@ -457,6 +468,40 @@ void TestReference::commands_ofStrokeFiles()
     const auto refusal = refusalOf(QStringLiteral(R"({"command":"nothing"})"));
     QVERIFY(refusal);
     QCOMPARE(sorted(names), sorted(textsOf(refusal->words)));
+}
+
+void TestReference::primitives_haveTheseMeasures()
+{
+    const ReferencePage page(QStringLiteral("primitives"));
+    const ReferenceTable table = page.table(QStringLiteral("primitive"));
+    const ReferenceTable values = strokePage().table(QStringLiteral("key of a command"));
+    QStringList kinds;
+    for (const QStringList& row : table.rows) {
+        kinds << codesIn(row[0])[0];
+        const core::Primitive::Kind kind = core::primitiveNamed(kinds.last().toStdString()).value();
+        QStringList measures;
+        for (const core::Primitive::Measure measure : core::measuresOf(kind))
+            measures << QString::fromUtf8(core::name(measure));
+        if (kind == core::Primitive::Kind::Lathe)
+            measures << QStringLiteral("profile");
+        QStringList documented = codesIn(row[1]);
+        documented.removeDuplicates();
+        QCOMPARE(sorted(documented), sorted(measures));
+        QString plain = withKey(QStringLiteral(R"({"command":"insert","edge_length":1,"axis":"z"})"),
+                                QStringLiteral("primitive"), u'"' + kinds.last() + u'"');
+        for (const QString& key : measures)
+            plain = withKey(plain, key, valueFor(key));
+        QVERIFY2(!refusalOf(plain), qPrintable(plain));
+        for (const QString& key : measures)
+            QVERIFY2(refusalOf(withoutKey(plain, key)), qPrintable(key));
+        for (const QStringList& value : values.rows)
+            for (const QString& key : codesIn(value[0]))
+                if (measures.contains(key) && key != QLatin1String("profile"))
+                    compareValues(key, value[1], [&](const QString& text) { return withKey(plain, key, text); });
+    }
+    QCOMPARE(kinds.size(), qsizetype(core::Primitive::kinds));
+    for (const QString& name : {QStringLiteral("where"), QStringLiteral("combine")})
+        QCOMPARE(page.table(QStringLiteral("`%1`").arg(name)).keys().size(), qsizetype(4));
 }
 
 void TestReference::words_ofStrokeFiles()

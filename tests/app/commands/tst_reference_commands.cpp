@@ -3,7 +3,7 @@
 #include "app/commands/command_line.h"
 
 #include "core/io/mesh_io.h"
-#include "core/operations/starter_models.h"
+#include "core/primitives/starter_models.h"
 #include "core/stroke/stroke.h"
 #include "tests/app/commands/reference_page.h"
 #include "tests/support/shapes.h"

@@ -5,7 +5,7 @@
 #include "core/geometry/face_geometry.h"
 #include "core/io/mesh_io.h"
 #include "core/operations/model_command.h"
-#include "core/operations/starter_models.h"
+#include "core/primitives/starter_models.h"
 #include "core/sculpt/sculptor.h"
 #include "tests/support/solid_asserts.h"
 #include "tests/support/test_main.h"

@@ -1,6 +1,6 @@
 #include "app/headset/simulator_controller.h"
 #include "core/io/mesh_io.h"
-#include "core/operations/starter_models.h"
+#include "core/primitives/starter_models.h"
 #include "tests/app/window/loaded_language.h"
 #include "tests/support/effort.h"
 #include "tests/support/program.h"

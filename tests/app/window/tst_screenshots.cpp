@@ -7,7 +7,7 @@
 #include "tests/ui/ui_test.h"
 
 #include "core/io/mesh_io.h"
-#include "core/operations/starter_models.h"
+#include "core/primitives/starter_models.h"
 #include "ui/brush/stroke_edit_bar.h"
 #include "ui/classroom/pupil_name_panel.h"
 #include "ui/classroom/questionnaire_panel.h"

@@ -440,6 +440,20 @@ void TestStrokeFile::refuses_data()
     command(R"("command":"insert","file":"")", Kind::UnknownValue, "file: \"\"");
     command(R"("command":"insert","file":"a.stl","centre":[0,0,0])", Kind::UnknownKey, "centre");
     command(R"("command":"insert","file":"a.stl","where":"centre")", Kind::MissingKey, "centre");
+    command(R"("command":"insert","file":"a.stl","where":"floor")", Kind::MissingKey, "centre");
+    command(R"("command":"insert","file":"a.stl","combine":"melt")", Kind::UnknownValue, "combine: \"melt\"");
+    command(R"("command":"insert","file":"a.stl","primitive":"ball","radius":1)", Kind::UnknownKey, "file");
+    command(R"("command":"insert","file":"a.stl","edge_length":1)", Kind::UnknownKey, "edge_length");
+    command(R"("command":"insert","primitive":"blob")", Kind::UnknownValue, "primitive: \"blob\"");
+    command(R"("command":"insert","primitive":"ball")", Kind::MissingKey, "radius");
+    command(R"("command":"insert","primitive":"ball","radius":1,"height":1)", Kind::UnknownKey, "height");
+    command(R"("command":"insert","primitive":"ball","radius":1,"axis":"w")", Kind::UnknownValue, "axis: \"w\"");
+    command(R"("command":"insert","primitive":"torus","radius":1,"tube_radius":0)", Kind::OutOfRange, "tube_radius");
+    command(R"("command":"insert","primitive":"cone","radius":1,"top_radius":-1,"height":1)", Kind::OutOfRange,
+            "top_radius");
+    command(R"("command":"insert","primitive":"lathe")", Kind::MissingKey, "profile");
+    for (const char* bad : {"1", "\"a\"", "[1,2]", "[[1]]", "[[1,2,3]]", "[[[1]]]", "[[1,2],3]", "{}", "true"})
+        command(R"("command":"insert","primitive":"lathe","profile":)" + std::string(bad), Kind::WrongType, "profile");
 
     sample("", Kind::MissingKey, "position");
     sample(R"("position":[1,0])", Kind::WrongType, "position");
@@ -569,6 +583,14 @@ void TestStrokeFile::commands_roundTrip()
 {"command":"insert","file":"a \"b\".stl","where":"beside"},
 {"command":"insert","file":"a.stl","where":"as_it_is"},
 {"command":"insert","file":"a.stl","where":"centre","centre":[0,3,0]},
+{"command":"insert","file":"a.stl","where":"floor","centre":[0,3,0],"combine":"subtract"},
+{"command":"insert","primitive":"box","width":1,"height":2,"depth":3,"where":"beside","combine":"join"},
+{"command":"insert","primitive":"ball","radius":1.5,"edge_length":0.1,"where":"as_it_is","combine":"intersect"},
+{"command":"insert","primitive":"cylinder","radius":1.5,"height":4,"axis":"x","where":"beside"},
+{"command":"insert","primitive":"cone","radius":1.5,"top_radius":0,"height":4,"axis":"z","where":"beside"},
+{"command":"insert","primitive":"capsule","radius":1.5,"height":4,"where":"beside"},
+{"command":"insert","primitive":"torus","radius":1.5,"tube_radius":0.5,"where":"beside"},
+{"command":"insert","primitive":"lathe","profile":[[0,-1],[2.5,0],[1,3]],"where":"beside"},
 {"command":"fill","color":[200,120,80]},
 {"command":"remesh"},
 {"command":"remesh","detail_length":0.1},
@@ -582,7 +604,7 @@ void TestStrokeFile::commands_roundTrip()
 {"command":"trim","outline":[[0,0,5]],"along":[0,-1,0],"remove":"outside","symmetry":"none","color":[1,2,3]}]}
 )";
     const std::vector<FileEntry> entries = parseStrokes(text);
-    QCOMPARE(entries.size(), std::size_t(19));
+    QCOMPARE(entries.size(), std::size_t(27));
     std::ostringstream out;
     writeStrokes(out, entries);
     QCOMPARE(out.str(), text);
@@ -591,12 +613,16 @@ void TestStrokeFile::commands_roundTrip()
     QCOMPARE(std::get<Mirror>(commandAt(3).command).axis, 2);
     QCOMPARE(commandAt(5).file, "a \"b\".stl");
     QVERIFY(std::get<Insert>(commandAt(7).command).place == Insert::Place::Centre);
-    QVERIFY(std::get<Symmetrize>(commandAt(12).command).keep == Half::Negative);
-    QCOMPARE(std::get<core::FlattenBase>(commandAt(14).command).height, 0.5);
-    QCOMPARE(std::get<core::MaskOperation>(commandAt(15).command).how, core::MaskOperation::Kind::Shrink);
-    const auto trim = std::get<core::Trim>(commandAt(17).command);
+    QVERIFY(std::get<Insert>(commandAt(8).command).combination == Insert::Combination::Subtract);
+    const core::Primitive lathe = *std::get<Insert>(commandAt(15).command).primitive;
+    QVERIFY(lathe.kind == core::Primitive::Kind::Lathe && lathe.profile.size() == 3 && lathe.profile[1].radius == 2.5);
+    QVERIFY(!std::get<Insert>(commandAt(7).command).primitive);
+    QVERIFY(std::get<Symmetrize>(commandAt(20).command).keep == Half::Negative);
+    QCOMPARE(std::get<core::FlattenBase>(commandAt(22).command).height, 0.5);
+    QCOMPARE(std::get<core::MaskOperation>(commandAt(23).command).how, core::MaskOperation::Kind::Shrink);
+    const auto trim = std::get<core::Trim>(commandAt(25).command);
     QVERIFY(trim.eye == Vec3(0, 0, 99) && trim.outline.at(1) == Vec3(9, 0.1, 5) && !trim.color);
-    QVERIFY(std::get<core::Trim>(commandAt(18).command).direction == Vec3(0, -1, 0));
+    QVERIFY(std::get<core::Trim>(commandAt(26).command).direction == Vec3(0, -1, 0));
 
     const auto swapped =
         parseStrokes(R"({"format":"fettle-strokes","version":1,"strokes":[{"by":[1,0,0],"command":"move"}]})");

@@ -1,6 +1,6 @@
 #include "core/analysis/mesh_check.h"
 #include "core/lesson/checkpoint.h"
-#include "core/operations/starter_models.h"
+#include "core/primitives/starter_models.h"
 #include "tests/support/test_main.h"
 
 #include <QTest>

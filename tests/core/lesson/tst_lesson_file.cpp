@@ -1,7 +1,7 @@
 // Tests lessons as files: what is restored, and what is refused.
 #include "core/io/mesh_io.h"
 #include "core/lesson/lesson_file.h"
-#include "core/operations/starter_models.h"
+#include "core/primitives/starter_models.h"
 #include "tests/support/test_main.h"
 
 #include <nlohmann/json.hpp>

@@ -2,7 +2,7 @@
 // however it was made. A step checks only its own task, and an unfinished task fails.
 #include "core/lesson/lesson_playback.h"
 #include "core/mesh/mesh_builder.h"
-#include "core/operations/starter_models.h"
+#include "core/primitives/starter_models.h"
 #include "tests/support/test_main.h"
 
 #include <QTest>

@@ -1,5 +1,5 @@
 #include "core/lesson/model_facts.h"
-#include "core/operations/starter_models.h"
+#include "core/primitives/starter_models.h"
 #include "tests/support/shapes.h"
 #include "tests/support/test_main.h"
 

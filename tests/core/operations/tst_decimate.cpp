@@ -5,7 +5,7 @@
 
 #include "core/mesh/mesh_builder.h"
 #include "core/operations/decimate.h"
-#include "core/operations/starter_models.h"
+#include "core/primitives/starter_models.h"
 
 #include <QTest>
 

@@ -436,8 +436,8 @@ void TestParts::combine_refuses()
         return core::applyToCopy(*mesh, CombineParts{operation, std::move(others)}, {}, 0).refusal;
     };
     QCOMPARE(refusal(SetOperation::Difference, {1}), ModelRefusal::PartsApart);
-    QCOMPARE(refusal(SetOperation::Intersection, {1}), ModelRefusal::LeavesNothing);
-    QCOMPARE(refusal(SetOperation::Difference, {2}), ModelRefusal::LeavesNothing);
+    QCOMPARE(refusal(SetOperation::Intersection, {1}), ModelRefusal::NothingLeft);
+    QCOMPARE(refusal(SetOperation::Difference, {2}), ModelRefusal::NothingLeft);
     QCOMPARE(refusal(SetOperation::Union, {0}), ModelRefusal::NoSuchPart);
     QCOMPARE(refusal(SetOperation::Union, {7}), ModelRefusal::NoSuchPart);
     QCOMPARE(refusal(SetOperation::Union, {}), ModelRefusal::NoSuchPart);

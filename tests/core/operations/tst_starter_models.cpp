@@ -1,5 +1,5 @@
 #include "core/mesh/mesh_builder.h"
-#include "core/operations/starter_models.h"
+#include "core/primitives/starter_models.h"
 #include "tests/support/test_main.h"
 
 #include <QTest>

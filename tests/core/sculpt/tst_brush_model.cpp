@@ -1,6 +1,6 @@
 #include "core/geometry/winding_number.h"
 #include "core/mesh/mesh_builder.h"
-#include "core/operations/starter_models.h"
+#include "core/primitives/starter_models.h"
 #include "core/sculpt/deform/brush_model.h"
 #include "core/sculpt/sculptor.h"
 #include "tests/support/clay.h"

@@ -1,7 +1,7 @@
 // Tests union and difference with a solid, and the strokes that use them.
 #include "core/analysis/mesh_check.h"
 #include "core/mesh/mesh_builder.h"
-#include "core/operations/starter_models.h"
+#include "core/primitives/starter_models.h"
 #include "core/sculpt/deform/brush_model.h"
 #include "core/sculpt/solid_boolean.h"
 #include "tests/support/clay.h"

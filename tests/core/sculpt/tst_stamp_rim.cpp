@@ -1,6 +1,6 @@
 // Tests the rim of a stamped area: it follows the curve in which the stamp's surface intersects the model.
 #include "core/mesh/surface_query.h"
-#include "core/operations/starter_models.h"
+#include "core/primitives/starter_models.h"
 #include "core/sculpt/dab_bounds.h"
 #include "core/sculpt/deform/brush_model.h"
 #include "tests/support/clay.h"

@@ -3,7 +3,7 @@
 #include "tests/ui/ui_test.h"
 
 #include "core/io/mesh_io.h"
-#include "core/operations/starter_models.h"
+#include "core/primitives/starter_models.h"
 #include "ui/brush/brush_files.h"
 #include "ui/brush/brush_shapes.h"
 #include "ui/settings/settings.h"

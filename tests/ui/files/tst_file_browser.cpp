@@ -7,7 +7,7 @@
 #include "ui/window/main_window.h"
 
 #include "core/io/mesh_io.h"
-#include "core/operations/starter_models.h"
+#include "core/primitives/starter_models.h"
 #include "tests/support/test_main.h"
 #include "tests/ui/files/write_model.h"
 #include "tests/ui/ui_test.h"

@@ -4,7 +4,7 @@
 #include "ui/files/thumbnail_maker.h"
 
 #include "core/io/mesh_io.h"
-#include "core/operations/starter_models.h"
+#include "core/primitives/starter_models.h"
 
 #include <QDir>
 #include <QFile>

@@ -1,7 +1,7 @@
 #include "core/drawing/model_thumbnail.h"
 #include "core/io/mesh_io.h"
 #include "core/mesh/mesh_builder.h"
-#include "core/operations/starter_models.h"
+#include "core/primitives/starter_models.h"
 #include "ui/actions/actions.h"
 #include "ui/help/start_page.h"
 #include "ui/lesson/lesson_panel.h"

@@ -1,11 +1,12 @@
 // Starter models. Each is a closed grid, or an icosphere whose points are moved along their rays. Only + - x / and sqrt
 // are used, so that the bits are the same on every machine.
 
-#include "core/operations/starter_models.h"
+#include "core/primitives/starter_models.h"
+
+#include "core/primitives/grid_box.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace core
 {
@@ -18,52 +19,10 @@ constexpr int sphereSubdivisions = 5;
 constexpr std::string_view names[] = {"ball", "cube", "torus", "slab", "vase", "head", "tablet"};
 static_assert(std::size(names) == std::size(starters));
 
-/// Adds the quad a, b, c, d (counter-clockwise) as two triangles. The diagonal alternates with `even`, so that the
-/// pattern is its own mirror image.
-void addQuad(TriangleMesh& mesh, const std::array<Slot, 4>& q, bool even)
-{
-    if (even)
-        mesh.triangles.insert(mesh.triangles.end(), {{q[0], q[1], q[2]}, {q[0], q[2], q[3]}});
-    else
-        mesh.triangles.insert(mesh.triangles.end(), {{q[0], q[1], q[3]}, {q[1], q[2], q[3]}});
-}
-
 /// Returns a box of `cells` cubic cells along each axis, each `cell` mm wide.
 TriangleMesh box(const std::array<int, 3>& cells, double cell)
 {
-    TriangleMesh mesh;
-    std::map<std::array<int, 3>, Slot> known;
-    const auto vertex = [&](const std::array<int, 3>& at) {
-        const auto [entry, isNew] = known.try_emplace(at, static_cast<Slot>(mesh.points.size()));
-        if (isNew) {
-            Vec3 p;
-            for (std::size_t k = 0; k < 3; ++k)
-                p[static_cast<Eigen::Index>(k)] = cell * (at[k] - cells[k] / 2);
-            mesh.points.push_back(p.cast<float>());
-        }
-        return entry->second;
-    };
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
-        for (const int side : {0, cells[axis]}) {
-            for (int i = 0; i < cells[u]; ++i) {
-                for (int j = 0; j < cells[v]; ++j) {
-                    const auto corner = [&](int di, int dj) {
-                        std::array<int, 3> at{};
-                        at[axis] = side;
-                        at[u] = i + di;
-                        at[v] = j + dj;
-                        return vertex(at);
-                    };
-                    std::array<Slot, 4> quad = {corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)};
-                    if (side == 0)
-                        std::swap(quad[1], quad[3]);
-                    addQuad(mesh, quad, (i + j) % 2 == 0);
-                }
-            }
-        }
-    }
-    return mesh;
+    return gridBox(cells, cell * Vec3(cells[0], cells[1], cells[2]));
 }
 
 /// Returns 4 times 2^halvings points of the unit circle, by repeatedly halving the angles between its 4 axis points.

@@ -1,0 +1,82 @@
+#pragma once
+
+#include "core/primitives/revolved_surface.h"
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace core
+{
+/// A solid given by its measures, in the document's unit. The centre of its box is the origin; a solid of revolution
+/// has the y axis. A value type.
+struct Primitive
+{
+    enum class Kind { Cuboid, Ball, Cylinder, Cone, Capsule, Torus, Lathe };
+    enum class Measure {
+        Width,     ///< of a box, along x
+        Height,    ///< along y; a capsule's with its round ends
+        Depth,     ///< of a box, along z
+        Radius,    ///< a cone's at the bottom; a torus's to the middle of its tube
+        TopRadius, ///< of a cone; 0: it has a point
+        TubeRadius ///< of a torus
+    };
+    static constexpr std::size_t kinds = 7, measures = 6;
+
+    Kind kind = Kind::Cuboid;
+    std::array<double, measures> lengths = {10, 10, 10, 5, 0, 2}; ///< in the order of Measure
+    /// Profile of a lathe, from one end to the other. Ends off the axis are closed by flat discs.
+    std::vector<ProfilePoint> profile;
+    double edge = 0; ///< length that edges have approximately; 0: so that there are about 20,000 triangles
+    int axis = 1;    ///< axis of the document that gets the primitive's y axis: 0, 1 or 2; the others follow cyclically
+
+    double& length(Measure measure) { return lengths[static_cast<std::size_t>(measure)]; }
+    double length(Measure measure) const { return lengths[static_cast<std::size_t>(measure)]; }
+};
+
+/// Returns the name used in files and on the command line, for example "box".
+std::string_view name(Primitive::Kind kind);
+std::optional<Primitive::Kind> primitiveNamed(std::string_view name);
+/// Returns the key used in files and on the command line, for example "tube_radius".
+std::string_view name(Primitive::Measure measure);
+/// Returns the measures that a kind has; a lathe has only its profile.
+std::span<const Primitive::Measure> measuresOf(Primitive::Kind kind);
+
+/// Reasons why a primitive cannot be made.
+enum class PrimitiveFault {
+    None,
+    Measure,       ///< `measure` is not between ModelLimits::minExtent and maxExtent (the top radius may be 0)
+    TubeTooThick,  ///< the radius of a torus is not larger than that of its tube
+    CapsuleTooLow, ///< the height of a capsule is not larger than twice its radius
+    Profile,       ///< not 2 to maxProfile points, a radius below 0, or one of 0 between the ends, or points coincide
+    ProfileMeets,  ///< the profile crosses or touches itself, or has walls too thin for the edges
+    EdgeTooLong,   ///< edges longer than `limit` would not follow the shape
+    TooManyFaces   ///< about `faces` would be needed
+};
+
+struct PrimitiveResult
+{
+    std::optional<TriangleMesh> mesh; ///< print-ready; missing if there is a fault
+    PrimitiveFault fault = PrimitiveFault::None;
+    Primitive::Measure measure = Primitive::Measure::Radius; ///< for PrimitiveFault::Measure
+    double limit = 0;                                        ///< mm, for EdgeTooLong
+    double faces = 0;                                        ///< for TooManyFaces
+};
+
+struct PrimitiveLimits
+{
+    static constexpr std::size_t maxProfile = 1000;
+    static constexpr double maxFaces = 2'000'000;
+};
+
+/// Returns whether the measures are possible, without the mesh. Only makePrimitive() finds ProfileMeets. Thread: any.
+PrimitiveResult judgePrimitive(const Primitive& primitive);
+
+/// Makes the solid's surface. Edges are between half as long as requested and 1.8 times as long, but shorter around the
+/// point of a slim cone. Sharp edges of the solid are edges of the mesh. Vertices are on the exact surface, and enclose
+/// at least 98 % of its volume. Symmetric bit for bit about the three planes through the origin, as far as the solid
+/// is. The same bits on every machine. Thread: any. Cost: O(mesh).
+PrimitiveResult makePrimitive(const Primitive& primitive);
+} // namespace core
