@@ -119,6 +119,7 @@ set(FETTLE_RESOURCE_FILES
     icons/preferences.svg
     icons/presets.svg
     icons/previous.svg
+    icons/primitive.svg
     icons/print-check.svg
     icons/pull.svg
     icons/push.svg

@@ -155,7 +155,7 @@ void readInserted(Entries& entries, const QString& strokes)
     for (std::size_t i = 0; i < entries.size(); ++i) {
         auto* const command = std::get_if<core::FileCommand>(&entries[i]);
         auto* const insertion = command ? std::get_if<core::Insert>(&command->command) : nullptr;
-        if (!insertion)
+        if (!insertion || insertion->primitive)
             continue;
         try {
             insertion->model = core::readMesh(toPath(strokes).parent_path() / command->file);

@@ -29,7 +29,8 @@ void ModelChanger::insert(const ui::InsertRequest& insertion)
 {
     if (!m_document->job().isBusy())
         m_document->queue().enqueue([this, insertion] {
-            start({core::Insert{{}, insertion.place, insertion.centre}, insertion, m_document->parts().active()});
+            start({core::Insert{{}, insertion.place, insertion.centre, insertion.combination}, insertion,
+                   m_document->parts().active()});
         });
 }
 

@@ -12,8 +12,10 @@ namespace
 /// Returns whether the step needs a file besides the lesson, which pupils do not have.
 bool needsFile(const core::FileEntry& entry)
 {
-    if (const auto* const command = std::get_if<core::FileCommand>(&entry))
-        return std::holds_alternative<core::Insert>(command->command);
+    if (const auto* const command = std::get_if<core::FileCommand>(&entry)) {
+        const auto* const insertion = std::get_if<core::Insert>(&command->command);
+        return insertion && !insertion->primitive;
+    }
     const core::Stroke& stroke = std::get<core::Stroke>(entry);
     const core::StrokeSettings& settings = stroke.settings;
     return settings.model || (settings.alpha && !settings.alpha->isBuiltIn()) || !stroke.model.file.empty() ||

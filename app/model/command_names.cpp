@@ -1,5 +1,6 @@
 #include "app/model/command_names.h"
 
+#include "ui/model/primitive_messages.h"
 #include "ui/util/error_messages.h"
 
 #include <QFileInfo>
@@ -42,10 +43,26 @@ Names namesOf(const core::CombineParts& combination)
             QStringLiteral("part-intersect")};
 }
 
+QString nameOf(const core::Insert& insertion)
+{
+    switch (insertion.combination) {
+    case core::Insert::Combination::Apart:
+        break;
+    case core::Insert::Combination::Join:
+        return CommandNames::tr("Join", "undo step");
+    case core::Insert::Combination::Subtract:
+        return CommandNames::tr("Subtract", "undo step");
+    case core::Insert::Combination::Intersect:
+        return CommandNames::tr("Intersect", "undo step");
+    }
+    return CommandNames::tr("Insert", "undo step");
+}
+
 Names namesOf(const core::ModelCommand& command)
 {
     const auto* hide = std::get_if<core::Hide>(&command);
     const auto* combination = std::get_if<core::CombineParts>(&command);
+    const auto* insertion = std::get_if<core::Insert>(&command);
     const auto* mask = std::get_if<core::MaskOperation>(&command);
     const Names names[] = {
         {CommandNames::tr("Move", "undo step"), CommandNames::tr("Moving the model"), QStringLiteral("move")},
@@ -54,7 +71,8 @@ Names namesOf(const core::ModelCommand& command)
         {CommandNames::tr("Mirror", "undo step"), CommandNames::tr("Mirroring the model"), QStringLiteral("mirror")},
         {CommandNames::tr("Recentre", "undo step"), CommandNames::tr("Recentring the model"),
          QStringLiteral("recentre")},
-        {CommandNames::tr("Insert", "undo step"), CommandNames::tr("Inserting a model"), QStringLiteral("insert")},
+        {insertion ? nameOf(*insertion) : QString(), CommandNames::tr("Inserting a model"),
+         insertion && insertion->primitive ? QStringLiteral("primitive") : QStringLiteral("insert")},
         {CommandNames::tr("Fill", "undo step"), CommandNames::tr("Colouring the model"), QStringLiteral("fill")},
         {CommandNames::tr("Remesh", "undo step"), CommandNames::tr("Remeshing the model"), QStringLiteral("remesh")},
         {CommandNames::tr("Symmetrize", "undo step"), CommandNames::tr("Making the model symmetric"),
@@ -108,14 +126,22 @@ QString CommandNames::unchanged(const core::ModelCommand& command)
                                                        : tr("Nothing is masked, so nothing was hidden.");
     if (std::holds_alternative<core::Trim>(command))
         return tr("Nothing was cut away: none of the model is on that side of the curve.");
+    if (const auto* insertion = std::get_if<core::Insert>(&command);
+        insertion && insertion->combination == core::Insert::Combination::Subtract)
+        return tr("There is nothing to subtract: the models do not overlap.");
     return std::holds_alternative<core::RemeshUniformly>(command) ? tr("The mesh is as uniform as that already.")
                                                                   : tr("The model is like that already.");
+}
+
+QString CommandNames::problem(const core::PrimitiveResult& primitive)
+{
+    return ui::PrimitiveMessages::problem(primitive);
 }
 
 QString CommandNames::refusal(const core::ModelChange& change, const QString& inserted)
 {
     const QString faces = QLocale().toString(static_cast<qulonglong>(change.faces));
-    const QString file = QFileInfo(inserted).fileName();
+    const QString file = inserted.isEmpty() ? tr("The shape") : QFileInfo(inserted).fileName();
     switch (change.refusal) {
     case core::ModelRefusal::None:
         return {};
@@ -135,6 +161,13 @@ QString CommandNames::refusal(const core::ModelChange& change, const QString& in
             .arg(file);
     case core::ModelRefusal::Touching:
         return tr("%1 was not inserted, because there it would touch the model.").arg(file);
+    case core::ModelRefusal::NothingLeft:
+        return tr("The model stays as it is, because nothing of it would be left.");
+    case core::ModelRefusal::Uncut:
+        return tr("The model stays as it is, because the surfaces nearly coincide and no sound cut was found; another "
+                  "place may do.");
+    case core::ModelRefusal::Primitive:
+        return problem(change.primitive);
     case core::ModelRefusal::EmptyHalf:
         return tr("The model stays as it is, because no part of it is on the side to keep.");
     case core::ModelRefusal::HalvesMeet:

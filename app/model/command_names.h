@@ -20,8 +20,10 @@ public:
     /// Returns a phrase that names the command while it is running, e.g. "Moving the model".
     static QString progress(const core::ModelCommand& command);
     /// Returns one sentence that says what was not done and why; empty if the change was not refused. `inserted`: path
-    /// of the file whose model was to be inserted.
+    /// of the file whose model was to be inserted; empty for a primitive.
     static QString refusal(const core::ModelChange& change, const QString& inserted);
+    /// Returns why a primitive cannot be made, one sentence; empty if it can.
+    static QString problem(const core::PrimitiveResult& primitive);
     /// Returns the message for a command that changed nothing.
     static QString unchanged(const core::ModelCommand& command);
 };

@@ -40,7 +40,9 @@ ModelChangeOutcome ModelChangeJob::run(const std::shared_ptr<core::Mesh>& copy, 
     try {
         if (!copy)
             throw std::bad_alloc();
-        if (std::holds_alternative<core::Insert>(request.command)) {
+        const auto* insertion = std::get_if<core::Insert>(&request.command);
+        const bool hasFile = insertion && !insertion->primitive;
+        if (hasFile) {
             const double share = request.insertion.repair ? afterInsertRepair : afterInsertReading;
             read(outcome, request, onStage, control.part(0, share));
             changeControl = control.part(share, 1);
@@ -49,7 +51,7 @@ ModelChangeOutcome ModelChangeJob::run(const std::shared_ptr<core::Mesh>& copy, 
             return outcome;
         outcome.change = core::applyToCopy(std::move(*copy), request.command, changeControl, request.part);
         outcome.problem = CommandNames::refusal(outcome.change, request.insertion.path);
-        if (outcome.change.changes && outcome.change.report.volume)
+        if (hasFile && outcome.change.changes && outcome.change.report.volume)
             outcome.notice =
                 QStringList(
                     {outcome.notice, ModelLoader::insertedUnitNotice(request.insertion, *outcome.change.report.volume)})

@@ -18,7 +18,7 @@ namespace app
 struct ModelChangeRequest
 {
     core::ModelCommand command;
-    /// used only if `command` is a core::Insert: the file that the inserted model is read from
+    /// used only if `command` is a core::Insert without a primitive: the file that the inserted model is read from
     ui::InsertRequest insertion;
     core::PartId part = 0; ///< the part that the command changes
 };
@@ -46,7 +46,8 @@ public:
     static std::shared_ptr<core::Mesh> copyOf(const core::Mesh& mesh);
     /// A callback that gets the name of each stage at its beginning.
     using OnStage = std::function<void(const QString& what)>;
-    /// Applies the request to the copy, which is consumed. For a core::Insert, reads the model from its file first.
+    /// Applies the request to the copy, which is consumed. For a core::Insert without a
+    /// primitive, reads the model from its file first.
     static ModelChangeOutcome run(const std::shared_ptr<core::Mesh>& copy, ModelChangeRequest request,
                                   const OnStage& onStage, const core::JobControl& control);
 

@@ -57,6 +57,8 @@ public:
         {"model.scale", QT_TR_NOOP("size, bigger, smaller, resize, unit")},
         {"model.mirror", QT_TR_NOOP("flip, reflect")},
         {"model.remesh", QT_TR_NOOP("voxel, resolution, subdivide, triangles")},
+        {"model.insert", QT_TR_NOOP("boolean, union, difference, merge, combine")},
+        {"model.insertPrimitive", QT_TR_NOOP("boolean, hole, drill, cube, sphere, tube, lathe")},
         {"model.flattenBase", QT_TR_NOOP("cut, bottom, stand, trim")},
         {"trim.lasso", QT_TR_NOOP("cut, slice, crop, scissors, knife, trim")},
         {"model.printCheck", QT_TR_NOOP("watertight, thickness, overhang, hollow, support")},

@@ -18,6 +18,7 @@ struct InsertRequest
     double unit = 1;                        ///< mm for each unit of the file; above 0
     /// Options for repairing a model that is not sound; nullopt: such a model is refused.
     std::optional<core::RepairOptions> repair = std::nullopt;
+    core::Insert::Combination combination = core::Insert::Combination::Apart;
     bool acceptsLoss = false; ///< the user has seen and accepted what the repair loses
 };
 } // namespace ui

@@ -2,6 +2,7 @@
 
 #include "ui/actions/actions.h"
 #include "ui/model/model_dialogs.h"
+#include "ui/model/primitive_dialog.h"
 #include "ui/settings/brush_settings.h"
 
 #include <QAction>
@@ -43,6 +44,7 @@ void connectModel(const Actions& actions, QWidget* window, const std::function<c
     on("mask.hideMasked", [=] { request(core::Hide{core::Hide::What::Masked}); });
     on("mask.hideUnmasked", [=] { request(core::Hide{core::Hide::What::Unmasked}); });
     on("mask.showHidden", [=] { request(core::Hide{core::Hide::What::Nothing}); });
+    on("model.insertPrimitive", [=] { askForPrimitive(window, modelInfo(), request); });
     on("model.remesh", [=] { askForRemesh(window, modelInfo(), request); });
 }
 } // namespace ui

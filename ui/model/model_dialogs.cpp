@@ -1,15 +1,11 @@
 #include "ui/model/model_dialogs.h"
 
-#include "ui/widgets/dialog_helpers.h"
-#include "ui/widgets/named.h"
+#include "ui/model/command_dialog.h"
 
 #include <QButtonGroup>
 #include <QComboBox>
-#include <QCoreApplication>
-#include <QDialog>
 #include <QDoubleSpinBox>
 #include <QFileInfo>
-#include <QFormLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QRadioButton>
@@ -22,115 +18,6 @@ namespace ui
 {
 namespace
 {
-constexpr int explanationWidth = 320;
-constexpr double maxCoordinate = 1e6; ///< mm; largest coordinate that can be typed
-
-class ModelDialogs
-{
-    Q_DECLARE_TR_FUNCTIONS(ui::ModelDialogs)
-};
-
-struct Number
-{
-    double value = 0, min = -maxCoordinate, max = maxCoordinate;
-    int decimals = 3;
-    QString unit;
-};
-
-Number millimetreField(double value, double min = -maxCoordinate, double max = maxCoordinate)
-{
-    return {value, min, max, 3, ModelDialogs::tr(" mm")};
-}
-
-/// A dialog with an explanation, a few rows of controls, and a button named by the command's verb.
-class CommandDialog : public QDialog
-{
-public:
-    CommandDialog(QWidget* parent, const char* name, const QString& title, const QString& sentence)
-        : QDialog(parent)
-        , m_form(new QFormLayout)
-    {
-        QVBoxLayout* column = beginDialog(this, name, title);
-        column->setSpacing(dialogMargin);
-        column->addWidget(dialogText(sentence, explanationWidth));
-        column->addLayout(m_form);
-        m_form->setSpacing(dialogGap);
-    }
-
-    QDoubleSpinBox* addNumber(const char* name, const QString& label, const Number& number)
-    {
-        auto* box = named(new QDoubleSpinBox, name);
-        box->setDecimals(number.decimals);
-        box->setRange(number.min, number.max);
-        box->setValue(number.value);
-        box->setSuffix(number.unit);
-        box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-        box->setMinimumWidth(explanationWidth / 2);
-        m_form->addRow(label, box);
-        return box;
-    }
-
-    /// Adds radio buttons; the first is checked.
-    QButtonGroup* addChoice(const QString& label, const QStringList& choices)
-    {
-        auto* group = new QButtonGroup(this);
-        for (qsizetype i = 0; i < choices.size(); ++i) {
-            auto* button = new QRadioButton(choices[i]);
-            button->setObjectName(QStringLiteral("choice%1").arg(i));
-            button->setChecked(i == 0);
-            group->addButton(button, static_cast<int>(i));
-            m_form->addRow(i == 0 ? label : QString(), button);
-        }
-        return group;
-    }
-
-    QLabel* addText(const QString& sentence)
-    {
-        QLabel* label = dialogText(sentence, explanationWidth);
-        layout()->addWidget(label);
-        return label;
-    }
-
-    /// Adds a combo box; the first entry is selected.
-    QComboBox* addList(const char* name, const QString& label, const QStringList& choices)
-    {
-        auto* box = named(new QComboBox, name);
-        box->addItems(choices);
-        m_form->addRow(label, box);
-        return box;
-    }
-
-    template <class Callback, class MakeCommand>
-    void openFor(const QString& verb, const Callback& callback, const MakeCommand& makeCommand)
-    {
-        addDialogButtons(this, verb);
-        connect(this, &QDialog::accepted, this, [callback, makeCommand] { callback(makeCommand()); });
-        open();
-    }
-
-private:
-    QFormLayout* m_form;
-};
-
-struct Coordinates
-{
-    QDoubleSpinBox *x, *y, *z;
-
-    core::Vec3 value() const { return {x->value(), y->value(), z->value()}; }
-    void setEnabled(bool enabled) const
-    {
-        for (QDoubleSpinBox* box : {x, y, z})
-            box->setEnabled(enabled);
-    }
-};
-
-Coordinates addCoordinates(CommandDialog* dialog)
-{
-    return {dialog->addNumber("x", ModelDialogs::tr("X, to the right"), millimetreField(0)),
-            dialog->addNumber("y", ModelDialogs::tr("Y, upwards"), millimetreField(0)),
-            dialog->addNumber("z", ModelDialogs::tr("Z, to the front"), millimetreField(0))};
-}
-
 QString formatted(double n)
 {
     const double digit = std::pow(10, std::max(0.0, std::floor(std::log10(std::max(n, 1.0))) - 1));
@@ -262,9 +149,10 @@ void askForBase(QWidget* parent, const ModelInfo& modelInfo, const CommandCallba
 void askForPlace(QWidget* parent, const QString& path,
                  const std::function<void(const InsertRequest& insertion)>& callback)
 {
-    auto* dialog = new CommandDialog(
-        parent, "insertDialog", ModelDialogs::tr("Insert a Model"),
-        ModelDialogs::tr("%1 must not touch the present model. Where does it go?").arg(QFileInfo(path).fileName()));
+    auto* dialog =
+        new CommandDialog(parent, "insertDialog", ModelDialogs::tr("Insert a Model"),
+                          ModelDialogs::tr("%1: where does it go, and how is it combined with the present model?")
+                              .arg(QFileInfo(path).fileName()));
     const auto* places =
         dialog->addChoice({}, {ModelDialogs::tr("Beside the present model"), ModelDialogs::tr("Where its file has it"),
                                ModelDialogs::tr("With its middle at")});
@@ -272,15 +160,23 @@ void askForPlace(QWidget* parent, const QString& path,
     centre.setEnabled(false);
     QObject::connect(places, &QButtonGroup::idToggled, dialog,
                      [centre, places] { centre.setEnabled(places->checkedId() == 2); });
+    const auto* combinations = addCombinations(dialog);
+    QObject::connect(combinations, &QComboBox::currentIndexChanged, places, [places](int combination) {
+        if (combination > 0 && places->checkedId() == 0)
+            places->button(1)->setChecked(true); // beside the model there is nothing to combine
+    });
     const auto* units =
         dialog->addList("unit", ModelDialogs::tr("Its unit"),
                         {ModelDialogs::tr("As stated in the file, otherwise mm"), ModelDialogs::tr("Centimetres"),
                          ModelDialogs::tr("Metres"), ModelDialogs::tr("Inches")});
-    dialog->openFor(ModelDialogs::tr("Insert"), callback, [path, places, centre, units] {
+    dialog->openFor(ModelDialogs::tr("Insert"), callback, [=] {
         constexpr core::Insert::Place all[] = {core::Insert::Place::Beside, core::Insert::Place::AsItIs,
                                                core::Insert::Place::Centre};
         constexpr double millimetresOf[] = {1, 10, 1000, 25.4};
-        return InsertRequest{path, all[places->checkedId()], centre.value(), millimetresOf[units->currentIndex()], {}};
+        InsertRequest insertion{
+            path, all[places->checkedId()], centre.value(), millimetresOf[units->currentIndex()], {}};
+        insertion.combination = static_cast<core::Insert::Combination>(combinations->currentIndex());
+        return insertion;
     });
 }
 } // namespace ui

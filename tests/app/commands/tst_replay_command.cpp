@@ -122,6 +122,7 @@ private Q_SLOTS:
     void commands_doWhatTheyDoInCore_data();
     void commands_doWhatTheyDoInCore();
     void inserted_isSoughtBesideTheStrokeFile();
+    void primitives_areCombined();
     void shapes_areSoughtBesideTheStrokeFile();
     void badShapes_areBadInput_data();
     void badShapes_areBadInput();
@@ -249,6 +250,37 @@ void TestReplayCommand::inserted_isSoughtBesideTheStrokeFile()
     VERIFY_VALID(*mesh);
     QCOMPARE(replay(Json::array({{{"command", "insert"}, {"file", "missing.ply"}}})), 2);
     QVERIFY(replay.complaint.contains("missing.ply"));
+}
+
+void TestReplayCommand::primitives_areCombined()
+{
+    Replay replay;
+    const Json middle = {{"where", "centre"}, {"centre", {0, 0, 0}}};
+    Json hole = {{"command", "insert"}, {"primitive", "cylinder"}, {"radius", 0.3}, {"height", 3},
+                 {"axis", "x"},         {"combine", "subtract"}};
+    hole.update(middle);
+    QVERIFY2(replay(Json::array({hole})) == 0, replay.complaint.constData());
+    const core::MeshReport drilled = core::checkMesh(core::readMesh(replay.path("out.ply").toStdString()));
+    QVERIFY(drilled.printReady());
+    QCOMPARE(drilled.genus, 1);
+    Json all = {{"command", "insert"}, {"primitive", "ball"}, {"radius", 5}, {"combine", "subtract"}};
+    all.update(middle);
+    QCOMPARE(replay(Json::array({all})), 1);
+    QVERIFY2(replay.complaint.contains("nothing of it would be left"), replay.complaint.constData());
+    const Json bad = {{"command", "insert"}, {"primitive", "torus"}, {"radius", 1}, {"tube_radius", 2}};
+    QCOMPARE(replay(Json::array({bad})), 1);
+    QVERIFY2(replay.complaint.contains("larger than the radius of its tube"), replay.complaint.constData());
+    core::writeMesh(replay.path("other.ply").toStdString(), core::icosphere(2, 0.5));
+    QCOMPARE(replay(Json::array({{{"command", "insert"},
+                                  {"file", "other.ply"},
+                                  {"where", "floor"},
+                                  {"centre", {0, 0.5, 0}},
+                                  {"combine", "join"}}})),
+             0);
+    const core::MeshReport joined = core::checkMesh(core::readMesh(replay.path("out.ply").toStdString()));
+    QVERIFY(joined.printReady());
+    QCOMPARE(joined.components, std::size_t(1));
+    QVERIFY(std::abs(joined.size.y() - 2.5) < 0.01);
 }
 
 void TestReplayCommand::shapes_areSoughtBesideTheStrokeFile()

@@ -114,6 +114,7 @@ private Q_SLOTS:
     void undo_isToldOnceItIsMade();
     void insert_fromAFile();
     void insert_refusalsNameTheFile();
+    void insert_combinesAsOneStep();
     void insert_brokenIsRepairedAsOneStep();
     void insert_tellsWhatWasLeftOut();
     void insert_takesTheUnit();
@@ -380,6 +381,53 @@ void TestDocumentModel::insert_refusalsNameTheFile()
     for (const QList<QVariant>& arguments : refused)
         QVERIFY2(arguments[0].toString().contains(QStringLiteral("small")), qPrintable(arguments[0].toString()));
     QCOMPARE(session.document.history().stack().count(), 0);
+}
+
+void TestDocumentModel::insert_combinesAsOneStep()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("small.ply"));
+    core::writeMesh(path.toStdString(), core::icosphere(2, 10));
+    ViewedSession session;
+    QSignalSpy refused(&session.document, &Document::refused), noticed(&session.document, &Document::noticed);
+    const std::uint64_t start = session.state();
+    ui::InsertRequest insertion{path, core::Insert::Place::Centre, {50, 0, 0}};
+    insertion.combination = core::Insert::Combination::Join;
+    session.document.changer().insert(insertion);
+    session.wait();
+    QVERIFY(session.document.modelInfo().size.x() > 108);
+    QCOMPARE(session.document.history().stack().undoText(), QStringLiteral("Join"));
+    session.document.history().undo();
+    QCOMPARE(session.state(), start);
+
+    core::Insert hole;
+    hole.place = core::Insert::Place::Centre;
+    hole.combination = core::Insert::Combination::Subtract;
+    hole.primitive.emplace().kind = core::Primitive::Kind::Cylinder;
+    hole.primitive->length(core::Primitive::Measure::Height) = 200;
+    session.document.changer().apply(hole);
+    session.wait();
+    QCOMPARE(session.document.history().stack().undoText(), QStringLiteral("Subtract"));
+    session.document.history().undo();
+    QCOMPARE(session.state(), start);
+    QVERIFY(refused.isEmpty() && noticed.isEmpty());
+
+    hole.centre = {300, 0, 0};
+    session.document.changer().apply(hole);
+    session.wait();
+    QCOMPARE(noticed.size(), 1);
+    QCOMPARE(noticed[0][0].toString(), QStringLiteral("There is nothing to subtract: the models do not overlap."));
+    hole.combination = core::Insert::Combination::Intersect;
+    session.document.changer().apply(hole);
+    session.wait();
+    QCOMPARE(refused.size(), 1);
+    QCOMPARE(refused[0][0].toString(),
+             QStringLiteral("The model stays as it is, because nothing of it would be left."));
+    hole.primitive->length(core::Primitive::Measure::Radius) = 0;
+    session.document.changer().apply(hole);
+    session.wait();
+    QCOMPARE(refused.size(), 2);
+    QCOMPARE(session.state(), start);
 }
 
 void TestDocumentModel::insert_brokenIsRepairedAsOneStep()

@@ -52,6 +52,7 @@ private Q_SLOTS:
     void remesh_saysWhatWillBe();
     void remesh_untouchedIsTheDefault();
     void insert_givesThePlace();
+    void insert_givesTheCombination();
     void verb_isTheDefaultButton();
     void cancelled_isNoAnswer();
 };
@@ -173,6 +174,20 @@ void TestModelDialogs::insert_givesThePlace()
     QVERIFY(insertion && insertion->path == QStringLiteral("/models/part.stl") && !insertion->repair);
     QVERIFY(insertion->place == Insert::Place::Centre && insertion->centre == Vec3(0, 70, 0));
     QCOMPARE(insertion->unit, 25.4);
+}
+
+void TestModelDialogs::insert_givesTheCombination()
+{
+    Asking asking;
+    std::optional<ui::InsertRequest> insertion;
+    ui::askForPlace(&asking.window, QStringLiteral("/models/part.stl"),
+                    [&insertion](const ui::InsertRequest& given) { insertion = given; });
+    auto* combine = asking.in<QComboBox>("insertDialog", "combine");
+    QCOMPARE(combine->currentText(), QStringLiteral("Keep apart"));
+    combine->setCurrentText(QStringLiteral("Subtract"));
+    QVERIFY(asking.in<QRadioButton>("insertDialog", "choice1")->isChecked()); // beside it, it would have no effect
+    asking.dialog("insertDialog")->accept();
+    QVERIFY(insertion->combination == Insert::Combination::Subtract && insertion->place == Insert::Place::AsItIs);
 }
 
 void TestModelDialogs::verb_isTheDefaultButton()

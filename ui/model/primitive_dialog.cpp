@@ -1,0 +1,214 @@
+#include "ui/model/primitive_dialog.h"
+
+#include "ui/model/command_dialog.h"
+#include "ui/model/primitive_messages.h"
+#include "ui/widgets/named.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QRegularExpression>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ui
+{
+namespace
+{
+using core::Primitive;
+using Measure = core::Primitive::Measure;
+
+constexpr double shareOfModel = 0.25; ///< size of a new primitive, in longest sides of the model
+constexpr int profileLines = 5;       ///< number of lines of the profile that are shown
+
+/// Places in the order of the list.
+constexpr core::Insert::Place placeChoices[] = {core::Insert::Place::Beside, core::Insert::Place::Centre,
+                                                core::Insert::Place::Floor};
+/// Axes in the order of the list.
+constexpr int axisChoices[] = {1, 0, 2};
+
+/// Returns the user's locale without separators between thousands.
+QLocale plainLocale()
+{
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator | QLocale::RejectGroupSeparator);
+    return locale;
+}
+
+class PrimitiveDialog : public CommandDialog
+{
+    Q_DECLARE_TR_FUNCTIONS(ui::PrimitiveDialog)
+
+public:
+    PrimitiveDialog(QWidget* parent, double size)
+        : CommandDialog(parent, "primitiveDialog", tr("Insert a Primitive"),
+                        tr("Measures, place, and how it is combined with the present model:"))
+    {
+        addShape(size);
+        addPlace();
+        m_problem = addText({});
+        m_problem->setObjectName(QStringLiteral("problem"));
+        showKind();
+    }
+
+    void ask(const CommandCallback& callback)
+    {
+        m_accept = openFor(ModelDialogs::tr("Insert"), callback, [this] { return insertion(); });
+        judge();
+    }
+
+private:
+    void addShape(double size)
+    {
+        QStringList kinds;
+        for (std::size_t i = 0; i < Primitive::kinds; ++i)
+            kinds << PrimitiveMessages::kind(static_cast<Primitive::Kind>(i));
+        m_kind = addList("kind", tr("Shape"), kinds);
+        const double defaults[] = {size, size, size, size / 2, 0, size / 8}; // a capsule's height is set by showKind()
+        for (std::size_t i = 0; i < Primitive::measures; ++i) {
+            const auto measure = static_cast<Measure>(i);
+            m_measures[i] = addNumber(core::name(measure).data(), PrimitiveMessages::measure(measure),
+                                      millimetreField(defaults[i], 0));
+        }
+        addProfile(size);
+        m_axis = addList(
+            "axis", tr("Its axis"),
+            {ModelDialogs::tr("Y, upwards"), ModelDialogs::tr("X, to the right"), ModelDialogs::tr("Z, to the front")});
+        m_edge = addNumber("edge", tr("Edge length"), millimetreField(0, 0));
+        m_edge->setSpecialValueText(tr("Automatic"));
+        connect(m_kind, &QComboBox::currentIndexChanged, this, [this] { showKind(); });
+        connect(m_profile, &QPlainTextEdit::textChanged, this, [this] { judge(); });
+        for (QDoubleSpinBox* box : m_measures)
+            connect(box, &QDoubleSpinBox::valueChanged, this, [this] { judge(); });
+        connect(m_edge, &QDoubleSpinBox::valueChanged, this, [this] { judge(); });
+    }
+
+    void addProfile(double size)
+    {
+        m_profile = named(new QPlainTextEdit, "profile");
+        m_profile->setTabChangesFocus(true);
+        m_profile->setToolTip(tr("One point a line: its distance from the axis and its height, in millimetres."));
+        m_profile->setAccessibleDescription(m_profile->toolTip());
+        m_profile->setFixedHeight(profileLines * fontMetrics().lineSpacing() + 2 * fontMetrics().height() / 2);
+        const auto line = [size](double radius, double height) {
+            return plainLocale().toString(radius * size, 'f', 2) + u' ' + plainLocale().toString(height * size, 'f', 2);
+        };
+        m_profile->setPlainText(
+            QStringList({line(0.3, 0), line(0.5, 0.4), line(0.25, 0.8), line(0.35, 1)}).join(u'\n'));
+        form()->addRow(tr("Profile: radius, height"), m_profile);
+    }
+
+    void addPlace()
+    {
+        m_place = addList("place", tr("Place"),
+                          {ModelDialogs::tr("Beside the present model"), ModelDialogs::tr("With its middle at"),
+                           tr("With the middle of its bottom at")});
+        m_at = addCoordinates(this);
+        m_at.setEnabled(false);
+        m_combination = addCombinations(this);
+        connect(m_place, &QComboBox::currentIndexChanged, this, [this](int place) { m_at.setEnabled(place > 0); });
+        connect(m_combination, &QComboBox::currentIndexChanged, this, [this](int combination) {
+            if (combination > 0 && m_place->currentIndex() == 0)
+                m_place->setCurrentIndex(1); // beside the model there is nothing to combine
+        });
+    }
+
+    Primitive::Kind kind() const { return static_cast<Primitive::Kind>(m_kind->currentIndex()); }
+
+    /// Shows the rows of the shape's measures.
+    void showKind()
+    {
+        const auto measures = core::measuresOf(kind());
+        for (std::size_t i = 0; i < Primitive::measures; ++i)
+            form()->setRowVisible(m_measures[i], std::ranges::count(measures, static_cast<Measure>(i)) > 0);
+        form()->setRowVisible(m_profile, kind() == Primitive::Kind::Lathe);
+        form()->setRowVisible(m_axis, kind() != Primitive::Kind::Cuboid && kind() != Primitive::Kind::Ball);
+        QDoubleSpinBox* height = m_measures[static_cast<std::size_t>(Measure::Height)];
+        const double diameter = 2 * m_measures[static_cast<std::size_t>(Measure::Radius)]->value();
+        if (kind() == Primitive::Kind::Capsule && height->value() <= diameter)
+            height->setValue(2 * diameter);
+        judge();
+        adjustSize();
+    }
+
+    /// Returns the points that were typed. A line that is not two numbers becomes a point with a negative radius, which
+    /// no profile may have.
+    std::vector<core::ProfilePoint> profile() const
+    {
+        static const QRegularExpression space(QStringLiteral("[\\s;]+"));
+        std::vector<core::ProfilePoint> points;
+        for (const QString& line : m_profile->toPlainText().split(u'\n', Qt::SkipEmptyParts)) {
+            const QStringList words = line.split(space, Qt::SkipEmptyParts);
+            if (words.isEmpty())
+                continue;
+            bool isRadius = false, isHeight = false;
+            const double radius = numberOf(words[0], isRadius), height = numberOf(words.value(1), isHeight);
+            points.push_back(isRadius && isHeight && words.size() == 2 ? core::ProfilePoint{radius, height}
+                                                                       : core::ProfilePoint{-1, 0});
+        }
+        return points;
+    }
+
+    /// Reads a number of the user's language, or one with a decimal point.
+    static double numberOf(const QString& word, bool& isNumber)
+    {
+        const double number = plainLocale().toDouble(word, &isNumber);
+        return isNumber ? number : QLocale::c().toDouble(word, &isNumber);
+    }
+
+    Primitive primitive() const
+    {
+        Primitive result;
+        result.kind = kind();
+        for (std::size_t i = 0; i < Primitive::measures; ++i)
+            result.lengths[i] = m_measures[i]->value();
+        if (result.kind == Primitive::Kind::Lathe)
+            result.profile = profile();
+        result.edge = m_edge->value();
+        if (result.kind != Primitive::Kind::Cuboid && result.kind != Primitive::Kind::Ball)
+            result.axis = axisChoices[m_axis->currentIndex()];
+        return result;
+    }
+
+    core::Insert insertion() const
+    {
+        core::Insert insert;
+        insert.place = placeChoices[m_place->currentIndex()];
+        insert.centre = m_at.value();
+        insert.combination = static_cast<core::Insert::Combination>(m_combination->currentIndex());
+        insert.primitive = primitive();
+        return insert;
+    }
+
+    void judge()
+    {
+        const QString problem = PrimitiveMessages::problem(core::judgePrimitive(primitive()));
+        m_problem->setText(problem);
+        if (m_accept)
+            m_accept->setEnabled(problem.isEmpty());
+    }
+
+    QComboBox *m_kind, *m_axis, *m_place, *m_combination;
+    std::array<QDoubleSpinBox*, Primitive::measures> m_measures;
+    QPlainTextEdit* m_profile;
+    QDoubleSpinBox* m_edge;
+    Coordinates m_at;
+    QLabel* m_problem;
+    QPushButton* m_accept = nullptr;
+};
+} // namespace
+
+void askForPrimitive(QWidget* parent, const ModelInfo& modelInfo, const CommandCallback& callback)
+{
+    const double size = std::clamp(shareOfModel * modelInfo.size.maxCoeff(), 0.01, maxCoordinate);
+    // three significant digits look like a choice
+    const double digit = std::pow(10, std::floor(std::log10(size)) - 1);
+    (new PrimitiveDialog(parent, std::round(size / digit) * digit))->ask(callback);
+}
+} // namespace ui
