@@ -1,12 +1,19 @@
-// new: writes a starter model to a file, to sculpt or to replay strokes on.
+// new: writes a starter model, or a primitive of given measures, to a file.
 #include "app/commands/command_line.h"
 #include "app/commands/command_unit.h"
 #include "app/commands/standard_files.h"
+#include "app/model/command_names.h"
 #include "app/model/model_loader.h"
 
 #include "core/io/mesh_io.h"
+#include "core/operations/model_command.h"
+#include "core/primitives/primitives.h"
 #include "core/primitives/starter_models.h"
 #include "ui/util/error_messages.h"
+
+#include <QLocale>
+
+#include <algorithm>
 
 namespace app
 {
@@ -27,6 +34,128 @@ QString starterNames()
         names << QString::fromUtf8(core::name(starter));
     return names.join(QStringLiteral(", "));
 }
+
+QString primitiveNames()
+{
+    QStringList names;
+    for (std::size_t i = 0; i < core::Primitive::kinds; ++i)
+        names << QString::fromUtf8(core::name(static_cast<core::Primitive::Kind>(i)));
+    return names.join(QStringLiteral(", "));
+}
+
+QString optionOf(core::Primitive::Measure measure)
+{
+    return QString::fromUtf8(core::name(measure)).replace(u'_', u'-');
+}
+
+/// The options of primitives, besides those of their measures.
+const QString profileOption = QStringLiteral("profile"), edgeOption = QStringLiteral("edge-length");
+
+/// Returns the options of primitives.
+QStringList primitiveOptions()
+{
+    QStringList options = {profileOption, edgeOption};
+    for (std::size_t i = 0; i < core::Primitive::measures; ++i)
+        options << optionOf(static_cast<core::Primitive::Measure>(i));
+    return options;
+}
+
+void addPrimitiveOptions(QCommandLineParser& parser)
+{
+    const QString descriptions[] = {NewMessages::tr("Width of a box, along x, in mm."),
+                                    NewMessages::tr("Height along y in mm; a capsule's with its round ends."),
+                                    NewMessages::tr("Depth of a box, along z, in mm."),
+                                    NewMessages::tr("Radius in mm; a cone's at the bottom, a torus's to the middle of "
+                                                    "its tube."),
+                                    NewMessages::tr("Radius of a cone at the top, in mm (default: 0)."),
+                                    NewMessages::tr("Radius of a torus's tube, in mm.")};
+    static_assert(std::size(descriptions) == core::Primitive::measures);
+    for (std::size_t i = 0; i < core::Primitive::measures; ++i)
+        parser.addOption({optionOf(static_cast<core::Primitive::Measure>(i)), descriptions[i], QStringLiteral("MM")});
+    parser.addOption({profileOption, NewMessages::tr("Profile of a lathe: points of radius and height in mm."),
+                      QStringLiteral("POINTS")});
+    parser.addOption({edgeOption, NewMessages::tr("Length of a primitive's edges in mm (default: automatic)."),
+                      QStringLiteral("MM")});
+}
+
+/// Reads a profile as in "10,0 8,20".
+std::vector<core::ProfilePoint> profileIn(const QString& text)
+{
+    std::vector<core::ProfilePoint> profile;
+    for (const QString& point : text.simplified().split(u' ', Qt::SkipEmptyParts)) {
+        const QStringList numbers = point.split(u',');
+        bool isRadius = false, isHeight = false;
+        const double radius = QLocale::c().toDouble(numbers[0], &isRadius),
+                     height = QLocale::c().toDouble(numbers.value(1), &isHeight);
+        if (!isRadius || !isHeight || numbers.size() != 2)
+            CommandLine::fail(
+                NewMessages::tr("new: --profile must be points of radius and height, as in \"10,0 8,20\", "
+                                "not \"%1\".")
+                    .arg(text));
+        profile.push_back({radius, height});
+    }
+    return profile;
+}
+
+core::TriangleMesh primitiveOf(core::Primitive::Kind kind, const CommandOptions& options)
+{
+    core::Primitive primitive;
+    primitive.kind = kind;
+    QStringList known = {edgeOption};
+    for (const core::Primitive::Measure measure : core::measuresOf(kind)) {
+        const QString option = optionOf(measure);
+        known << option;
+        if (measure == core::Primitive::Measure::TopRadius && !options.has(option))
+            continue; // a pointed cone
+        if (!options.has(option))
+            CommandLine::fail(NewMessages::tr("new: %1 needs --%2.").arg(QString::fromUtf8(core::name(kind)), option));
+        primitive.length(measure) =
+            options.number(option, measure == core::Primitive::Measure::TopRadius ? 0 : core::ModelLimits::minExtent,
+                           core::ModelLimits::maxExtent);
+    }
+    if (kind == core::Primitive::Kind::Lathe) {
+        known << profileOption;
+        if (!options.has(profileOption))
+            CommandLine::fail(
+                NewMessages::tr("new: %1 needs --%2.").arg(QString::fromUtf8(core::name(kind)), profileOption));
+        primitive.profile = profileIn(options.text(profileOption));
+    }
+    if (options.has(edgeOption))
+        primitive.edge = options.number(edgeOption, core::ModelLimits::minExtent, core::ModelLimits::maxExtent);
+    for (const QString& option : primitiveOptions())
+        if (options.has(option) && !known.contains(option))
+            CommandLine::fail(NewMessages::tr("new: %1 has no --%2.").arg(QString::fromUtf8(core::name(kind)), option));
+    core::PrimitiveResult made = core::makePrimitive(primitive);
+    if (!made.mesh)
+        CommandLine::fail(QStringLiteral("new: ") + CommandNames::problem(made));
+    return std::move(*made.mesh);
+}
+
+/// Returns the shape that the arguments name. A name that is both a starter's and a primitive's is the primitive's if a
+/// measure is given.
+core::TriangleMesh shapeOf(const QString& word, const CommandOptions& options, const QString& size)
+{
+    const std::optional<core::Starter> starter = core::starterNamed(word.toStdString());
+    const std::optional<core::Primitive::Kind> primitive = core::primitiveNamed(word.toStdString());
+    const QStringList measures = primitiveOptions();
+    const bool isMeasured = std::ranges::any_of(measures, [&](const QString& name) { return options.has(name); });
+    if (primitive && (isMeasured || !starter)) {
+        if (options.has(size))
+            CommandLine::fail(NewMessages::tr("new: %1 with measures has no --%2.").arg(word, size));
+        return primitiveOf(*primitive, options);
+    }
+    if (!starter)
+        CommandLine::fail(NewMessages::tr("new: the shape must be one of %1, or with measures %2, not \"%3\".")
+                              .arg(starterNames(), primitiveNames(), word));
+    if (isMeasured)
+        CommandLine::fail(NewMessages::tr("new: %1 has no measures but --%2.").arg(word, size));
+    core::TriangleMesh mesh = core::starterModel(*starter);
+    if (const double factor =
+            options.has(size) ? options.number(size, minStarterSize, maxStarterSize) / starterSize : 1;
+        factor != 1)
+        CommandUnit::scale(word, mesh, factor);
+    return mesh;
+}
 } // namespace
 
 ExitStatus newCommand(const QStringList& arguments)
@@ -34,11 +163,13 @@ ExitStatus newCommand(const QStringList& arguments)
     const QString size = QStringLiteral("size");
     QCommandLineParser parser;
     parser.setApplicationDescription(
-        NewMessages::tr("Writes one of the program's starting shapes: %1.").arg(starterNames()));
+        NewMessages::tr("Writes one of the program's starting shapes: %1. Or a solid of the given measures: %2.")
+            .arg(starterNames(), primitiveNames()));
     parser.addPositionalArgument(QStringLiteral("STARTER"), NewMessages::tr("The shape."));
     parser.addPositionalArgument(QStringLiteral("OUT"),
                                  NewMessages::tr("The file to write, in the format of its ending; or -."));
     parser.addOption({size, NewMessages::tr("Length of its longest side in mm (default: 100)."), QStringLiteral("MM")});
+    addPrimitiveOptions(parser);
     StandardFiles::addTo(parser);
     CommandOptions::addNoClobber(parser);
     const CommandOptions options(parser, QStringLiteral("new"), arguments);
@@ -48,16 +179,10 @@ ExitStatus newCommand(const QStringList& arguments)
         CommandLine::fail(NewMessages::tr("new: needs a shape and a file, as in new ball ball.glb; the shapes are %1.")
                               .arg(starterNames()));
     const QString word = options.files()[0], out = options.files()[1];
-    const std::optional<core::Starter> starter = core::starterNamed(word.toStdString());
-    if (!starter)
-        CommandLine::fail(NewMessages::tr("new: the shape must be one of %1, not \"%2\".").arg(starterNames(), word));
-    const double factor = options.has(size) ? options.number(size, minStarterSize, maxStarterSize) / starterSize : 1;
+    const core::TriangleMesh mesh = shapeOf(word, options, size);
     options.requireFree(out);
     const QString path = StandardFiles::output(options, out);
     CommandLine::requireMeshEnding(path);
-    core::TriangleMesh mesh = core::starterModel(*starter);
-    if (factor != 1)
-        CommandUnit::scale(word, mesh, factor);
     try {
         core::writeMesh(toPath(path), mesh);
     } catch (const core::FileError& error) {

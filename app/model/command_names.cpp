@@ -192,8 +192,6 @@ QString CommandNames::refusal(const core::ModelChange& change, const QString& in
         return tr("The mesh stays as it is: with edges this short it would need too many triangles (%1).").arg(faces);
     case core::ModelRefusal::NoOutline:
         return tr("The model stays as it is, because the curve does not go around an area.");
-    case core::ModelRefusal::NothingLeft:
-        return tr("The model stays as it is, because nothing would be left of it.");
     case core::ModelRefusal::NoCut:
         return tr("The model stays as it is, because the cut would not leave one sound surface; another curve may do.");
     }

@@ -117,6 +117,7 @@ private Q_SLOTS:
     void files_ofAnotherFormatAreToldAsSuch();
     void spellings_ofBothKindsAreTaken();
     void new_writesEachStarter();
+    void new_writesPrimitives();
     void standardFiles_carryModels();
     void standardFiles_areNamedInErrors();
     void standardOutput_isNoTerminalForBinaries();
@@ -431,6 +432,35 @@ void TestCommandLine::new_writesEachStarter()
                  .status,
              0);
     QCOMPARE(core::boxOf(core::readMesh(at("a.stl").toStdString())).sizes().maxCoeff(), 80.0);
+}
+
+void TestCommandLine::new_writesPrimitives()
+{
+    const auto make = [&](const char* words) {
+        return fettle(QStringList{QStringLiteral("new")} + QProcess::splitCommand(QString::fromUtf8(words)) +
+                      QStringList{at("a.ply")});
+    };
+    for (const char* words :
+         {"box --width 10 --height 20 --depth 30", "ball --radius 5", "cylinder --radius 5 --height 20",
+          "cone --radius 5 --height 20", "cone --radius 5 --height 20 --top-radius 2", "capsule --radius 5 --height 20",
+          "torus --radius 5 --tube-radius 2 --edge-length 0.4", "lathe --profile \"0,0 10,0 8,20\""}) {
+        const Answer answer = make(words);
+        QVERIFY2(answer.status == 0 && answer.out.isEmpty() && answer.err.isEmpty(), answer.err.constData());
+        QVERIFY2(core::checkMesh(core::readMesh(at("a.ply").toStdString())).printReady(), words);
+    }
+    for (const auto& [words, part] :
+         {std::pair("box --width 10 --height 20", "box needs --depth"),
+          std::pair("ball --radius 5 --height 3", "ball has no --height"),
+          std::pair("vase --radius 5", "vase has no measures but --size"),
+          std::pair("ball --radius 5 --size 10", "has no --size"), std::pair("blob", "with measures box, ball"),
+          std::pair("ball --radius 0", "--radius must be a number from"),
+          std::pair("torus --radius 2 --tube-radius 3", "larger than the radius of its"),
+          std::pair("lathe --profile 1,2,3", "as in \"10,0 8,20\""),
+          std::pair("ball --radius 5 --edge-length 3", "may be 0.833 mm long at most")}) {
+        const Answer answer = make(words);
+        QCOMPARE(answer.status, 2);
+        QVERIFY2(answer.err.contains(part) && answer.err.count('\n') == 1, answer.err.constData());
+    }
 }
 
 void TestCommandLine::standardFiles_carryModels()

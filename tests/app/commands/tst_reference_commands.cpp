@@ -3,6 +3,7 @@
 #include "app/commands/command_line.h"
 
 #include "core/io/mesh_io.h"
+#include "core/primitives/primitives.h"
 #include "core/primitives/starter_models.h"
 #include "core/stroke/stroke.h"
 #include "tests/app/commands/reference_page.h"
@@ -26,7 +27,8 @@
 
 namespace
 {
-const QStringList optionPages{QStringLiteral("commands"), QStringLiteral("commands-class")};
+const QStringList optionPages{QStringLiteral("primitives"), QStringLiteral("commands"),
+                              QStringLiteral("commands-class")};
 
 struct ShellAnswer
 {
@@ -306,6 +308,18 @@ QString lineWith(const QString& command, const QString& option)
         {QStringLiteral("sheet"), QStringLiteral("fettle sheet model.stl -o sheet.pdf")},
         {QStringLiteral("lesson"), QStringLiteral("fettle lesson my-lesson --model model.stl --json")},
     };
+    static const QMap<QString, QString> primitives{
+        {QStringLiteral("--width"), QStringLiteral("box - --to obj --width 1 --height 1 --depth 1")},
+        {QStringLiteral("--height"), QStringLiteral("box - --to obj --width 1 --height 1 --depth 1")},
+        {QStringLiteral("--depth"), QStringLiteral("box - --to obj --width 1 --height 1 --depth 1")},
+        {QStringLiteral("--radius"), QStringLiteral("ball - --to obj --radius 1")},
+        {QStringLiteral("--top-radius"), QStringLiteral("cone - --to obj --radius 1 --height 1")},
+        {QStringLiteral("--tube-radius"), QStringLiteral("torus - --to obj --radius 1")},
+        {QStringLiteral("--profile"), QStringLiteral("lathe - --to obj")},
+        {QStringLiteral("--edge-length"), QStringLiteral("ball - --to obj --radius 1")},
+    };
+    if (command == QLatin1String("new") && primitives.contains(option))
+        return QStringLiteral("fettle new ") + primitives.value(option);
     return lines.value(command) + (option == QLatin1String("--every") ? QStringLiteral(" --frames film") : QString());
 }
 
@@ -581,6 +595,9 @@ void TestReferenceCommands::completion_hasTheWords()
     QStringList starters;
     for (const core::Starter starter : core::starters)
         starters << QString::fromUtf8(core::name(starter));
+    for (std::size_t i = 0; i < core::Primitive::kinds; ++i)
+        starters << QString::fromUtf8(core::name(static_cast<core::Primitive::Kind>(i)));
+    starters.removeDuplicates();
     starters.sort();
     for (const auto& [command, words] :
          {std::pair(QStringLiteral("new"), starters),
