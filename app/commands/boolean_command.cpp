@@ -108,7 +108,8 @@ std::optional<BooleanOptions> parseBooleanOptions(const QStringList& arguments)
 /// Reads a model and scales it to mm. Throws CommandFailure if it is not sound.
 TriangleMesh operand(const BooleanOptions& options, const QString& file)
 {
-    auto [mesh, remarks] = core::readModel(toPath(file), {options.up});
+    auto [mesh, remarks, parts] = core::readModel(toPath(file), {options.up});
+    mesh.parts.clear(); // all parts are one solid
     if (options.unit != 1)
         CommandUnit::scale(file, mesh, options.unit);
     const core::MeshReport report = core::checkMesh(mesh);

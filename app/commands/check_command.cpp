@@ -338,7 +338,7 @@ void printReport(const CheckOptions& options, const QString& name, const Json& j
 
 Checked check(const CheckOptions& options, const std::filesystem::path& file)
 {
-    auto [mesh, remarks] = core::readModel(file);
+    auto [mesh, remarks, parts] = core::readModel(file);
     if (options.unit != 1)
         CommandUnit::scale(ui::displayName(file), mesh, options.unit);
     Checked checked{{}, {}, core::readMetadata(file).work, remarks};

@@ -233,7 +233,7 @@ ExitStatus convertCommand(const QStringList& arguments)
     if (!options)
         return Done;
     try {
-        auto [mesh, remarks] = core::readModel(toPath(options->in), {options->up});
+        auto [mesh, remarks, parts] = core::readModel(toPath(options->in), {options->up});
         if (!options->repair)
             requireSound(options->in, mesh);
         if (const double factor = scaleFor(*options, mesh); factor != 1) {
@@ -251,7 +251,7 @@ ExitStatus convertCommand(const QStringList& arguments)
         }
         if (repaired)
             printRepair(repaired->report);
-        core::writeMesh(toPath(options->out), mesh);
+        core::writeMesh(toPath(options->out), mesh, {.parts = parts});
         StandardFiles::flush();
         if (const QString left = ui::ErrorMessages::remarks(options->in, remarks); !left.isEmpty())
             CommandLine::printError(left);

@@ -159,6 +159,7 @@ void readInserted(Entries& entries, const QString& strokes)
             continue;
         try {
             insertion->model = core::readMesh(toPath(strokes).parent_path() / command->file);
+            insertion->model.parts.clear(); // it becomes one part
         } catch (const core::FileError& error) {
             core::StrokeFileError place(core::StrokeFileError::Kind::CannotRead);
             place.stroke = i;
@@ -338,7 +339,8 @@ void run(const ReplayOptions& options, Entries& entries)
         writeReplayStats(*stats, replayed.dabs, *model.sculptor, mesh);
     if (!options.out.isEmpty())
         core::writeMesh(toPath(options.out),
-                        core::placedMesh(toPath(options.out), mesh, model.sculptor->mesh().frame().place));
+                        core::placedMesh(toPath(options.out), mesh, model.sculptor->mesh().frame().place),
+                        {.parts = model.sculptor->mesh().frame().parts});
     if (stats)
         stats->commit();
     if (!options.frames.isEmpty())

@@ -73,9 +73,11 @@ void ModelChangeJob::read(ModelChangeOutcome& outcome, ModelChangeRequest& reque
                           const core::JobControl& control)
 {
     const ui::InsertRequest& insertion = request.insertion;
-    auto [mesh, remarks] = core::readModel(toPath(insertion.path), {.stop = control.stop});
+    core::ReadResult read = core::readModel(toPath(insertion.path), {.stop = control.stop});
+    core::TriangleMesh& mesh = read.mesh;
+    mesh.parts.clear(); // it becomes one part
     const QString name = QFileInfo(insertion.path).fileName();
-    outcome.notice = ui::ErrorMessages::remarks(name, remarks);
+    outcome.notice = ui::ErrorMessages::remarks(name, read.remarks);
     if (!core::scaleMesh(mesh, insertion.unit)) {
         outcome.problem = ui::ErrorMessages::tooLarge(insertion.path);
         return;

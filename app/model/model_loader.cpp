@@ -8,6 +8,7 @@
 #include "core/io/mesh_io.h"
 #include "core/io/placed_mesh.h"
 #include "core/mesh/mesh_builder.h"
+#include "core/parts/part_split.h"
 #include "core/repair/repair.h"
 #include "core/sculpt/sculptor.h"
 #include "core/util/numbered_backup.h"
@@ -59,6 +60,8 @@ LoadedModel ModelLoader::loadRepaired(const QString& path, const core::RepairOpt
                 return;
             loaded.doubt = repairDoubt(ui::RepairUse::Opening, loaded.name, repaired, mesh);
             mesh = std::move(*repaired.mesh);
+            if (loaded.parts.size() > 1)
+                loaded.parts = {}; // the repair made one part of all
             loaded.repairs = ui::RepairMessages::steps(repaired.report) + ui::RepairMessages::losses(repaired.report);
             loaded.path.clear();
             if (onStage)
@@ -87,8 +90,9 @@ LoadedModel ModelLoader::read(const QString& path, const OnStage& onStage, const
     loaded.path = loaded.source = path;
     loaded.name = QFileInfo(path).fileName();
     try {
-        auto [mesh, remarks] = core::readModel(toPath(path), {.stop = control.stop});
+        auto [mesh, remarks, parts] = core::readModel(toPath(path), {.stop = control.stop});
         loaded.metadata = core::readMetadata(toPath(path));
+        loaded.parts = parts;
         if (onStage)
             onStage(tr("Checking %1").arg(loaded.name));
         control.reportProgress(afterReading);
@@ -121,6 +125,7 @@ core::MeshReport ModelLoader::build(LoadedModel& loaded, const core::TriangleMes
         return result.report;
     core::MeshFrame frame = result.mesh->frame();
     frame.place += placing.origin;
+    frame.parts = core::listedParts(mesh, loaded.parts);
     result.mesh->beginStroke();
     result.mesh->setFrame(frame);
     result.mesh->endStroke();

@@ -46,6 +46,7 @@ struct LoadedModel
     QString path;                           ///< path of the file that contains the model; empty: none
     QString source;                         ///< file from which the model was read; empty: none
     core::DocumentMetadata metadata;        ///< metadata of the file
+    core::PartList parts;                   ///< names and properties of the parts in the file
     std::shared_ptr<core::Journal> journal; ///< journal begun for the model; may be null
     /// History of a model that was recovered from a journal; its mesh has moved to the sculptor. Null for others.
     std::shared_ptr<core::RecoveredDocument> recovered;

@@ -1,6 +1,7 @@
 #include "core/io/export_check.h"
 
 #include "core/io/mesh_io.h"
+#include "core/parts/part_split.h"
 
 #include <algorithm>
 
@@ -17,9 +18,11 @@ template <class Same> bool alike(const TriangleMesh& a, const TriangleMesh& b, S
 }
 } // namespace
 
-ExportVerdict checkExport(const std::filesystem::path& path, const TriangleMesh& written, const JobControl& control)
+ExportVerdict checkExport(const std::filesystem::path& path, const TriangleMesh& mesh, const JobControl& control,
+                          const PartList& parts)
 {
-    const TriangleMesh read = readMesh(path, {.stop = control.stop});
+    const TriangleMesh written = inListOrder(mesh, parts);
+    const TriangleMesh read = readMesh(path, {.stop = control.stop, .keepsObjects = !written.parts.empty()});
     ExportVerdict verdict;
     verdict.sameCorners = alike(read, written, [&](Slot a, Slot b) { return read.points[a] == written.points[b]; });
     const auto format = meshFormatOf(path);

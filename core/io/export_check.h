@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/analysis/mesh_check.h"
+#include "core/parts/part_list.h"
 
 #include <filesystem>
 
@@ -18,7 +19,8 @@ struct ExportVerdict
 
 /// Reads the file back and compares it with the mesh that was written to it. Throws FileError, or ReadingCancelled if
 /// it is cancelled while reading. After a later cancel the result is not usable. Cost: that of opening the file:
-/// reading it, and about 1 s per million faces on two cores.
-ExportVerdict checkExport(const std::filesystem::path& path, const TriangleMesh& written,
-                          const JobControl& control = {});
+/// reading it, and about 1 s per million faces on two cores. `parts`: the list of the mesh's parts with which it was
+/// written. Formats with objects are checked part by part.
+ExportVerdict checkExport(const std::filesystem::path& path, const TriangleMesh& mesh, const JobControl& control = {},
+                          const PartList& parts = {});
 } // namespace core

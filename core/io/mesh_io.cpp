@@ -10,6 +10,7 @@
 #include "core/io/mesh/input_file.h"
 #include "core/io/mesh/palette.h"
 #include "core/io/mesh/vertex_welder.h"
+#include "core/parts/part_split.h"
 #include "core/util/large_buffer.h"
 #include "core/util/parallel.h"
 
@@ -224,6 +225,8 @@ void settle(ReadResult& result, const io::FileBytes& file, bool isWelded, UpAxis
     if (!isWelded)
         io::weld(result.mesh, file.stop);
     result.remarks.facesOfFewer += eraseFacesOfFewerCorners(result.mesh.triangles);
+    if (!result.mesh.parts.empty())
+        result.remarks.objects = 1;
     if (result.mesh.triangles.empty())
         throw io::withCounts({FileErrorKind::NoFaces, file.path},
                              result.remarks.negativeParts + result.remarks.otherParts);
@@ -238,22 +241,21 @@ bool isForExternalReader(const FileError& error)
            error.token == io::dracoExtension && externalReader().readDraco;
 }
 
-ReadResult readOwn(const std::filesystem::path& path, std::uint64_t size, MeshFormat format,
-                   const std::stop_token& stop)
+ReadResult readOwn(const std::filesystem::path& path, std::uint64_t size, MeshFormat format, const ReadOptions& options)
 {
     const io::InputFile input(path);
     std::array<char, io::startSize> start;
     refuseStart({path, {start.data(), input.read(0, start)}}, size, format);
     std::uint64_t bytesWithBuffers = 0;
     try {
-        const LargeBuffer<char> bytes = allOf(input, path, size, stop);
-        return parse({path, {bytes.data(), bytes.size()}, stop}, format);
+        const LargeBuffer<char> bytes = allOf(input, path, size, options.stop);
+        return parse({path, {bytes.data(), bytes.size()}, options.stop, false, options.keepsObjects}, format);
     } catch (const FileError& error) {
         if (!isForExternalReader(error))
             throw;
         bytesWithBuffers = error.expected;
     }
-    return externalReader().readDraco(path, bytesWithBuffers, stop);
+    return externalReader().readDraco(path, bytesWithBuffers, options.stop);
 }
 
 ReadResult readExternal(const std::filesystem::path& path, std::uint64_t size, const ReadOptions& options)
@@ -322,6 +324,11 @@ bool holdsColors(MeshFormat format)
     return format != MeshFormat::Stl;
 }
 
+bool holdsHiddenParts(MeshFormat format)
+{
+    return format == MeshFormat::Glb;
+}
+
 UpAxis usualUp(MeshFormat format)
 {
     const bool isOfPrinters = format == MeshFormat::Stl || format == MeshFormat::ThreeMf || format == MeshFormat::Amf;
@@ -335,7 +342,7 @@ ReadResult readModel(const std::filesystem::path& path, const ReadOptions& optio
         return readExternal(path, size, options);
     const MeshFormat format = requireFormat(path);
     refuseSize(path, size);
-    ReadResult result = readOwn(path, size, format, options.stop);
+    ReadResult result = readOwn(path, size, format, options);
     settle(result, {path, {}, options.stop}, isWeldedByReader(format), options.up.value_or(usualUp(format)));
     return result;
 }
@@ -376,6 +383,15 @@ void writeMesh(const std::filesystem::path& path, const TriangleMesh& mesh, cons
     if ((isExternal(path) || meshFormatOf(path)) && !isWritten(path))
         throw io::errorWithToken(FileErrorKind::NotWritten, {path, {}}, endingOf(path));
     const MeshFormat format = requireFormat(path);
+    const PartList known = options.parts            ? *options.parts
+                           : options.metadata.frame ? options.metadata.frame->parts
+                                                    : PartList();
+    const PartList parts = listedParts(mesh, known);
+    if (parts.size() > 1 && !std::ranges::is_sorted(mesh.parts, {}, [&](PartId part) { return parts.find(part); })) {
+        WriteOptions sorted = options;
+        sorted.parts = parts;
+        return writeMesh(path, inListOrder(mesh, parts), sorted);
+    }
     if (options.up.value_or(usualUp(format)) == UpAxis::Z) {
         TriangleMesh turned = mesh;
         toZUp(turned.points);
@@ -389,7 +405,7 @@ void writeMesh(const std::filesystem::path& path, const TriangleMesh& mesh, cons
         io::writeStl(out, mesh, options.ascii);
         break;
     case MeshFormat::Obj:
-        io::writeObj(out, mesh, options.metadata.palette);
+        io::writeObj(out, mesh, options.metadata.palette, parts);
         break;
     case MeshFormat::Ply:
         io::writePly(out, mesh, options);
@@ -398,10 +414,10 @@ void writeMesh(const std::filesystem::path& path, const TriangleMesh& mesh, cons
         io::writeOff(out, mesh, options.metadata.palette);
         break;
     case MeshFormat::Glb:
-        io::writeGlb(out, mesh, withRelativeImages(options.metadata, folderOf(path)));
+        io::writeGlb(out, mesh, withRelativeImages(options.metadata, folderOf(path)), parts);
         break;
     case MeshFormat::ThreeMf:
-        io::writeThreeMf(out, mesh, options.metadata.palette);
+        io::writeThreeMf(out, mesh, options.metadata.palette, parts);
         break;
     case MeshFormat::Gltf:
     case MeshFormat::Amf:

@@ -2,6 +2,7 @@
 
 #include "core/geometry/triangle_mesh.h"
 #include "core/io/document_metadata.h"
+#include "core/parts/part_list.h"
 
 #include <filesystem>
 #include <optional>
@@ -32,17 +33,22 @@ enum class UpAxis { Y, Z };
 UpAxis usualUp(MeshFormat format);
 
 bool holdsColors(MeshFormat format);
+/// Returns whether the format keeps the properties of parts, so that hidden parts can be written to it.
+bool holdsHiddenParts(MeshFormat format);
 
 struct ReadOptions
 {
     std::optional<UpAxis> up = {}; ///< up axis of the file; missing: usualUp()
     std::stop_token stop = {};     ///< requests cancelling: readModel() then throws ReadingCancelled within about 20 ms
+    /// Makes a part of each object of the file, if there are several, but not more than PartList::maxParts. Otherwise
+    /// only a document of several parts (a GLB with FETTLE_document) keeps them.
+    bool keepsObjects = false;
 };
 
 /// Content of a file that the resulting mesh does not keep, to be reported to the user.
 struct ReadRemarks
 {
-    std::size_t objects = 1; ///< objects in the file; they were merged into one mesh
+    std::size_t objects = 1; ///< objects in the file that were merged into one mesh; 1 if they became parts
     bool materials = false, textures = false;
     /// The file has skins or morph targets; the mesh has the pose in which the file shows it.
     bool poses = false;
@@ -66,6 +72,9 @@ struct ReadResult
 {
     TriangleMesh mesh;
     ReadRemarks remarks;
+    /// Names of the parts, and other properties if the file is a document of Fettle. The mesh has labels if there are
+    /// several parts. Formats without objects, formats of the external reader and Draco-compressed glTF have one part.
+    PartList parts = {};
 };
 
 /// Thrown by readers when a cancel was requested.
@@ -79,15 +88,19 @@ struct WriteOptions
     /// Data to be stored in addition to the surface. GLB stores all of it, in an extension that other programs ignore.
     /// PLY, OBJ, OFF and 3MF store only the palette, in a comment; other formats store nothing.
     DocumentMetadata metadata = {};
+    /// Names, order and other properties of the mesh's parts; missing: those of the metadata's frame. The parts follow
+    /// each other in the file in this order.
+    std::optional<PartList> parts = {};
 };
 
 /// Reads a model of any supported format. Throws FileError. The result has at least one face, indices in range, finite
 /// points, and three different corners in each face. Nothing more is guaranteed: faces may have no area, vertices may
 /// be unused. Vertices with equal bits (-0 = 0) are merged in every format, because STL stores no shared vertices and
-/// other files split vertices along seams. Vertices and faces keep their order. Polygons are triangulated, without
-/// repeated corners and slits. Numbers in text are rounded to the nearest float32. If a binary STL is too short for
-/// what its header declares, only its start is read. Units are the file's; glTF's metres and the units named in 3MF and
-/// AMF files are converted to mm. Files that a .gltf references must be in its folder after resolving symbolic links.
+/// other files split vertices along seams; but vertices of different parts are not merged. Vertices and faces keep
+/// their order. Polygons are triangulated, without repeated corners and slits. Numbers in text are rounded to the
+/// nearest float32. If a binary STL is too short for what its header declares, only its start is read. Units are the
+/// file's; glTF's metres and the units named in 3MF and AMF files are converted to mm. Files that a .gltf references
+/// must be in its folder after resolving symbolic links.
 ReadResult readModel(const std::filesystem::path& path, const ReadOptions& options = {});
 /// Returns only the mesh of readModel().
 TriangleMesh readMesh(const std::filesystem::path& path, const ReadOptions& options = {});

@@ -10,9 +10,9 @@
 #include "core/geometry/lattice_placement.h"
 #include "core/geometry/morton_order.h"
 #include "core/mesh/lattice_fit.h"
+#include "core/parts/part_split.h"
 
 #include <algorithm>
-#include <set>
 
 namespace core
 {
@@ -43,22 +43,6 @@ std::optional<Placed> restorePlacement(const TriangleMesh& model, const std::opt
             return std::nullopt;
     }
     return placed;
-}
-
-/// Returns the list with exactly the parts that the mesh has.
-PartList listedParts(const TriangleMesh& mesh, const PartList& known)
-{
-    std::set<PartId> ids(mesh.parts.begin(), mesh.parts.end());
-    if (ids.empty())
-        ids.insert(0);
-    std::vector<Part> parts;
-    for (const Part& part : known.all()) {
-        if (ids.erase(part.id) > 0)
-            parts.push_back(part);
-    }
-    for (const PartId id : ids)
-        parts.emplace_back().id = id;
-    return PartList(std::move(parts));
 }
 
 Placed place(const TriangleMesh& model, bool centre)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace core
 {
@@ -75,5 +76,43 @@ TriangleMesh joined(const std::vector<PartPiece>& pieces)
             all.triangles.push_back({first + a, first + b, first + c});
     }
     return all;
+}
+
+PartList listedParts(const TriangleMesh& mesh, const PartList& known)
+{
+    std::set<PartId> ids(mesh.parts.begin(), mesh.parts.end());
+    if (ids.empty())
+        ids.insert(0);
+    std::vector<Part> parts;
+    for (const Part& part : known.all()) {
+        if (ids.erase(part.id) > 0)
+            parts.push_back(part);
+    }
+    for (const PartId id : ids)
+        parts.emplace_back().id = id;
+    return PartList(std::move(parts));
+}
+
+TriangleMesh visibleParts(const TriangleMesh& mesh, const PartList& list)
+{
+    if (std::ranges::all_of(list.all(), &Part::isVisible))
+        return mesh;
+    std::vector<PartPiece> pieces = splitByPart(mesh);
+    std::erase_if(pieces, [&list](const PartPiece& piece) {
+        const Part* const part = list.find(piece.part);
+        return part && !part->isVisible;
+    });
+    return joined(pieces);
+}
+
+TriangleMesh inListOrder(const TriangleMesh& mesh, const PartList& known)
+{
+    if (mesh.parts.empty())
+        return mesh;
+    const PartList list = listedParts(mesh, known);
+    const auto placeOf = [&list](const PartPiece& piece) { return list.find(piece.part); };
+    std::vector<PartPiece> pieces = splitByPart(mesh);
+    std::ranges::sort(pieces, {}, placeOf);
+    return joined(pieces);
 }
 } // namespace core

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/triangle_mesh.h"
+#include "core/parts/part_list.h"
 
 namespace core
 {
@@ -20,4 +20,15 @@ std::vector<PartPiece> splitByPart(const TriangleMesh& mesh);
 /// Returns one mesh of all pieces, with labels if there is more than one or its part is not 0. The indices of the
 /// pieces are not used.
 TriangleMesh joined(const std::vector<PartPiece>& pieces);
+
+/// Returns the list with exactly the parts that the mesh has: those of `known` in its order, then others without a name
+/// by ascending id.
+PartList listedParts(const TriangleMesh& mesh, const PartList& known);
+
+/// Returns the mesh without the parts that the list hides. Cost: O(mesh).
+TriangleMesh visibleParts(const TriangleMesh& mesh, const PartList& list);
+
+/// Returns the mesh with one part after the other, in the order of listedParts(); within a part, vertices and faces
+/// keep their order. A mesh without labels stays as it is; others lose vertices without a face.
+TriangleMesh inListOrder(const TriangleMesh& mesh, const PartList& known);
 } // namespace core

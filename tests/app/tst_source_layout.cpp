@@ -50,8 +50,8 @@ const FolderRule folderRules[] = {
     {"core/operations", "core/util core/geometry core/parts core/analysis core/boolean core/stroke core/mesh "
                         "core/sculpt/edit core/sculpt/verify core/sculpt/remesh core/primitives"},
     {"core/io/stroke", "core/util core/geometry core/stroke core/sculpt/deform core/operations"},
-    {"core/io/mesh", "core/util core/geometry core/sculpt/deform core/io/stroke core/io"},
-    {"core/io", "core/util core/geometry core/analysis core/stroke core/mesh core/io/mesh"},
+    {"core/io/mesh", "core/util core/geometry core/parts core/sculpt/deform core/io/stroke core/io"},
+    {"core/io", "core/util core/geometry core/parts core/analysis core/stroke core/mesh core/io/mesh"},
     {"core/journal", "core/util core/mesh core/operations core/io/stroke core/io"},
     {"core/lesson", "core/util core/geometry core/analysis core/mesh core/sculpt core/operations core/io/stroke "
                     "core/io/mesh core/io"},
@@ -98,8 +98,8 @@ const FolderRule folderRules[] = {
     {"app/platform", ""},
     {"app/import", "core/util core/geometry core/io/mesh core/io app/platform"},
     {"app/model",
-     "core/util core/geometry core/analysis core/mesh core/drawing core/repair core/sculpt core/operations "
-     "core/io/stroke core/io ui/util ui/model ui/files ui/brush app/import"},
+     "core/util core/geometry core/parts core/analysis core/boolean core/mesh core/drawing core/repair core/sculpt "
+     "core/operations core/io/stroke core/io ui/util ui/model ui/files ui/brush app/import"},
     {"app/worker", "core/util core/stroke core/mesh core/drawing core/sculpt core/io/stroke core/journal ui/util "
                    "ui/drawing"},
     {"app/recovery", "core/sculpt core/journal ui/util app/model"},

@@ -159,10 +159,13 @@ public:
             refuseCycles(i, 0);
         const double unit = m_document.millimetres;
         for (std::size_t i = 0; i < m_document.nodes.size(); ++i)
-            if (!isNamed[i])
+            if (!isNamed[i]) {
+                m_assembly.beginObject({});
                 add(i, Eigen::Vector4d(unit, unit, unit, 1).asDiagonal(), 0);
+            }
         m_document.remarks.objects = std::max<std::size_t>(m_document.remarks.objects, 1);
-        return {m_assembly.take(), m_document.remarks};
+        TriangleMesh mesh = m_assembly.take();
+        return {std::move(mesh), m_document.remarks, m_assembly.parts()};
     }
 
 private:

@@ -15,6 +15,7 @@ struct FileBytes
     std::string_view bytes;
     std::stop_token stop = {};
     bool isStandalone = false; ///< the file has no directory: references to other files are refused
+    bool keepsObjects = false; ///< see ReadOptions
 };
 
 /// Checks for a cancel while elements are read. Call it for each element; it checks the token about once a millisecond.
@@ -91,9 +92,11 @@ ReadResult readThreeMf(const FileBytes& file);
 ReadResult readAmf(const FileBytes& file); ///< reads XML or a zip of it; points in mm; memory as for readThreeMf()
 
 void writeStl(AtomicFile& out, const TriangleMesh& mesh, bool ascii);
-void writeObj(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette);
+/// Writes an object for each part; the same for 3MF. `parts`: listedParts() of the mesh.
+void writeObj(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette, const PartList& parts);
 void writePly(AtomicFile& out, const TriangleMesh& mesh, const WriteOptions& options);
 void writeOff(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette);
-void writeGlb(AtomicFile& out, const TriangleMesh& mesh, const DocumentMetadata& metadata);
-void writeThreeMf(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette);
+/// Writes a node and a mesh for each part.
+void writeGlb(AtomicFile& out, const TriangleMesh& mesh, const DocumentMetadata& metadata, const PartList& parts);
+void writeThreeMf(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette, const PartList& parts);
 } // namespace core::io

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace core::io
@@ -19,9 +20,9 @@ using Json = nlohmann::json;
 
 constexpr const char* extensionName = "FETTLE_document";
 constexpr int version = 1;
-/// Largest JSON chunk that is read, bytes. Fettle writes a few thousand bytes; another program that rewrote the file
-/// may have added more.
-constexpr std::size_t maxJson = 1 << 20;
+/// Largest JSON chunk that is read, bytes. Fettle writes a few thousand bytes, and for each part about a thousand;
+/// another program that rewrote the file may have added more.
+constexpr std::size_t maxJson = 1 << 23;
 /// Largest absolute exponent of a lattice that is accepted; imports stay well below it.
 constexpr int maxExponent = 64;
 constexpr double farthest = 1e9; ///< largest coordinate or length that is accepted, mm
@@ -189,6 +190,36 @@ std::vector<Rgb> paletteIn(const Json& metadata)
     return palette;
 }
 
+nlohmann::ordered_json jsonOf(const Part& part)
+{
+    nlohmann::ordered_json json = {
+        {"id", part.id}, {"name", part.name}, {"visible", part.isVisible}, {"locked", part.isLocked}};
+    if (part.tag)
+        json["tag"] = hexOf(*part.tag);
+    return json;
+}
+
+std::optional<Part> partIn(const Json& json)
+{
+    const auto id = numberIn(json, "id", 0, std::numeric_limits<PartId>::max());
+    const Json &name = valueIn(json, "name"), &visible = valueIn(json, "visible"), &locked = valueIn(json, "locked"),
+               &tag = valueIn(json, "tag");
+    if (!id || *id != std::trunc(*id) || !name.is_string() || !visible.is_boolean() || !locked.is_boolean())
+        return std::nullopt;
+    const auto color = tag.is_string() ? colorOf(tag.get_ref<const std::string&>()) : std::nullopt;
+    if (!tag.is_null() && !color)
+        return std::nullopt;
+    return Part{static_cast<PartId>(*id), name.get<std::string>(), visible.get<bool>(), locked.get<bool>(), color};
+}
+
+/// Returns the extension in a glTF document; a null value if there is none of a version that can be read.
+const Json& extensionIn(const Json& document)
+{
+    static const Json none;
+    const Json& json = valueIn(valueIn(document, "extensions"), extensionName);
+    return valueIn(json, "version") == version && valueIn(json, "unit") == "mm" ? json : none;
+}
+
 /// Returns the JSON chunk; empty if the file is not a GLB, ends early, or has more JSON than maxJson.
 std::string jsonChunkOf(std::istream& file)
 {
@@ -205,10 +236,10 @@ std::string jsonChunkOf(std::istream& file)
 }
 } // namespace
 
-void addMetadata(nlohmann::ordered_json& document, const DocumentMetadata& metadata)
+void addMetadata(nlohmann::ordered_json& document, const DocumentMetadata& metadata, const PartList& parts)
 {
     if (!metadata.frame && metadata.palette.empty() && !metadata.view && !metadata.brush && !metadata.work &&
-        metadata.references.empty())
+        metadata.references.empty() && parts == PartList())
         return;
     nlohmann::ordered_json json = {{"version", version}, {"unit", "mm"}};
     if (metadata.frame) {
@@ -227,6 +258,8 @@ void addMetadata(nlohmann::ordered_json& document, const DocumentMetadata& metad
         json["work"] = {{"strokes", metadata.work->strokes}, {"seconds", metadata.work->seconds}};
     for (const SavedReference& reference : metadata.references)
         json["references"].push_back(jsonOf(reference));
+    for (const Part& part : parts == PartList() ? std::vector<Part>() : parts.all())
+        json["parts"].push_back(jsonOf(part));
     document["extensionsUsed"] = nlohmann::ordered_json::array({extensionName});
     document["extensions"] = {{extensionName, std::move(json)}};
 }
@@ -237,9 +270,26 @@ DocumentMetadata readGlbMetadata(std::istream& file)
     if (text.find(extensionName) == std::string::npos)
         return {};
     const Json document = Json::parse(text, nullptr, false);
-    const Json& json = valueIn(valueIn(document, "extensions"), extensionName);
-    if (valueIn(json, "version") != version || valueIn(json, "unit") != "mm")
-        return {};
-    return {paletteIn(json), frameIn(json), viewIn(json), brushIn(json), workIn(json), referencesIn(json)};
+    const Json& json = extensionIn(document);
+    DocumentMetadata metadata{paletteIn(json), frameIn(json), viewIn(json),
+                              brushIn(json),   workIn(json),  referencesIn(json)};
+    if (metadata.frame)
+        metadata.frame->parts = partsIn(document).value_or(PartList());
+    return metadata;
+}
+
+std::optional<PartList> partsIn(const Json& document)
+{
+    const Json &all = valueIn(extensionIn(document), "parts"), &nodes = valueIn(document, "nodes");
+    if (!all.is_array() || !nodes.is_array() || all.size() != nodes.size())
+        return std::nullopt;
+    std::vector<Part> parts;
+    for (const Json& json : all) {
+        auto part = partIn(json);
+        if (!part)
+            return std::nullopt;
+        parts.push_back(*std::move(part));
+    }
+    return PartList::isUsable(parts) ? std::optional(PartList(std::move(parts))) : std::nullopt;
 }
 } // namespace core::io

@@ -1,7 +1,8 @@
-// GLB: one node that scales mm to glTF's metres, with one mesh of one primitive. Colours are linear with 16 bits. The
-// mask is a custom attribute, 0 to 1.
+// GLB: a node for each part that scales mm to glTF's metres, with one mesh of one primitive. Colours are linear with 16
+// bits. The mask is a custom attribute, 0 to 1.
 
 #include "core/io/mesh/binary.h"
+#include "core/io/mesh/file_parts.h"
 #include "core/io/mesh/glb_metadata.h"
 #include "core/io/mesh/gltf_document.h"
 #include "core/io/mesh/record_writer.h"
@@ -87,9 +88,9 @@ private:
     std::size_t m_bytes = 0;
 };
 
-Json documentOf(const TriangleMesh& mesh, const DocumentMetadata& metadata, std::size_t& bytes)
+/// Adds the accessors of a part, and returns its mesh.
+Json meshOf(const TriangleMesh& mesh, Layout& layout)
 {
-    Layout layout;
     Json attributes;
     const int positions = layout.add(mesh.points.size(), 12, floatType, "VEC3", vertexTarget);
     Eigen::AlignedBox3f box;
@@ -107,16 +108,27 @@ Json documentOf(const TriangleMesh& mesh, const DocumentMetadata& metadata, std:
     if (!mesh.masks.empty())
         attributes["_MASK"] = layout.add(mesh.points.size(), 4, floatType, "SCALAR", vertexTarget);
     const int indices = layout.add(3 * mesh.triangles.size(), 4, indexType, "SCALAR", indexTarget);
+    return {{"primitives", {{{"attributes", attributes}, {"indices", indices}, {"material", 0}}}}};
+}
+
+Json documentOf(const FileParts& parts, Layout& layout)
+{
     Json document;
     document["asset"] = {{"version", "2.0"}, {"generator", "Fettle"}};
     document["scene"] = 0;
-    document["scenes"] = {{{"nodes", {0}}}};
-    document["nodes"] = {{{"mesh", 0}, {"scale", {0.001, 0.001, 0.001}}}};
+    document["scenes"] = Json::array({Json{{"nodes", Json::array()}}});
+    document["nodes"] = Json::array();
     document["materials"] = {{{"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 0.8}}}}};
-    document["meshes"] = {{{"primitives", {{{"attributes", attributes}, {"indices", indices}, {"material", 0}}}}}};
-    addMetadata(document, metadata);
-    bytes = layout.bytes();
-    layout.moveTo(document);
+    document["meshes"] = Json::array();
+    for (const FilePart& part : parts.all()) {
+        const std::size_t index = document["nodes"].size();
+        document["scenes"][0]["nodes"].push_back(index);
+        Json node = {{"mesh", index}, {"scale", {0.001, 0.001, 0.001}}};
+        if (!part.name.empty())
+            node["name"] = part.name;
+        document["nodes"].push_back(std::move(node));
+        document["meshes"].push_back(meshOf(part.mesh, layout));
+    }
     return document;
 }
 
@@ -127,25 +139,8 @@ void writePoints(AtomicFile& out, const std::vector<Vec3f>& points)
             store(into, points[i][k]);
     });
 }
-} // namespace
-
-void writeGlb(AtomicFile& out, const TriangleMesh& mesh, const DocumentMetadata& metadata)
+void writeBinary(AtomicFile& out, const TriangleMesh& mesh)
 {
-    std::size_t bytes = 0;
-    std::string json = documentOf(mesh, metadata, bytes).dump();
-    json.resize((json.size() + 3) / 4 * 4, ' ');
-    if (bytes > maxBytes)
-        throw FileError(FileErrorKind::WriteFailed, out.path());
-    std::string head;
-    append(head, glbMagic);
-    append(head, glbVersion);
-    append(head, static_cast<std::uint32_t>(28 + json.size() + bytes));
-    append(head, static_cast<std::uint32_t>(json.size()));
-    append(head, glbJsonChunk);
-    head += json;
-    append(head, static_cast<std::uint32_t>(bytes));
-    append(head, glbBinaryChunk);
-    out.write(head);
     writePoints(out, mesh.points);
     writePoints(out, normalsOf(mesh));
     writeRecords(out, mesh.colors.size(), 8, [&mesh, table = lights()](std::size_t i, char* into) {
@@ -159,5 +154,32 @@ void writeGlb(AtomicFile& out, const TriangleMesh& mesh, const DocumentMetadata&
         for (const Slot corner : mesh.triangles[i])
             store(into, static_cast<std::uint32_t>(corner));
     });
+}
+} // namespace
+
+void writeGlb(AtomicFile& out, const TriangleMesh& mesh, const DocumentMetadata& metadata, const PartList& parts)
+{
+    const FileParts pieces(mesh, parts);
+    Layout layout;
+    Json document = documentOf(pieces, layout);
+    addMetadata(document, metadata, parts);
+    const std::size_t bytes = layout.bytes();
+    layout.moveTo(document);
+    std::string json = document.dump();
+    json.resize((json.size() + 3) / 4 * 4, ' ');
+    if (bytes > maxBytes)
+        throw FileError(FileErrorKind::WriteFailed, out.path());
+    std::string head;
+    append(head, glbMagic);
+    append(head, glbVersion);
+    append(head, static_cast<std::uint32_t>(28 + json.size() + bytes));
+    append(head, static_cast<std::uint32_t>(json.size()));
+    append(head, glbJsonChunk);
+    head += json;
+    append(head, static_cast<std::uint32_t>(bytes));
+    append(head, glbBinaryChunk);
+    out.write(head);
+    for (const FilePart& part : pieces.all())
+        writeBinary(out, part.mesh);
 }
 } // namespace core::io

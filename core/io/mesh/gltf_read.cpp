@@ -1,10 +1,12 @@
 // Reads glTF: the triangles of each primitive, transformed by its nodes and converted from metres to mm.
 
+#include "core/io/mesh/glb_metadata.h"
 #include "core/io/mesh/gltf_document.h"
 #include "core/io/mesh/gltf_draco.h"
 #include "core/io/mesh/gltf_primitive.h"
 #include "core/io/mesh/gltf_scene.h"
 #include "core/io/mesh/gltf_skin.h"
+#include "core/io/mesh/object_labels.h"
 #include "core/io/mesh/srgb.h"
 #include "core/util/parallel.h"
 
@@ -27,7 +29,13 @@ constexpr std::size_t chunkSize = 1 << 15;
 class GltfReader
 {
 public:
-    GltfReader(const FileBytes& file, bool isBinary) : m_file(file), m_gltf(file, isBinary), m_stopCheck(file.stop) {}
+    GltfReader(const FileBytes& file, bool isBinary)
+        : m_file(file)
+        , m_gltf(file, isBinary)
+        , m_stopCheck(file.stop)
+        , m_parts(isBinary ? partsIn(m_gltf.document()) : std::nullopt)
+        , m_labels(file.keepsObjects || m_parts)
+    {}
 
     ReadResult read()
     {
@@ -38,7 +46,14 @@ public:
             m_mesh.colors.resize(m_mesh.points.size(), Rgb());
         if (m_hasMasks)
             m_mesh.masks.resize(m_mesh.points.size());
-        return {std::move(m_mesh), remarks()};
+        PartList parts;
+        if (m_parts && m_labels.finishAs(*m_parts, m_mesh))
+            parts = *m_parts;
+        else if (m_file.keepsObjects)
+            parts = m_labels.finish(m_mesh);
+        else
+            m_mesh.parts.clear();
+        return {std::move(m_mesh), remarks(), std::move(parts)};
     }
 
 private:
@@ -53,6 +68,7 @@ private:
     void addMesh(std::size_t index, const GltfPlace& place)
     {
         ++m_objects;
+        m_labels.begin(place.name);
         for (const Json& primitive : m_gltf.arrayIn(m_gltf.element("meshes", index), "primitives"))
             addPrimitive(primitive, place);
     }
@@ -71,6 +87,7 @@ private:
             throw tooMany("vertices", max, errorAtByte({}, m_file, m_file.bytes.data()));
         const GltfSkinning skinning(m_file, m_gltf, primitive, place.joints, count);
         addPoints(numbers, place.transform, skinning);
+        m_labels.label(m_mesh);
         if (primitive.has("COLOR_0"))
             addColors(first, count, primitive);
         if (primitive.has("_MASK"))
@@ -180,6 +197,8 @@ private:
     GltfDocument m_gltf;
     GltfDraco m_draco{m_gltf};
     StopCheck m_stopCheck;
+    std::optional<PartList> m_parts; ///< the list of a Fettle document of several parts
+    ObjectLabels m_labels;
     TriangleMesh m_mesh;
     bool m_hasColors = false, m_hasMasks = false, m_hasTargets = false;
     std::size_t m_objects = 0;

@@ -14,6 +14,14 @@ constexpr std::size_t maxJoints = 1 << 18; ///< largest number of joints of all 
 constexpr int maxDepth = 256;
 /// Number of node visits that is always allowed, even if the file has fewer nodes.
 constexpr std::size_t alwaysVisited = 1 << 16;
+
+/// Returns the name of a node; empty if it has none.
+std::string_view nameOf(const GltfDocument::Json& node)
+{
+    const auto name = node.find("name");
+    return name != node.end() && name->is_string() ? std::string_view(name->get_ref<const std::string&>())
+                                                   : std::string_view();
+}
 } // namespace
 
 void GltfScene::forEachMesh(const Eigen::Matrix4d& root, const Visit& visit)
@@ -81,7 +89,7 @@ void GltfScene::visitInstances(const Json& node, const Eigen::Matrix4d& transfor
     if (!mesh)
         return;
     const auto skin = m_gltf.indexIn(node, "skin");
-    GltfPlace place{transform, skin ? jointsOf(*skin) : std::span<const Eigen::Matrix4d>()};
+    GltfPlace place{transform, skin ? jointsOf(*skin) : std::span<const Eigen::Matrix4d>(), nameOf(node)};
     for (const Eigen::Matrix4d& instance : gltfInstances(m_file, m_gltf, node)) {
         m_stopCheck();
         if (++m_instances > maxGltfInstances)

@@ -19,6 +19,7 @@ struct GltfPlace
     /// Transforms from a skinned mesh to the scene, one for each joint; empty without a skin. Valid as long as the
     /// GltfScene exists.
     std::span<const Eigen::Matrix4d> joints;
+    std::string_view name = {}; ///< name of the node; may be empty
 };
 
 /// Visits the visible nodes of a glTF's scene, and their instances. Without scenes it visits all nodes that have no

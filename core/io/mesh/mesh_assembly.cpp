@@ -39,7 +39,7 @@ void removeUnusedVertices(TriangleMesh& mesh)
             corner = places[corner];
 }
 
-MeshAssembly::MeshAssembly(const FileBytes& file) : m_file(file), m_stopCheck(file.stop) {}
+MeshAssembly::MeshAssembly(const FileBytes& file) : m_file(file), m_stopCheck(file.stop), m_labels(file.keepsObjects) {}
 
 void MeshAssembly::add(const TriangleMesh& mesh, const Eigen::Matrix4d& transform)
 {
@@ -57,6 +57,7 @@ void MeshAssembly::add(const TriangleMesh& mesh, const Eigen::Matrix4d& transfor
             throw errorWithToken(FileErrorKind::NotANumber, m_file, {});
         m_mesh.points.push_back(point);
     }
+    m_labels.label(m_mesh);
     if (!mesh.colors.empty()) {
         m_mesh.colors.resize(first, Rgb());
         m_mesh.colors.insert(m_mesh.colors.end(), mesh.colors.begin(), mesh.colors.end());
@@ -74,6 +75,7 @@ TriangleMesh MeshAssembly::take()
 {
     if (!m_mesh.colors.empty())
         m_mesh.colors.resize(m_mesh.points.size(), Rgb());
+    m_parts = m_labels.finish(m_mesh);
     return std::exchange(m_mesh, {});
 }
 

@@ -1,7 +1,9 @@
-// OBJ: reads the lines v (with colour, if any) and f, which is fo in old files. All other lines are ignored; materials,
-// free-form surfaces and calls of other files are recorded in the remarks. Faces may use vertices that are defined
-// later.
+// OBJ: reads the lines v (with colour, if any), f, which is fo in old files, and o. All other lines are ignored;
+// materials, free-form surfaces and calls of other files are recorded in the remarks. Faces may use vertices that are
+// defined later.
 
+#include "core/io/mesh/file_parts.h"
+#include "core/io/mesh/object_labels.h"
 #include "core/io/mesh/palette.h"
 #include "core/io/mesh/polygons.h"
 #include "core/io/mesh/text_scanner.h"
@@ -10,6 +12,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <unordered_map>
 
 namespace core::io
 {
@@ -31,13 +35,15 @@ public:
         do
             readLine();
         while (m_text.nextLine());
-        if (m_mesh.points.empty() && m_faces.faces() == 0)
+        if (m_mesh.points.empty() && corners() == 0)
             throw FileError(FileErrorKind::NotWhatItsEndingSays, m_file.path);
         checkLargestIndex();
-        m_mesh.triangles = m_faces.triangles(m_mesh.points, m_stopCheck, m_remarks);
         makeColors();
+        ObjectLabels labels(m_objects.size() > 1 && m_objects.size() <= std::numeric_limits<PartId>::max());
+        makeTriangles(labels);
+        PartList parts = labels.finish(m_mesh);
         m_remarks.objects = std::max<std::size_t>(m_remarks.objects, 1);
-        return {std::move(m_mesh), m_remarks};
+        return {std::move(m_mesh), m_remarks, std::move(parts)};
     }
 
 private:
@@ -55,7 +61,18 @@ private:
                  keyword == "cdp") // the last three occur in old files
             ++m_remarks.unreadNodes;
         else if (keyword == "o")
-            ++m_remarks.objects;
+            beginObject();
+    }
+
+    void beginObject()
+    {
+        ++m_remarks.objects;
+        if (!m_file.keepsObjects)
+            return;
+        const std::string_view rest =
+            m_file.bytes.substr(static_cast<std::size_t>(m_text.position() - m_file.bytes.data()));
+        m_cornersBefore += faces().corners();
+        m_objects.push_back({cleanName(rest.substr(0, rest.find_first_of("\r\n"))), {}});
     }
 
     /// Reads v x y z, with or without a weight and with or without r g b.
@@ -79,19 +96,19 @@ private:
     void readFace()
     {
         while (!m_text.atLineEnd())
-            m_faces.addCorner(readCorner());
-        if (m_faces.cornersOfOpenFace() < 3) {
+            faces().addCorner(readCorner());
+        if (faces().cornersOfOpenFace() < 3) {
             if (m_text.atFileEnd())
                 m_text.fail(FileErrorKind::CutOff, {});
-            m_faces.dropOpenFace(); // only a point or an edge
+            faces().dropOpenFace(); // only a point or an edge
             ++m_remarks.facesOfFewer;
             return;
         }
-        if (m_faces.cornersOfOpenFace() > maxCorners)
+        if (faces().cornersOfOpenFace() > maxCorners)
             throw tooMany("corners", maxCorners, errorAtLine({}, m_file, m_text.position()));
-        if (m_faces.corners() > 3 * maxFaces)
+        if (corners() > 3 * maxFaces)
             throw tooMany("faces", maxFaces, errorAtLine({}, m_file, m_text.position()));
-        m_faces.endFace();
+        faces().endFace();
     }
 
     /// Reads v, v/vt, v//vn or v/vt/vn. Indices start at 1; negative ones count back from the latest vertex.
@@ -123,6 +140,48 @@ private:
             refuseIndex(m_largestWord);
     }
 
+    Polygons& faces() { return m_objects.back().faces; }
+    std::size_t corners() { return m_cornersBefore + faces().corners(); }
+
+    /// Makes the triangles of all objects. If labels are on, labels the points; a point that several objects use is
+    /// copied, so that each has its own.
+    void makeTriangles(ObjectLabels& labels)
+    {
+        std::vector<Slot> owners(labels.isOn() ? m_mesh.points.size() : 0, noSlot);
+        for (Slot object = 0; object < m_objects.size(); ++object) {
+            labels.begin(m_objects[object].name);
+            std::vector<Triangle> triangles = m_objects[object].faces.triangles(m_mesh.points, m_stopCheck, m_remarks);
+            std::unordered_map<Slot, Slot> copies;
+            for (Triangle& t : triangles)
+                for (Slot& corner : t)
+                    if (labels.isOn())
+                        corner = ownCorner(corner, object, owners, copies);
+            if (m_mesh.triangles.empty())
+                m_mesh.triangles = std::move(triangles);
+            else
+                m_mesh.triangles.insert(m_mesh.triangles.end(), triangles.begin(), triangles.end());
+        }
+        for (const Slot owner : owners)
+            m_mesh.parts.push_back(owner == noSlot ? PartId(0) : static_cast<PartId>(owner));
+    }
+
+    /// Returns the object's own point at a corner.
+    Slot ownCorner(Slot corner, Slot object, std::vector<Slot>& owners, std::unordered_map<Slot, Slot>& copies)
+    {
+        if (owners[corner] == noSlot)
+            owners[corner] = object;
+        if (owners[corner] == object)
+            return corner;
+        const auto [copy, isNew] = copies.try_emplace(corner, static_cast<Slot>(m_mesh.points.size()));
+        if (isNew) {
+            owners.push_back(object);
+            m_mesh.points.push_back(Vec3f(m_mesh.points[corner]));
+            if (!m_mesh.colors.empty())
+                m_mesh.colors.push_back(Rgb(m_mesh.colors[corner]));
+        }
+        return copy->second;
+    }
+
     /// Converts the colours to bytes. They are from 0 to 1; some programs write them from 0 to 255.
     void makeColors()
     {
@@ -149,7 +208,13 @@ private:
     StopCheck m_stopCheck;
     TriangleMesh m_mesh;
     std::vector<RawColor> m_colors; ///< values as in the file; uncoloured vertices at the end are missing
-    Polygons m_faces;
+    struct Object
+    {
+        std::string name;
+        Polygons faces;
+    };
+    std::vector<Object> m_objects = std::vector<Object>(1); ///< the first has the faces before the first line "o"
+    std::size_t m_cornersBefore = 0;                        ///< corners of all objects but the last
     ReadRemarks m_remarks{.objects = 0};
     std::int64_t m_largest = -1;
     std::string_view m_largestWord;
@@ -161,22 +226,29 @@ ReadResult readObj(const FileBytes& file)
     return ObjReader(file).read();
 }
 
-void writeObj(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette)
+void writeObj(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette, const PartList& parts)
 {
     constexpr float fullColor = 255.0f;
     TextWriter text(out);
     if (!palette.empty())
         text << "# " << paletteWords(palette) << '\n';
-    for (std::size_t i = 0; i < mesh.points.size(); ++i) {
-        const Vec3f& p = mesh.points[i];
-        text << "v " << p.x() << ' ' << p.y() << ' ' << p.z();
-        if (!mesh.colors.empty()) {
-            const Rgb c = mesh.colors[i];
-            text << ' ' << c.r / fullColor << ' ' << c.g / fullColor << ' ' << c.b / fullColor;
+    const FileParts pieces(mesh, parts);
+    std::size_t first = 1; // indices start at 1 and go on from part to part
+    for (const auto& [part, name] : pieces.all()) {
+        if (!name.empty())
+            text << "o " << cleanName(name) << '\n';
+        for (std::size_t i = 0; i < part.points.size(); ++i) {
+            const Vec3f& p = part.points[i];
+            text << "v " << p.x() << ' ' << p.y() << ' ' << p.z();
+            if (!part.colors.empty()) {
+                const Rgb c = part.colors[i];
+                text << ' ' << c.r / fullColor << ' ' << c.g / fullColor << ' ' << c.b / fullColor;
+            }
+            text << '\n';
         }
-        text << '\n';
+        for (const Triangle& t : part.triangles)
+            text << "f " << t[0] + first << ' ' << t[1] + first << ' ' << t[2] + first << '\n';
+        first += part.points.size();
     }
-    for (const Triangle& t : mesh.triangles)
-        text << "f " << t[0] + 1 << ' ' << t[1] + 1 << ' ' << t[2] + 1 << '\n';
 }
 } // namespace core::io

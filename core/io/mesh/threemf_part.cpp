@@ -5,6 +5,7 @@
 
 #include "core/io/mesh/mean_color.h"
 #include "core/io/mesh/number_parsing.h"
+#include "core/io/mesh/object_labels.h"
 #include "core/io/mesh/palette.h"
 
 #include <algorithm>
@@ -239,6 +240,7 @@ void ThreeMfPartReader::beginObject(const XmlAttributes& attributes)
     m_object = &m_part.objects[attributes.whole("id")];
     if (!m_object->mesh.points.empty() || !m_object->components.empty())
         attributes.refuse(FileFault::Repeated, "id"); // another object has this id
+    m_object->name = cleanName(attributes.text("name"));
     m_object->isSolid = isSolidType(attributes.text("type"), attributes);
     m_colors->objectGroup = attributes.wholeIfAny("pid");
     m_colors->objectIndex = attributes.wholeIfAny("pindex");

@@ -21,6 +21,7 @@ struct ThreeMfComponent
 struct ThreeMfObject
 {
     TriangleMesh mesh; ///< mesh in the part's unit; indices are in range
+    std::string name;  ///< a cleanName()
     std::vector<ThreeMfComponent> components;
     bool isSolid = true;    ///< false: a support, a solid support, or another object that is not part of the model
     std::string otherShape; ///< extension that defines this object's shape in a way that is not supported, or empty

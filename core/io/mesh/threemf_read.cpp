@@ -70,8 +70,10 @@ public:
         }
         const Eigen::Matrix4d unit =
             Eigen::Vector4d(root.millimetres, root.millimetres, root.millimetres, 1).asDiagonal();
-        for (const ThreeMfComponent& item : root.build)
+        for (const ThreeMfComponent& item : root.build) {
+            m_assembly.beginObject(nameOf(path, item));
             add(path, item, {unit, 0, item.object});
+        }
         m_remarks.objects = std::max<std::size_t>(m_remarks.objects, 1);
         core::TriangleMesh mesh = m_assembly.take();
         if (root.build.empty() && !objects.empty())
@@ -82,7 +84,7 @@ public:
             throw malformed(FileFault::NeedsExtension, errorWithToken({}, m_file, m_otherShape));
         if (m_hasPoint && !m_hasExtent)
             throw malformed(FileFault::None, errorWithToken({}, m_file, "transform"));
-        return {std::move(mesh), m_remarks};
+        return {std::move(mesh), m_remarks, m_assembly.parts()};
     }
 
 private:
@@ -112,6 +114,14 @@ private:
             throw;
         }
         return reader.part();
+    }
+
+    /// Returns the name of the object that an item of the build places; empty if it has none.
+    std::string nameOf(const std::string& root, const ThreeMfComponent& item)
+    {
+        const auto& objects = part(item.part.empty() ? root : item.part).objects;
+        const auto object = objects.find(item.object);
+        return object == objects.end() ? std::string() : object->second.name;
     }
 
     /// The placement of a component in the build.

@@ -1,6 +1,9 @@
-// 3MF: content types, relationships and one model part, whose text is generated while it is compressed. It has one
-// object, one build item and, if there are colours, a colour group that the triangles' corners refer to.
+// 3MF: content types, relationships and one model part, whose text is generated while it is compressed. It has an
+// object and a build item for each part of the mesh and, if there are colours, a colour group that the triangles'
+// corners refer to.
+#include "core/io/mesh/file_parts.h"
 #include "core/io/mesh/format.h"
+#include "core/io/mesh/object_labels.h"
 #include "core/io/mesh/palette.h"
 #include "core/io/mesh/zip_writer.h"
 
@@ -35,8 +38,25 @@ constexpr std::string_view modelStart = R"(<?xml version="1.0" encoding="UTF-8"?
 <metadata name="Application">Fettle</metadata>
 <resources>
 )";
-constexpr std::string_view modelEnd =
-    "</triangles></mesh></object>\n</resources>\n<build><item objectid=\"1\"/></build>\n</model>\n";
+constexpr std::size_t colorGroupId = 2;
+
+/// Returns the id of an object; it is not that of the colour group.
+std::size_t idOf(std::size_t object)
+{
+    return object == 0 ? 1 : object + colorGroupId;
+}
+
+std::string escaped(std::string_view text)
+{
+    std::string result;
+    for (const char c : text) {
+        constexpr std::string_view special = "&<>\"";
+        constexpr std::string_view entities[] = {"&amp;", "&lt;", "&gt;", "&quot;"};
+        const std::size_t which = special.find(c);
+        result += which == std::string_view::npos ? std::string_view(&c, 1) : entities[which];
+    }
+    return result;
+}
 
 std::uint32_t numberOf(const Rgb& color)
 {
@@ -47,7 +67,8 @@ std::uint32_t numberOf(const Rgb& color)
 class ModelText
 {
 public:
-    explicit ModelText(const TriangleMesh& mesh) : m_mesh(mesh)
+    /// `parts`: not owned.
+    ModelText(const TriangleMesh& mesh, const FileParts& parts) : m_parts(parts.all())
     {
         m_colors.reserve(mesh.colors.size());
         for (const Rgb& color : mesh.colors)
@@ -67,7 +88,7 @@ public:
         return bytes;
     }
 
-    void restart() { m_next = m_taken = 0, m_text.clear(); }
+    void restart() { m_section = m_next = m_taken = 0, m_text.clear(); }
 
     std::size_t read(char* to, std::size_t size)
     {
@@ -85,33 +106,89 @@ public:
     }
 
 private:
-    /// Appends the next element to m_text: start, colours, vertices, triangles, end. Returns false after the last one.
+    /// Appends the next element to m_text: the start with the colours, each object, the build. Returns false after the
+    /// last one.
     bool addNext()
     {
-        std::size_t at = m_next++;
-        const auto isOf = [&at](std::size_t count) {
-            const bool is = at < count;
-            at -= is ? 0 : count;
-            return is;
-        };
-        if (isOf(1))
-            *this << modelStart << (m_colors.empty() ? "" : "<m:colorgroup id=\"2\">\n");
-        else if (isOf(m_colors.size()))
-            addColor(m_colors[at]);
-        else if (isOf(1))
-            *this << (m_colors.empty() ? "" : "</m:colorgroup>\n") << "<object id=\"1\" type=\"model\""
-                  << (m_colors.empty() ? "" : " pid=\"2\" pindex=\"0\"") << "><mesh><vertices>\n";
-        else if (isOf(m_mesh.points.size()))
-            *this << "<vertex x=\"" << m_mesh.points[at].x() << "\" y=\"" << m_mesh.points[at].y() << "\" z=\""
-                  << m_mesh.points[at].z() << "\"/>\n";
-        else if (isOf(1))
-            *this << "</vertices><triangles>\n";
-        else if (isOf(m_mesh.triangles.size()))
-            addTriangle(m_mesh.triangles[at]);
-        else if (isOf(1))
-            *this << modelEnd;
+        for (; m_section < m_parts.size() + 2; ++m_section, m_next = 0)
+            if (addOf(m_section, m_next)) {
+                ++m_next;
+                return true;
+            }
+        return false;
+    }
+
+    /// Appends an element of a section. Returns false if the section has fewer elements.
+    bool addOf(std::size_t section, std::size_t at)
+    {
+        if (section == 0)
+            return addStart(at);
+        if (section <= m_parts.size())
+            return addObject(section - 1, at);
+        return addBuild(at);
+    }
+
+    bool addStart(std::size_t at)
+    {
+        if (at == 0)
+            *this << modelStart;
+        if (m_colors.empty())
+            return at == 0;
+        if (at == 0)
+            *this << "<m:colorgroup id=\"" << colorGroupId << "\">\n";
+        else if (at <= m_colors.size())
+            addColor(m_colors[at - 1]);
+        else if (at == m_colors.size() + 1)
+            *this << "</m:colorgroup>\n";
         else
             return false;
+        return true;
+    }
+
+    bool addObject(std::size_t index, std::size_t at)
+    {
+        const auto& [mesh, name] = m_parts[index];
+        const std::size_t points = mesh.points.size(), triangles = mesh.triangles.size();
+        if (at == 0)
+            addObjectStart(index, cleanName(name));
+        else if (at <= points)
+            addPoint(mesh.points[at - 1]);
+        else if (at == points + 1)
+            *this << "</vertices><triangles>\n";
+        else if (at <= points + 1 + triangles)
+            addTriangle(mesh, mesh.triangles[at - points - 2]);
+        else if (at == points + triangles + 2)
+            *this << "</triangles></mesh></object>\n";
+        else
+            return false;
+        return true;
+    }
+
+    void addObjectStart(std::size_t index, std::string_view name)
+    {
+        *this << "<object id=\"" << idOf(index) << "\" type=\"model\"";
+        if (!name.empty())
+            *this << " name=\"" << escaped(name) << "\"";
+        if (!m_colors.empty())
+            *this << " pid=\"" << colorGroupId << "\" pindex=\"0\"";
+        *this << "><mesh><vertices>\n";
+    }
+
+    void addPoint(const Vec3f& p)
+    {
+        *this << "<vertex x=\"" << p.x() << "\" y=\"" << p.y() << "\" z=\"" << p.z() << "\"/>\n";
+    }
+
+    bool addBuild(std::size_t at)
+    {
+        if (at > m_parts.size())
+            return false;
+        if (at == 0)
+            *this << "</resources>\n<build>";
+        if (at < m_parts.size())
+            *this << "<item objectid=\"" << idOf(at) << "\"/>";
+        else
+            *this << "</build>\n</model>\n";
         return true;
     }
 
@@ -124,11 +201,11 @@ private:
         *this << "\"/>\n";
     }
 
-    void addTriangle(const Triangle& t)
+    void addTriangle(const TriangleMesh& mesh, const Triangle& t)
     {
         *this << "<triangle v1=\"" << t[0] << "\" v2=\"" << t[1] << "\" v3=\"" << t[2];
         if (!m_colors.empty()) {
-            const auto [a, b, c] = std::array{indexOf(t[0]), indexOf(t[1]), indexOf(t[2])};
+            const auto [a, b, c] = std::array{indexOf(mesh, t[0]), indexOf(mesh, t[1]), indexOf(mesh, t[2])};
             *this << "\" p1=\"" << a;
             if (b != a || c != a)
                 *this << "\" p2=\"" << b << "\" p3=\"" << c;
@@ -136,9 +213,9 @@ private:
         *this << "\"/>\n";
     }
 
-    std::size_t indexOf(Slot corner) const
+    std::size_t indexOf(const TriangleMesh& mesh, Slot corner) const
     {
-        return static_cast<std::size_t>(std::ranges::lower_bound(m_colors, numberOf(m_mesh.colors[corner])) -
+        return static_cast<std::size_t>(std::ranges::lower_bound(m_colors, numberOf(mesh.colors[corner])) -
                                         m_colors.begin());
     }
 
@@ -155,10 +232,10 @@ private:
         return *this << std::string_view(digits, static_cast<std::size_t>(end - digits));
     }
 
-    const TriangleMesh& m_mesh;
-    std::vector<std::uint32_t> m_colors; ///< each colour once, sorted
-    std::size_t m_next = 0;              ///< index of the next element
-    std::string m_text;                  ///< text from m_taken on has not been read yet
+    const std::vector<FilePart>& m_parts;
+    std::vector<std::uint32_t> m_colors;   ///< each colour once, sorted
+    std::size_t m_section = 0, m_next = 0; ///< section, and index of its next element
+    std::string m_text;                    ///< text from m_taken on has not been read yet
     std::size_t m_taken = 0;
 };
 
@@ -201,13 +278,14 @@ zip_int64_t answer(void* self, void* data, zip_uint64_t size, zip_source_cmd_t c
 }
 } // namespace
 
-void writeThreeMf(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette)
+void writeThreeMf(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette, const PartList& parts)
 {
     // the first part is stored uncompressed: readMetadata() reads the palette from the file's first bytes
     std::string types(contentTypes);
     if (!palette.empty())
         types += "<!--\n# " + paletteWords(palette) + "\n-->\n";
-    ModelSource model{ModelText(mesh)};
+    const FileParts pieces(mesh, parts);
+    ModelSource model{ModelText(mesh, pieces)};
     ZipWriter package;
     package.add("[Content_Types].xml", types, ZipWriter::Packing::Stored);
     package.add("_rels/.rels", relationships, ZipWriter::Packing::Stored);

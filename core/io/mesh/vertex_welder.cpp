@@ -10,7 +10,10 @@
 #include "core/util/parallel.h"
 
 #include <bit>
+#include <limits>
+#include <numeric>
 #include <random>
+#include <utility>
 
 namespace core::io
 {
@@ -201,22 +204,73 @@ WeldedPoints weldPoints(std::size_t count, const PointLoader& load, const std::s
     return PointBuckets(count, load, stop).find();
 }
 
+namespace
+{
+/// Keeps the values of these points, whose indices ascend.
+template <class Value> void keep(std::vector<Value>& values, std::span<const Slot> points)
+{
+    if (values.empty())
+        return;
+    for (std::size_t i = 0; i < points.size(); ++i) // a point moves only to a lower or equal index
+        values[i] = values[points[i]];
+    values.resize(points.size());
+}
+
+/// Returns the points that may be merged with each other: the indices of all points sorted by their parts, and where
+/// each part begins.
+std::pair<std::vector<Slot>, std::vector<Slot>> pointsByPart(const std::vector<PartId>& parts)
+{
+    std::vector<Slot> starts(std::size_t(std::numeric_limits<PartId>::max()) + 2, 0);
+    for (const PartId part : parts)
+        ++starts[part + std::size_t(1)];
+    std::partial_sum(starts.begin(), starts.end(), starts.begin());
+    std::vector<Slot> points(parts.size()), next = starts;
+    for (Slot v = 0; v < parts.size(); ++v)
+        points[next[parts[v]]++] = v;
+    return {std::move(points), std::move(starts)};
+}
+
+WeldedPoints weldWithinParts(const TriangleMesh& mesh, const std::stop_token& stop)
+{
+    const auto [points, starts] = pointsByPart(mesh.parts);
+    WeldedPoints same{LargeBuffer<Slot>(mesh.points.size()), {}};
+    for (std::size_t part = 0; part + 1 < starts.size(); ++part) {
+        const auto own = std::span(points).subspan(starts[part], starts[part + 1] - starts[part]);
+        if (own.empty())
+            continue;
+        const WeldedPoints of = weldPoints(
+            own.size(),
+            [&](std::size_t begin, std::span<Vec3f> into) {
+                for (std::size_t i = 0; i < into.size(); ++i)
+                    into[i] = mesh.points[own[begin + i]];
+            },
+            stop);
+        for (std::size_t i = 0; i < own.size(); ++i)
+            same.numbers[own[i]] = own[of.firsts[of.numbers[i]]];
+    }
+    for (Slot v = 0; v < mesh.points.size(); ++v) { // the first of equal points comes before the others
+        const Slot first = same.numbers[v];
+        if (first == v)
+            same.firsts.push_back(v);
+        same.numbers[v] = first == v ? static_cast<Slot>(same.firsts.size() - 1) : same.numbers[first];
+    }
+    return same;
+}
+} // namespace
+
 void weld(TriangleMesh& mesh, const std::stop_token& stop)
 {
     const auto load = [&](std::size_t begin, std::span<Vec3f> into) {
         std::copy_n(mesh.points.begin() + static_cast<std::ptrdiff_t>(begin), into.size(), into.begin());
     };
-    const WeldedPoints same = weldPoints(mesh.points.size(), load, stop);
+    const WeldedPoints same =
+        mesh.parts.empty() ? weldPoints(mesh.points.size(), load, stop) : weldWithinParts(mesh, stop);
     if (same.firsts.size() == mesh.points.size())
         return;
-    for (std::size_t i = 0; i < same.firsts.size(); ++i) { // a point moves only to a lower or equal index
-        mesh.points[i] = mesh.points[same.firsts[i]];
-        if (!mesh.colors.empty())
-            mesh.colors[i] = mesh.colors[same.firsts[i]];
-    }
-    mesh.points.resize(same.firsts.size());
-    if (!mesh.colors.empty())
-        mesh.colors.resize(same.firsts.size());
+    keep(mesh.points, same.firsts);
+    keep(mesh.colors, same.firsts);
+    keep(mesh.masks, same.firsts);
+    keep(mesh.parts, same.firsts);
     for (Triangle& triangle : mesh.triangles)
         for (Slot& corner : triangle)
             corner = same.numbers[corner];

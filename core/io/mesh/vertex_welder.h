@@ -24,6 +24,7 @@ using PointLoader = std::function<void(std::size_t begin, std::span<Vec3f> into)
 /// Merges equal points, on all cores. Memory: 22 bytes a point, and four a distinct point. Throws ReadingCancelled.
 WeldedPoints weldPoints(std::size_t count, const PointLoader& load, const std::stop_token& stop);
 
-/// Merges vertices with equal bits; the first one's colour is kept. Vertices keep their order.
+/// Merges vertices with equal bits, unless they belong to different parts; the first one's colour and mask are kept.
+/// Vertices keep their order.
 void weld(TriangleMesh& mesh, const std::stop_token& stop);
 } // namespace core::io

@@ -283,6 +283,7 @@ core::DocumentMetadata fullMetadata()
 {
     core::MeshFrame frame{core::Lattice(16)};
     frame.place = core::Vec3(0, 0, 1000);
+    frame.parts = core::PartList({{0, "Body", true, false, core::Rgb{1, 2, 3}}});
     core::DocumentMetadata all{{core::Rgb{1, 2, 3}},   frame, core::SavedView(), core::StrokeSettings(),
                                core::WorkDone{3, 4.5}, {}};
     all.references.push_back({"front", "/lion.jpg"});
@@ -714,6 +715,7 @@ void TestReference::glb_hasTheseKeys()
     compareKeys(objectIn(json, "view"), table("key of the view"));
     compareKeys(objectIn(json, "work"), table("key of the work"));
     compareKeys(objectIn(json, "references"), table("key of a reference"));
+    compareKeys(objectIn(json, "parts"), table("key of a part"));
     for (const QString& key : objectIn(json, "brush").keys())
         QVERIFY2(strokeTable().keys().contains(key), qPrintable(key));
 }
@@ -728,6 +730,7 @@ void TestReference::glb_exampleIsRead()
     QVERIFY(read.frame && read.view && read.brush && read.work);
     QCOMPARE(read.references.size(), std::size_t(1));
     QCOMPARE(read.place().z(), 250000.0);
+    QVERIFY(read.frame->parts.all().front().tag == core::Rgb({255, 0, 0}));
     QCOMPARE(read.brush->tool, core::Tool::Clay);
     QCOMPARE(read.work->strokes, std::uint64_t(120));
 }
