@@ -220,10 +220,13 @@ core::TriangleMesh reduced(const ConvertOptions& options, const core::TriangleMe
     if (!built.mesh)
         throw CommandFailure{ui::ErrorMessages::tooFine(options.in, built.unsnappable), AnswerIsNo};
     const core::Vec3 place = built.mesh->frame().place;
-    core::Decimated few = core::decimate(std::move(*built.mesh), options.triangles);
-    if (few.mesh.triangles.size() > options.triangles)
-        throw CommandFailure{tooManyText(options.in, few.mesh, options.triangles), AnswerIsNo};
-    return core::placedMesh(toPath(options.out), std::move(few.mesh), place);
+    const core::Lattice lattice = built.mesh->lattice();
+    core::TriangleMesh few = mesh.parts.empty()
+                                 ? core::decimate(std::move(*built.mesh), options.triangles).mesh
+                                 : core::decimateEachPart(core::extractMesh(*built.mesh), lattice, options.triangles);
+    if (few.triangles.size() > options.triangles)
+        throw CommandFailure{tooManyText(options.in, few, options.triangles), AnswerIsNo};
+    return core::placedMesh(toPath(options.out), std::move(few), place);
 }
 } // namespace
 

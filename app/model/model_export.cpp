@@ -3,10 +3,12 @@
 #include "app/model/model_loader.h"
 #include "app/model/slicer_check.h"
 
+#include "core/boolean/mesh_boolean.h"
 #include "core/io/mesh_io.h"
 #include "core/io/placed_mesh.h"
 #include "core/mesh/mesh_builder.h"
 #include "core/operations/decimate.h"
+#include "core/parts/part_split.h"
 #include "ui/util/error_messages.h"
 
 #include <QDir>
@@ -26,22 +28,23 @@ constexpr double afterDecimating = 0.85, afterWriting = 0.2;
 
 ExportOutcome ModelExport::run(ExportRequest request, const OnStage& onStage, const core::JobControl& control)
 {
-    const bool decimates =
-        request.maxTriangles > 0 && request.mesh && request.mesh->live().faces > request.maxTriangles;
     try {
         if (!request.mesh)
             throw std::bad_alloc();
-        if (!decimates)
-            return write(request, core::extractMesh(*request.mesh), onStage, control);
+        core::TriangleMesh mesh =
+            ModelLoader::writtenSurface(request.path, core::extractMesh(*request.mesh), request.metadata);
+        const bool hasParts = !mesh.parts.empty();
+        if (const QString problem = join(request, mesh, onStage, control); !problem.isEmpty())
+            return {problem, {}};
+        if (hasParts && control.isCancelled())
+            return {};
+        if (request.maxTriangles == 0 || mesh.triangles.size() <= request.maxTriangles)
+            return write(request, mesh, onStage, control);
         onStage(tr("Reducing the triangles"));
-        const core::Vec3 place = request.mesh->frame().place;
-        core::Decimated few =
-            core::decimate(std::move(*request.mesh), request.maxTriangles, control.part(0, afterDecimating));
+        decimate(request, mesh, control.part(0, afterDecimating));
         if (control.isCancelled())
             return {};
-        request.metadata = {}; // they describe the undecimated model
-        return write(request, core::placedMesh(toPath(request.path), std::move(few.mesh), place), onStage,
-                     control.part(afterDecimating, 1));
+        return write(request, mesh, onStage, control.part(afterDecimating, 1));
     } catch (const core::FileError& error) {
         return {ui::ErrorMessages::sentence(error), {}};
     } catch (const core::ReadingCancelled&) {
@@ -49,6 +52,52 @@ ExportOutcome ModelExport::run(ExportRequest request, const OnStage& onStage, co
     } catch (const std::bad_alloc&) {
         return {tr("%1: there is not enough memory to write this model.").arg(request.path), {}};
     }
+}
+
+/// Unites the parts if the format is for print and their surfaces meet. Returns an empty string, or one sentence why
+/// this is not possible.
+QString ModelExport::join(ExportRequest& request, core::TriangleMesh& mesh, const OnStage& onStage,
+                          const core::JobControl& control)
+{
+    const auto format = core::meshFormatOf(toPath(request.path));
+    const bool isForPrint = format == core::MeshFormat::Stl || format == core::MeshFormat::ThreeMf;
+    if (!isForPrint || mesh.parts.empty() || !request.metadata.frame)
+        return {};
+    core::TriangleMesh whole = mesh;
+    whole.parts.clear();
+    if (core::checkMesh(whole, control.part(0, 0)).printReady())
+        return {};
+    onStage(tr("Joining the parts"));
+    std::vector<core::TriangleMesh> solids;
+    for (core::PartPiece& piece : core::splitByPart(mesh))
+        solids.push_back(std::move(piece.mesh));
+    core::BooleanResult all =
+        core::combine(core::SetOperation::Union, solids, control.part(0, 0), request.mesh->lattice());
+    if (all.mesh) {
+        mesh = std::move(*all.mesh);
+        request.metadata.frame->parts = {};
+    } else if (!control.isCancelled())
+        return tr("%1 was not written: its parts overlap and cannot be joined. Move one a little, or export them "
+                  "one by one.")
+            .arg(QDir::toNativeSeparators(request.path));
+    return {};
+}
+
+/// Decimates each part by the same share. Metadata describe the undecimated model; only the list of parts is kept.
+void ModelExport::decimate(ExportRequest& request, core::TriangleMesh& mesh, const core::JobControl& control)
+{
+    core::MeshFrame frame = request.mesh->frame();
+    if (frame.parts.size() == 1) {
+        request.metadata = {};
+        mesh = core::decimate(std::move(*request.mesh), request.maxTriangles, control).mesh;
+        if (!control.isCancelled())
+            mesh = core::placedMesh(toPath(request.path), std::move(mesh), frame.place);
+        return;
+    }
+    frame.parts = request.metadata.frame ? request.metadata.frame->parts : core::PartList();
+    request.metadata = {};
+    request.metadata.frame = frame;
+    mesh = core::decimateEachPart(mesh, frame.lattice, request.maxTriangles, control);
 }
 
 ExportOutcome ModelExport::write(const ExportRequest& request, const core::TriangleMesh& mesh, const OnStage& onStage,
@@ -73,7 +122,9 @@ ExportOutcome ModelExport::readBack(const ExportRequest& request, const core::Tr
 {
     try {
         const core::TriangleMesh written = core::placedMesh(toPath(request.path), mesh, request.metadata.place());
-        const core::ExportVerdict verdict = core::checkExport(toPath(request.path), written, control);
+        const core::ExportVerdict verdict =
+            core::checkExport(toPath(request.path), written, control,
+                              request.metadata.frame ? request.metadata.frame->parts : core::PartList());
         if (control.isCancelled())
             throw core::ReadingCancelled();
         if (!verdict.sameCorners || !verdict.sameColors)

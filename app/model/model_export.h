@@ -36,7 +36,9 @@ struct ExportOutcome
     QString verdict; ///< one line about the written file; empty if there is a problem or no file was written
 };
 
-/// Writes a copy of the model to a file, decimated if requested, and reads the file back to verify it. The document's
+/// Writes a copy of the model to a file, decimated if requested, and reads the file back to verify it. Hidden parts are
+/// written only to GLB. Visible parts that overlap are united in formats for print (STL, 3MF): slicers would otherwise
+/// find surfaces that intersect. The document's
 /// model does not change. Thread: any. Never throws.
 class ModelExport
 {
@@ -46,10 +48,14 @@ public:
     /// A callback that gets the name of each stage at its beginning.
     using OnStage = std::function<void(const QString& what)>;
 
-    /// Exports the copy, which is consumed. Cancelling while triangles are reduced leaves no file.
+    /// Exports the copy, which is consumed. Cancelling while parts are united or triangles are
+    /// reduced leaves no file.
     static ExportOutcome run(ExportRequest request, const OnStage& onStage, const core::JobControl& control);
 
 private:
+    static QString join(ExportRequest& request, core::TriangleMesh& mesh, const OnStage& onStage,
+                        const core::JobControl& control);
+    static void decimate(ExportRequest& request, core::TriangleMesh& mesh, const core::JobControl& control);
     static ExportOutcome write(const ExportRequest& request, const core::TriangleMesh& mesh, const OnStage& onStage,
                                const core::JobControl& control);
     static ExportOutcome readBack(const ExportRequest& request, const core::TriangleMesh& mesh,

@@ -185,12 +185,24 @@ bool ModelLoader::holdsColors(const QString& path)
     return format && core::holdsColors(*format);
 }
 
+core::TriangleMesh ModelLoader::writtenSurface(const QString& path, const core::TriangleMesh& mesh,
+                                               const core::DocumentMetadata& metadata)
+{
+    const auto format = core::meshFormatOf(toPath(path));
+    const bool isWhole = !metadata.frame || (format && core::holdsHiddenParts(*format));
+    return isWhole ? mesh : core::visibleParts(mesh, metadata.frame->parts);
+}
+
 QString ModelLoader::save(const QString& path, const core::TriangleMesh& mesh, const core::DocumentMetadata& metadata,
                           int backupCount)
 {
     try {
+        core::TriangleMesh surface = writtenSurface(path, mesh, metadata);
+        if (surface.triangles.empty())
+            return tr("%1 was not written, because all parts are hidden. GLB keeps hidden parts.").arg(path);
         core::NumberedBackup before(toPath(path), backupCount);
-        core::writeMesh(toPath(path), core::placedMesh(toPath(path), mesh, metadata.place()), {.metadata = metadata});
+        core::writeMesh(toPath(path), core::placedMesh(toPath(path), std::move(surface), metadata.place()),
+                        {.metadata = metadata});
         before.commit();
     } catch (const core::FileError& error) {
         return ui::ErrorMessages::sentence(error);

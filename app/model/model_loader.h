@@ -83,6 +83,9 @@ public:
 
     /// Returns whether the format for this file name supports colours.
     static bool holdsColors(const QString& path);
+    /// Returns the surface that save() writes: without hidden parts unless the format keeps them.
+    static core::TriangleMesh writtenSurface(const QString& path, const core::TriangleMesh& mesh,
+                                             const core::DocumentMetadata& metadata);
     /// Returns whether the format for this file name defines a unit of length.
     static bool holdsUnit(const QString& path);
     /// Returns a sentence about a model that was inserted in millimetres from a file without a unit, if it is so small

@@ -23,7 +23,11 @@ SavedFile ModelSaving::save(const QString& path, const core::TriangleMesh& mesh,
                             int backupCount)
 {
     SavedFile saved{path, ModelLoader::save(path, mesh, metadata, backupCount), {}};
-    if (saved.problem.isEmpty() && !mesh.colors.empty() && !ModelLoader::holdsColors(path))
+    if (saved.problem.isEmpty() &&
+        ModelLoader::writtenSurface(path, mesh, metadata).triangles.size() < mesh.triangles.size())
+        saved.notice = tr("Saved %1 without the hidden parts: its format cannot keep them hidden. GLB keeps them.")
+                           .arg(QFileInfo(path).fileName());
+    else if (saved.problem.isEmpty() && !mesh.colors.empty() && !ModelLoader::holdsColors(path))
         saved.notice =
             tr("Saved %1 without colours: its format has none. GLB keeps them.").arg(QFileInfo(path).fileName());
     return saved;

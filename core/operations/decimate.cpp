@@ -21,6 +21,7 @@
 #include "core/geometry/quadric.h"
 #include "core/mesh/mesh_builder.h"
 #include "core/mesh/normals.h"
+#include "core/parts/part_split.h"
 #include "core/sculpt/verify/verified_mesh.h"
 
 #include <algorithm>
@@ -336,5 +337,23 @@ Decimated decimate(Mesh mesh, std::size_t triangles, const JobControl& control)
     mesh.beginStroke();
     return isColored(mesh) ? Decimater<6>(mesh, triangles, control).run()
                            : Decimater<3>(mesh, triangles, control).run();
+}
+
+TriangleMesh decimateEachPart(const TriangleMesh& mesh, const Lattice& lattice, std::size_t triangles,
+                              const JobControl& control)
+{
+    std::vector<PartPiece> pieces = splitByPart(mesh);
+    double done = 0;
+    for (PartPiece& piece : pieces) {
+        const double share =
+            static_cast<double>(piece.mesh.triangles.size()) / static_cast<double>(mesh.triangles.size());
+        const auto most = static_cast<std::size_t>(share * static_cast<double>(triangles));
+        const JobControl part = control.part(done, std::min(done + share, 1.0));
+        done += share;
+        piece.mesh = decimate(Mesh(piece.mesh, lattice), most, part).mesh;
+        if (control.isCancelled())
+            break;
+    }
+    return joined(pieces);
 }
 } // namespace core

@@ -25,4 +25,9 @@ struct Decimated
 /// about 20 s per million triangles on one core, and up to a minute more where components, handles or close surfaces
 /// obstruct each other.
 Decimated decimate(Mesh mesh, std::size_t triangles, const JobControl& control = {});
+
+/// Decimates each part of a surface alone, by the same share. Returns the parts by ascending id; an unfinished surface
+/// if the job was cancelled. Precondition: the surface is print-ready, and its points are on the lattice.
+TriangleMesh decimateEachPart(const TriangleMesh& mesh, const Lattice& lattice, std::size_t triangles,
+                              const JobControl& control = {});
 } // namespace core

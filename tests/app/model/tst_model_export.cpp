@@ -3,9 +3,12 @@
 #include "tests/support/test_main.h"
 
 #include "app/model/model_export.h"
+#include "app/model/model_loader.h"
 
 #include "core/io/mesh_io.h"
 #include "core/mesh/mesh_builder.h"
+#include "core/parts/part_split.h"
+#include "core/sculpt/sculptor.h"
 #include "tests/support/effort.h"
 
 #include <QAction>
@@ -55,6 +58,24 @@ private:
     QByteArray m_before;
 };
 
+/// Returns a request for two balls of radius 10, named Left and Right, as parts of one document.
+ExportRequest requestOfTwo(const QString& path, float distance, bool isRightVisible = true)
+{
+    std::vector<core::PartPiece> pieces;
+    for (const core::PartId part : {core::PartId(0), core::PartId(3)}) {
+        pieces.push_back({part, core::icosphere(3, 10), {}, {}});
+        for (core::Vec3f& p : pieces.back().mesh.points)
+            p.x() += part == 0 ? 0 : distance;
+    }
+    core::MeshFrame named;
+    named.parts =
+        core::PartList({{0, "Left", true, false, std::nullopt}, {3, "Right", isRightVisible, false, std::nullopt}});
+    ExportRequest request{path};
+    request.mesh = core::buildMesh(core::joined(pieces), true, {}, named).mesh;
+    request.metadata.frame = request.mesh->frame();
+    return request;
+}
+
 /// Clicks the circle of a radio button, because the space right of its text is not clickable.
 void press(QRadioButton* button)
 {
@@ -86,6 +107,12 @@ private Q_SLOTS:
     void slicer_tellsWhatItSays_data();
     void slicer_tellsWhatItSays();
     void slicer_thatHangsIsStopped();
+    void parts_areJoinedForPrintIfTheyOverlap_data();
+    void parts_areJoinedForPrintIfTheyOverlap();
+    void parts_eachKeepTheirShareOfTriangles();
+    void hiddenParts_areInGlbOnly_data();
+    void hiddenParts_areInGlbOnly();
+    void savedParts_openAgain();
 
 private:
     QString path(const char* name) const { return m_folder.filePath(QString::fromLatin1(name)); }
@@ -385,6 +412,102 @@ static int modelExportMain(int argc, char* argv[])
 {
     QStandardPaths::setTestModeEnabled(true);
     return test::run<TestModelExport, app::OnScreen>(argc, argv);
+}
+
+void TestModelExport::parts_areJoinedForPrintIfTheyOverlap_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<float>("distance");
+    QTest::addColumn<std::size_t>("objects");
+    const auto row = [](const char* name, float distance, std::size_t objects) {
+        QTest::addRow("%s, %g mm apart", name, double(distance)) << QString::fromLatin1(name) << distance << objects;
+    };
+    constexpr float across = 15, apart = 30;
+    row("a.stl", across, 1);
+    row("a.3mf", across, 1);
+    row("a.obj", across, 2);
+    row("a.glb", across, 2);
+    row("b.3mf", apart, 2);
+    row("b.stl", apart, 1);
+}
+
+void TestModelExport::parts_areJoinedForPrintIfTheyOverlap()
+{
+    QFETCH(QString, name);
+    QFETCH(float, distance);
+    QFETCH(std::size_t, objects);
+    const ExportOutcome outcome = ModelExport::run(requestOfTwo(m_folder.filePath(name), distance), quiet, {});
+    QVERIFY2(outcome.problem.isEmpty(), qPrintable(outcome.problem));
+    const core::ReadResult read = core::readModel(m_folder.filePath(name).toStdString(), {.keepsObjects = true});
+    QCOMPARE(read.parts.size(), objects);
+    if (objects == 2)
+        QVERIFY(read.parts.all()[0].name == "Left" && read.parts.all()[1].name == "Right");
+    const core::MeshReport report = core::checkMesh(read.mesh);
+    QVERIFY(report.printReady());
+    const double one = *core::checkMesh(core::icosphere(3, 10)).volume;
+    if (name.startsWith(QStringLiteral("a.")) && objects == 1)
+        QVERIFY(*report.volume<1.99 * one&& * report.volume> 1.5 * one);
+    else
+        QVERIFY(std::abs(*report.volume - 2 * one) < 1e-3 * one);
+}
+
+void TestModelExport::parts_eachKeepTheirShareOfTriangles()
+{
+    ExportRequest request = requestOfTwo(path("few.glb"), 15);
+    request.maxTriangles = 600;
+    const ExportOutcome outcome = ModelExport::run(std::move(request), quiet, {});
+    QVERIFY2(outcome.problem.isEmpty(), qPrintable(outcome.problem));
+    const core::ReadResult read = core::readModel(path("few.glb").toStdString());
+    const auto pieces = core::splitByPart(read.mesh);
+    QCOMPARE(pieces.size(), std::size_t(2));
+    for (const core::PartPiece& piece : pieces)
+        QVERIFY(piece.mesh.triangles.size() <= 300 && piece.mesh.triangles.size() > 200);
+    QVERIFY(core::checkMesh(read.mesh).printReady());
+    QCOMPARE(read.parts.all()[1].name, "Right");
+}
+
+void TestModelExport::hiddenParts_areInGlbOnly_data()
+{
+    QTest::addColumn<QString>("name");
+    for (const std::string_view ending : core::writtenEndings())
+        QTest::addRow("%s", ending.data())
+            << QStringLiteral("hidden.") + QLatin1StringView(ending.data(), static_cast<qsizetype>(ending.size()));
+}
+
+void TestModelExport::hiddenParts_areInGlbOnly()
+{
+    QFETCH(QString, name);
+    const QString target = m_folder.filePath(name);
+    const ExportRequest request = requestOfTwo(target, 15, false);
+    const ExportOutcome outcome = ModelExport::run(request, quiet, {});
+    QVERIFY2(outcome.problem.isEmpty(), qPrintable(outcome.problem));
+    const std::size_t all = request.mesh->live().faces;
+    const bool isGlb = name.endsWith(QStringLiteral("glb"));
+    const core::ReadResult read = core::readModel(target.toStdString());
+    QCOMPARE(read.mesh.triangles.size(), isGlb ? all : all / 2);
+    QVERIFY(!isGlb || read.parts == request.metadata.frame->parts);
+
+    core::DocumentMetadata hidden = request.metadata;
+    std::vector<core::Part> parts = hidden.frame->parts.all();
+    for (core::Part& part : parts)
+        part.isVisible = false;
+    hidden.frame->parts = core::PartList(parts);
+    const QString problem = ModelLoader::save(target, core::extractMesh(*request.mesh), hidden);
+    QCOMPARE(problem.isEmpty(), isGlb);
+    QVERIFY2(isGlb || problem.contains(QStringLiteral("hidden")), qPrintable(problem));
+}
+
+/// Tests that a saved document of several parts opens as it was.
+void TestModelExport::savedParts_openAgain()
+{
+    const ExportRequest request = requestOfTwo(path("saved.glb"), 15, false);
+    QVERIFY(ModelLoader::save(request.path, core::extractMesh(*request.mesh), request.metadata).isEmpty());
+    for (const LoadedModel& loaded : {ModelLoader::load(request.path), ModelLoader::loadInPlace(request.path)}) {
+        QVERIFY2(loaded.sculptor && loaded.problem.isEmpty(), qPrintable(loaded.problem));
+        QVERIFY2(loaded.notice.isEmpty(), qPrintable(loaded.notice));
+        QVERIFY(loaded.sculptor->mesh().frame().parts == request.mesh->frame().parts);
+        QCOMPARE(loaded.sculptor->mesh().meshHash(), request.mesh->meshHash());
+    }
 }
 
 FETTLE_TEST_MAIN(TestModelExport, modelExportMain)
