@@ -1450,6 +1450,14 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>Slicing %1</source>
         <translation>%1 wird gesliced</translation>
     </message>
+    <message>
+        <source>Joining the parts</source>
+        <translation>Teile werden vereinigt</translation>
+    </message>
+    <message>
+        <source>%1 was not written: its parts overlap and cannot be joined. Move one a little, or export them one by one.</source>
+        <translation>%1 wurde nicht geschrieben: Die Teile überlappen sich und lassen sich nicht vereinigen. Verschieben Sie eines ein wenig, oder exportieren Sie sie einzeln.</translation>
+    </message>
 </context>
 <context>
     <name>app::ModelLoader</name>
@@ -1505,6 +1513,10 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>%1 is very small in millimetres (%2). If it was made in another unit, undo, and say which when you insert it again.</source>
         <translation>%1 ist in Millimetern sehr klein (%2). Falls es in einer anderen Einheit erstellt wurde, machen Sie das Einfügen rückgängig und geben Sie beim nächsten Mal die Einheit an.</translation>
     </message>
+    <message>
+        <source>%1 was not written, because all parts are hidden. GLB keeps hidden parts.</source>
+        <translation>%1 wurde nicht geschrieben, weil alle Teile ausgeblendet sind. GLB behält ausgeblendete Teile.</translation>
+    </message>
 </context>
 <context>
     <name>app::ModelOpener</name>
@@ -1557,6 +1569,10 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>Only %1 was written. %2</source>
         <translation>Nur %1 wurde gespeichert. %2</translation>
+    </message>
+    <message>
+        <source>Saved %1 without the hidden parts: its format cannot keep them hidden. GLB keeps them.</source>
+        <translation>%1 wurde ohne die ausgeblendeten Teile gespeichert: Das Format kann sie nicht ausgeblendet behalten. GLB behält sie.</translation>
     </message>
 </context>
 <context>
@@ -1869,10 +1885,6 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Die Teile überschneiden sich nicht; es wurde nichts abgezogen.</translation>
     </message>
     <message>
-        <source>The parts stay as they are, because nothing would be left of them.</source>
-        <translation>Die Teile bleiben, wie sie sind, weil nichts von ihnen übrig bliebe.</translation>
-    </message>
-    <message>
         <source>Show All</source>
         <comment>undo step</comment>
         <translation>Alles einblenden</translation>
@@ -1912,12 +1924,24 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Das Modell bleibt, wie es ist, weil die Kurve keine Fläche umschließt.</translation>
     </message>
     <message>
-        <source>The model stays as it is, because the cut would remove all of it.</source>
-        <translation>Das Modell bleibt, wie es ist, weil der Schnitt alles entfernen würde.</translation>
-    </message>
-    <message>
         <source>The model stays as it is, because the cut would not leave one sound surface; another curve may do.</source>
         <translation>Das Modell bleibt, wie es ist, weil der Schnitt keine fehlerfreie Oberfläche ergäbe; vielleicht geht es mit einer anderen Kurve.</translation>
+    </message>
+    <message>
+        <source>There is nothing to subtract: the models do not overlap.</source>
+        <translation>Es gibt nichts abzuziehen: Die Modelle überschneiden sich nicht.</translation>
+    </message>
+    <message>
+        <source>The shape</source>
+        <translation>Der Körper</translation>
+    </message>
+    <message>
+        <source>The model stays as it is, because nothing of it would be left.</source>
+        <translation>Das Modell bleibt, wie es ist, weil nichts davon übrig bliebe.</translation>
+    </message>
+    <message>
+        <source>The model stays as it is, because the surfaces nearly coincide and no sound cut was found; another place may do.</source>
+        <translation>Das Modell bleibt, wie es ist, weil die Flächen fast aufeinander liegen und kein fehlerfreier Schnitt gefunden wurde; an einem anderen Ort kann es gelingen.</translation>
     </message>
 </context>
 <context>
@@ -2523,10 +2547,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>I&amp;nsert…</source>
         <translation>&amp;Einfügen …</translation>
-    </message>
-    <message>
-        <source>Adds another model from a file to this one.</source>
-        <translation>Fügt diesem Modell ein weiteres aus einer Datei hinzu.</translation>
     </message>
     <message>
         <source>Remesh &amp;Uniformly…</source>
@@ -3683,6 +3703,18 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Trim &amp;Away</source>
         <translation>&amp;Wegschneiden</translation>
+    </message>
+    <message>
+        <source>Adds another model from a file to this one, or subtracts it.</source>
+        <translation>Fügt diesem Modell ein weiteres aus einer Datei hinzu oder zieht es ab.</translation>
+    </message>
+    <message>
+        <source>Insert Primiti&amp;ve…</source>
+        <translation>Gru&amp;ndkörper einfügen …</translation>
+    </message>
+    <message>
+        <source>Adds a box, ball, cylinder or other solid with given measures, or subtracts it.</source>
+        <translation>Fügt einen Quader, eine Kugel, einen Zylinder oder anderen Körper mit gegebenen Maßen hinzu oder zieht ihn ab.</translation>
     </message>
 </context>
 <context>
@@ -6537,10 +6569,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Modell einfügen</translation>
     </message>
     <message>
-        <source>%1 must not touch the present model. Where does it go?</source>
-        <translation>%1 darf das vorhandene Modell nicht berühren. Wo soll es hin?</translation>
-    </message>
-    <message>
         <source>Beside the present model</source>
         <translation>Neben das vorhandene Modell</translation>
     </message>
@@ -6603,6 +6631,30 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>As stated in the file, otherwise mm</source>
         <translation>Wie die Datei sagt, sonst Millimeter</translation>
+    </message>
+    <message>
+        <source>Combine</source>
+        <translation>Verknüpfen</translation>
+    </message>
+    <message>
+        <source>Keep apart</source>
+        <translation>Getrennt lassen</translation>
+    </message>
+    <message>
+        <source>Join</source>
+        <translation>Vereinigen</translation>
+    </message>
+    <message>
+        <source>Subtract</source>
+        <translation>Abziehen</translation>
+    </message>
+    <message>
+        <source>Intersect</source>
+        <translation>Schneiden</translation>
+    </message>
+    <message>
+        <source>%1: where does it go, and how is it combined with the present model?</source>
+        <translation>%1: Wo soll es hin, und wie wird es mit dem vorhandenen Modell verknüpft?</translation>
     </message>
 </context>
 <context>
@@ -8218,6 +8270,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>cut, slice, crop, scissors, knife, trim</source>
         <translation>schneiden, Schere, Messer, beschneiden, stutzen</translation>
     </message>
+    <message>
+        <source>boolean, union, difference, merge, combine</source>
+        <translation>Boolesch, Vereinigung, Differenz, verbinden, verknüpfen</translation>
+    </message>
+    <message>
+        <source>boolean, hole, drill, cube, sphere, tube, lathe</source>
+        <translation>Boolesch, Loch, bohren, Würfel, Rohr, drehen</translation>
+    </message>
 </context>
 <context>
     <name>ui::ThumbnailMaker</name>
@@ -9491,6 +9551,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>&quot;%1&quot; must be a list of whole numbers, as in [0, 2]</source>
         <translation>„%1“ muss eine Liste ganzer Zahlen sein, wie in [0, 2]</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; must be a list of pairs of numbers, as in [[10, 0], [8, 20]]</source>
+        <translation>„%1“ muss eine Liste von Zahlenpaaren sein, wie in [[10, 0], [8, 20]]</translation>
+    </message>
 </context>
 <context>
     <name>app::CommandOptions</name>
@@ -9542,10 +9606,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
 <context>
     <name>app::NewCommand</name>
     <message>
-        <source>Writes one of the program&apos;s starting shapes: %1.</source>
-        <translation>Schreibt eine der Ausgangsformen des Programms: %1.</translation>
-    </message>
-    <message>
         <source>The shape.</source>
         <translation>Die Form.</translation>
     </message>
@@ -9562,8 +9622,44 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>new: braucht eine Form und eine Datei, wie in new ball ball.glb; die Formen sind %1.</translation>
     </message>
     <message>
-        <source>new: the shape must be one of %1, not &quot;%2&quot;.</source>
-        <translation>new: Die Form muss eine von %1 sein, nicht „%2“.</translation>
+        <source>Width of a box, along x, in mm.</source>
+        <translation>Breite eines Quaders, entlang x, in mm.</translation>
+    </message>
+    <message>
+        <source>Height along y in mm; a capsule&apos;s with its round ends.</source>
+        <translation>Höhe entlang y in mm; bei einer Kapsel mit ihren runden Enden.</translation>
+    </message>
+    <message>
+        <source>Depth of a box, along z, in mm.</source>
+        <translation>Tiefe eines Quaders, entlang z, in mm.</translation>
+    </message>
+    <message>
+        <source>Radius in mm; a cone&apos;s at the bottom, a torus&apos;s to the middle of its tube.</source>
+        <translation>Radius in mm; bei einem Kegel unten, bei einem Ring bis zur Mitte seines Rohrs.</translation>
+    </message>
+    <message>
+        <source>Radius of a cone at the top, in mm (default: 0).</source>
+        <translation>Radius eines Kegels oben, in mm (Vorgabe: 0).</translation>
+    </message>
+    <message>
+        <source>Radius of a torus&apos;s tube, in mm.</source>
+        <translation>Radius des Rohrs eines Rings, in mm.</translation>
+    </message>
+    <message>
+        <source>Profile of a lathe: points of radius and height in mm.</source>
+        <translation>Profil eines Drehkörpers: Punkte aus Radius und Höhe in mm.</translation>
+    </message>
+    <message>
+        <source>Length of a primitive&apos;s edges in mm (default: automatic).</source>
+        <translation>Länge der Kanten eines Grundkörpers in mm (Vorgabe: automatisch).</translation>
+    </message>
+    <message>
+        <source>new: --profile must be points of radius and height, as in &quot;10,0 8,20&quot;, not &quot;%1&quot;.</source>
+        <translation>new: --profile muss aus Punkten mit Radius und Höhe bestehen, wie in &quot;10,0 8,20&quot;, nicht &quot;%1&quot;.</translation>
+    </message>
+    <message>
+        <source>Writes one of the program&apos;s starting shapes: %1. Or a solid of the given measures: %2.</source>
+        <translation>Schreibt eine der Ausgangsformen des Programms: %1. Oder einen Körper mit den gegebenen Maßen: %2.</translation>
     </message>
 </context>
 <context>
@@ -9599,6 +9695,29 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>(standard output)</source>
         <translation>(Standardausgabe)</translation>
+    </message>
+</context>
+<context>
+    <name>NewMessages</name>
+    <message>
+        <source>new: %1 needs --%2.</source>
+        <translation>new: %1 braucht --%2.</translation>
+    </message>
+    <message>
+        <source>new: %1 has no --%2.</source>
+        <translation>new: %1 hat kein --%2.</translation>
+    </message>
+    <message>
+        <source>new: %1 with measures has no --%2.</source>
+        <translation>new: %1 mit Maßen hat kein --%2.</translation>
+    </message>
+    <message>
+        <source>new: the shape must be one of %1, or with measures %2, not &quot;%3&quot;.</source>
+        <translation>new: Die Form muss eine von %1 sein, oder mit Maßen %2, nicht &quot;%3&quot;.</translation>
+    </message>
+    <message>
+        <source>new: %1 has no measures but --%2.</source>
+        <translation>new: %1 hat kein anderes Maß als --%2.</translation>
     </message>
 </context>
 <context>
@@ -9680,6 +9799,133 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Colour of %1 in the List</source>
         <translation>Farbe von %1 in der Liste</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PrimitiveDialog</name>
+    <message>
+        <source>Insert a Primitive</source>
+        <translation>Grundkörper einfügen</translation>
+    </message>
+    <message>
+        <source>Measures, place, and how it is combined with the present model:</source>
+        <translation>Maße, Ort und wie er mit dem vorhandenen Modell verknüpft wird:</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Its axis</source>
+        <translation>Seine Achse</translation>
+    </message>
+    <message>
+        <source>Edge length</source>
+        <translation>Kantenlänge</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>One point a line: its distance from the axis and its height, in millimetres.</source>
+        <translation>Ein Punkt je Zeile: sein Abstand von der Achse und seine Höhe, in Millimetern.</translation>
+    </message>
+    <message>
+        <source>Profile: radius, height</source>
+        <translation>Profil: Radius, Höhe</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>With the middle of its bottom at</source>
+        <translation>Mit der Mitte seiner Unterseite bei</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PrimitiveMessages</name>
+    <message>
+        <source>Box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>Zylinder</translation>
+    </message>
+    <message>
+        <source>Cone</source>
+        <translation>Kegel</translation>
+    </message>
+    <message>
+        <source>Capsule</source>
+        <translation>Kapsel</translation>
+    </message>
+    <message>
+        <source>Torus</source>
+        <translation>Ring</translation>
+    </message>
+    <message>
+        <source>Turned profile</source>
+        <translation>Gedrehtes Profil</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Radius at the top</source>
+        <translation>Radius oben</translation>
+    </message>
+    <message>
+        <source>Radius of the tube</source>
+        <translation>Radius des Rohrs</translation>
+    </message>
+    <message>
+        <source>%1: it must be between a millionth of a millimetre and ten kilometres.</source>
+        <extracomment>%1: a measure, for example Height</extracomment>
+        <translation>%1: Der Wert muss zwischen einem Millionstel Millimeter und zehn Kilometern liegen.</translation>
+    </message>
+    <message>
+        <source>The radius of a torus must be larger than the radius of its tube.</source>
+        <translation>Der Radius eines Rings muss größer sein als der Radius seines Rohrs.</translation>
+    </message>
+    <message>
+        <source>The height of a capsule must be more than twice its radius.</source>
+        <translation>Die Höhe einer Kapsel muss mehr als das Doppelte ihres Radius betragen.</translation>
+    </message>
+    <message>
+        <source>A profile needs 2 to 1000 different points, none with a radius below 0; only its ends may be on the axis.</source>
+        <translation>Ein Profil braucht 2 bis 1000 verschiedene Punkte, keinen mit einem Radius unter 0; nur seine Enden dürfen auf der Achse liegen.</translation>
+    </message>
+    <message>
+        <source>The profile crosses or touches itself, or its walls are too thin for edges this long.</source>
+        <translation>Das Profil kreuzt oder berührt sich selbst, oder seine Wände sind zu dünn für so lange Kanten.</translation>
+    </message>
+    <message>
+        <source>For this shape, the edges may be %1 mm long at most.</source>
+        <translation>Bei dieser Form dürfen die Kanten höchstens %1 mm lang sein.</translation>
+    </message>
+    <message>
+        <source>This shape would need too many triangles (%1, at most 2 million): its edges would be too short for its size.</source>
+        <translation>Diese Form würde zu viele Dreiecke brauchen (%1, höchstens 2 Millionen): Ihre Kanten wären für ihre Größe zu kurz.</translation>
     </message>
 </context>
 </TS>

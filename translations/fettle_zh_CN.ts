@@ -1439,6 +1439,14 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>Slicing %1</source>
         <translation>正在切片 %1</translation>
     </message>
+    <message>
+        <source>Joining the parts</source>
+        <translation>正在合并部件</translation>
+    </message>
+    <message>
+        <source>%1 was not written: its parts overlap and cannot be joined. Move one a little, or export them one by one.</source>
+        <translation>未写入 %1：各部件相互重叠且无法合并。请稍微移动其中一个，或逐个导出。</translation>
+    </message>
 </context>
 <context>
     <name>app::ModelLoader</name>
@@ -1494,6 +1502,10 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>%1 is very small in millimetres (%2). If it was made in another unit, undo, and say which when you insert it again.</source>
         <translation>%1 以毫米计非常小（%2）。如果它是用其他单位制作的，请撤销，再次插入时选择单位。</translation>
     </message>
+    <message>
+        <source>%1 was not written, because all parts are hidden. GLB keeps hidden parts.</source>
+        <translation>未写入 %1，因为所有部件都已隐藏。GLB 可保留隐藏的部件。</translation>
+    </message>
 </context>
 <context>
     <name>app::ModelOpener</name>
@@ -1546,6 +1558,10 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>Only %1 was written. %2</source>
         <translation>只保存了 %1。%2</translation>
+    </message>
+    <message>
+        <source>Saved %1 without the hidden parts: its format cannot keep them hidden. GLB keeps them.</source>
+        <translation>已保存 %1，但不含隐藏的部件：该格式无法保留其隐藏状态。GLB 可以保留。</translation>
     </message>
 </context>
 <context>
@@ -1857,10 +1873,6 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>部件没有重叠，因此没有减去任何东西。</translation>
     </message>
     <message>
-        <source>The parts stay as they are, because nothing would be left of them.</source>
-        <translation>部件保持不变，因为不会剩下任何东西。</translation>
-    </message>
-    <message>
         <source>Show All</source>
         <comment>undo step</comment>
         <translation>全部显示</translation>
@@ -1900,12 +1912,24 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>模型保持不变：曲线没有围出面积。</translation>
     </message>
     <message>
-        <source>The model stays as it is, because the cut would remove all of it.</source>
-        <translation>模型保持不变：这样裁剪会去掉整个模型。</translation>
-    </message>
-    <message>
         <source>The model stays as it is, because the cut would not leave one sound surface; another curve may do.</source>
         <translation>模型保持不变：这样裁剪不会得到完好的表面；可换一条曲线。</translation>
+    </message>
+    <message>
+        <source>There is nothing to subtract: the models do not overlap.</source>
+        <translation>没有可减去的部分：两个模型没有重叠。</translation>
+    </message>
+    <message>
+        <source>The shape</source>
+        <translation>该形状</translation>
+    </message>
+    <message>
+        <source>The model stays as it is, because nothing of it would be left.</source>
+        <translation>模型保持不变，因为否则什么都不会剩下。</translation>
+    </message>
+    <message>
+        <source>The model stays as it is, because the surfaces nearly coincide and no sound cut was found; another place may do.</source>
+        <translation>模型保持不变：两个表面几乎重合，没有找到无缺陷的切割；换个位置也许可以。</translation>
     </message>
 </context>
 <context>
@@ -2509,10 +2533,6 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     <message>
         <source>I&amp;nsert…</source>
         <translation>插入(&amp;N)…</translation>
-    </message>
-    <message>
-        <source>Adds another model from a file to this one.</source>
-        <translation>从文件向此模型添加另一个模型。</translation>
     </message>
     <message>
         <source>Remesh &amp;Uniformly…</source>
@@ -3669,6 +3689,18 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     <message>
         <source>Trim &amp;Away</source>
         <translation>裁剪(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Adds another model from a file to this one, or subtracts it.</source>
+        <translation>从文件向此模型添加另一个模型，或从中减去。</translation>
+    </message>
+    <message>
+        <source>Insert Primiti&amp;ve…</source>
+        <translation>插入基本体(&amp;V)…</translation>
+    </message>
+    <message>
+        <source>Adds a box, ball, cylinder or other solid with given measures, or subtracts it.</source>
+        <translation>按给定尺寸添加长方体、球体、圆柱体或其他实体，或从中减去。</translation>
     </message>
 </context>
 <context>
@@ -6510,10 +6542,6 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>插入模型</translation>
     </message>
     <message>
-        <source>%1 must not touch the present model. Where does it go?</source>
-        <translation>%1 不得碰到现有模型。放在哪里？</translation>
-    </message>
-    <message>
         <source>Beside the present model</source>
         <translation>现有模型旁边</translation>
     </message>
@@ -6576,6 +6604,30 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     <message>
         <source>As stated in the file, otherwise mm</source>
         <translation>按文件所述，否则为毫米</translation>
+    </message>
+    <message>
+        <source>Combine</source>
+        <translation>组合</translation>
+    </message>
+    <message>
+        <source>Keep apart</source>
+        <translation>保持分开</translation>
+    </message>
+    <message>
+        <source>Join</source>
+        <translation>合并</translation>
+    </message>
+    <message>
+        <source>Subtract</source>
+        <translation>减去</translation>
+    </message>
+    <message>
+        <source>Intersect</source>
+        <translation>相交</translation>
+    </message>
+    <message>
+        <source>%1: where does it go, and how is it combined with the present model?</source>
+        <translation>%1：放在哪里，如何与现有模型组合？</translation>
     </message>
 </context>
 <context>
@@ -8188,6 +8240,14 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <source>cut, slice, crop, scissors, knife, trim</source>
         <translation>切, 裁切, 剪刀, 刀, 修剪</translation>
     </message>
+    <message>
+        <source>boolean, union, difference, merge, combine</source>
+        <translation>布尔, 并集, 差集, 合并, 组合</translation>
+    </message>
+    <message>
+        <source>boolean, hole, drill, cube, sphere, tube, lathe</source>
+        <translation>布尔, 孔, 钻孔, 立方体, 管, 车削</translation>
+    </message>
 </context>
 <context>
     <name>ui::ThumbnailMaker</name>
@@ -9458,6 +9518,10 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <source>&quot;%1&quot; must be a list of whole numbers, as in [0, 2]</source>
         <translation>“%1”必须是整数列表，例如 [0, 2]</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; must be a list of pairs of numbers, as in [[10, 0], [8, 20]]</source>
+        <translation>“%1”必须是数对的列表，例如 [[10, 0], [8, 20]]</translation>
+    </message>
 </context>
 <context>
     <name>app::CommandOptions</name>
@@ -9509,10 +9573,6 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
 <context>
     <name>app::NewCommand</name>
     <message>
-        <source>Writes one of the program&apos;s starting shapes: %1.</source>
-        <translation>生成程序的一个起始形状：%1。</translation>
-    </message>
-    <message>
         <source>The shape.</source>
         <translation>形状。</translation>
     </message>
@@ -9529,8 +9589,44 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>new：需要一个形状和一个文件，如 new ball ball.glb；形状有 %1。</translation>
     </message>
     <message>
-        <source>new: the shape must be one of %1, not &quot;%2&quot;.</source>
-        <translation>new：形状必须是 %1 之一，而不是“%2”。</translation>
+        <source>Width of a box, along x, in mm.</source>
+        <translation>长方体沿 x 的宽度，毫米。</translation>
+    </message>
+    <message>
+        <source>Height along y in mm; a capsule&apos;s with its round ends.</source>
+        <translation>沿 y 的高度，毫米；胶囊体包括其圆端。</translation>
+    </message>
+    <message>
+        <source>Depth of a box, along z, in mm.</source>
+        <translation>长方体沿 z 的深度，毫米。</translation>
+    </message>
+    <message>
+        <source>Radius in mm; a cone&apos;s at the bottom, a torus&apos;s to the middle of its tube.</source>
+        <translation>半径，毫米；圆锥体为底部半径，圆环为到管中心的半径。</translation>
+    </message>
+    <message>
+        <source>Radius of a cone at the top, in mm (default: 0).</source>
+        <translation>圆锥体顶部的半径，毫米（默认：0）。</translation>
+    </message>
+    <message>
+        <source>Radius of a torus&apos;s tube, in mm.</source>
+        <translation>圆环的管半径，毫米。</translation>
+    </message>
+    <message>
+        <source>Profile of a lathe: points of radius and height in mm.</source>
+        <translation>旋转体的轮廓：由半径和高度组成的点，毫米。</translation>
+    </message>
+    <message>
+        <source>Length of a primitive&apos;s edges in mm (default: automatic).</source>
+        <translation>基本体的边长，毫米（默认：自动）。</translation>
+    </message>
+    <message>
+        <source>new: --profile must be points of radius and height, as in &quot;10,0 8,20&quot;, not &quot;%1&quot;.</source>
+        <translation>new：--profile 必须是由半径和高度组成的点，例如 &quot;10,0 8,20&quot;，而不是 &quot;%1&quot;。</translation>
+    </message>
+    <message>
+        <source>Writes one of the program&apos;s starting shapes: %1. Or a solid of the given measures: %2.</source>
+        <translation>写出程序的一个起始形状：%1。或具有给定尺寸的实体：%2。</translation>
     </message>
 </context>
 <context>
@@ -9566,6 +9662,29 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     <message>
         <source>(standard output)</source>
         <translation>（标准输出）</translation>
+    </message>
+</context>
+<context>
+    <name>NewMessages</name>
+    <message>
+        <source>new: %1 needs --%2.</source>
+        <translation>new：%1 需要 --%2。</translation>
+    </message>
+    <message>
+        <source>new: %1 has no --%2.</source>
+        <translation>new：%1 没有 --%2。</translation>
+    </message>
+    <message>
+        <source>new: %1 with measures has no --%2.</source>
+        <translation>new：带尺寸的 %1 没有 --%2。</translation>
+    </message>
+    <message>
+        <source>new: the shape must be one of %1, or with measures %2, not &quot;%3&quot;.</source>
+        <translation>new：形状必须是 %1 之一，或带尺寸的 %2，而不是 &quot;%3&quot;。</translation>
+    </message>
+    <message>
+        <source>new: %1 has no measures but --%2.</source>
+        <translation>new：%1 除 --%2 外没有其他尺寸。</translation>
     </message>
 </context>
 <context>
@@ -9647,6 +9766,133 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     <message>
         <source>Colour of %1 in the List</source>
         <translation>%1 在列表中的颜色</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PrimitiveDialog</name>
+    <message>
+        <source>Insert a Primitive</source>
+        <translation>插入基本体</translation>
+    </message>
+    <message>
+        <source>Measures, place, and how it is combined with the present model:</source>
+        <translation>尺寸、位置，以及如何与现有模型组合：</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>形状</translation>
+    </message>
+    <message>
+        <source>Its axis</source>
+        <translation>它的轴</translation>
+    </message>
+    <message>
+        <source>Edge length</source>
+        <translation>边长</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>One point a line: its distance from the axis and its height, in millimetres.</source>
+        <translation>每行一个点：到轴的距离和高度，单位毫米。</translation>
+    </message>
+    <message>
+        <source>Profile: radius, height</source>
+        <translation>轮廓：半径、高度</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>With the middle of its bottom at</source>
+        <translation>底面中心位于</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PrimitiveMessages</name>
+    <message>
+        <source>Box</source>
+        <translation>长方体</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>球体</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>圆柱体</translation>
+    </message>
+    <message>
+        <source>Cone</source>
+        <translation>圆锥体</translation>
+    </message>
+    <message>
+        <source>Capsule</source>
+        <translation>胶囊体</translation>
+    </message>
+    <message>
+        <source>Torus</source>
+        <translation>圆环</translation>
+    </message>
+    <message>
+        <source>Turned profile</source>
+        <translation>旋转轮廓</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>宽度</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高度</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>深度</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>半径</translation>
+    </message>
+    <message>
+        <source>Radius at the top</source>
+        <translation>顶部半径</translation>
+    </message>
+    <message>
+        <source>Radius of the tube</source>
+        <translation>管半径</translation>
+    </message>
+    <message>
+        <source>%1: it must be between a millionth of a millimetre and ten kilometres.</source>
+        <extracomment>%1: a measure, for example Height</extracomment>
+        <translation>%1：必须在百万分之一毫米到十千米之间。</translation>
+    </message>
+    <message>
+        <source>The radius of a torus must be larger than the radius of its tube.</source>
+        <translation>圆环的半径必须大于其管半径。</translation>
+    </message>
+    <message>
+        <source>The height of a capsule must be more than twice its radius.</source>
+        <translation>胶囊体的高度必须大于其半径的两倍。</translation>
+    </message>
+    <message>
+        <source>A profile needs 2 to 1000 different points, none with a radius below 0; only its ends may be on the axis.</source>
+        <translation>轮廓需要 2 到 1000 个不同的点，半径不得小于 0；只有两端可以在轴上。</translation>
+    </message>
+    <message>
+        <source>The profile crosses or touches itself, or its walls are too thin for edges this long.</source>
+        <translation>轮廓自相交或自相接触，或者对于这样长的边，壁太薄。</translation>
+    </message>
+    <message>
+        <source>For this shape, the edges may be %1 mm long at most.</source>
+        <translation>对于此形状，边长最多为 %1 毫米。</translation>
+    </message>
+    <message>
+        <source>This shape would need too many triangles (%1, at most 2 million): its edges would be too short for its size.</source>
+        <translation>此形状需要的三角形太多（%1，最多 200 万）：相对于其大小，边太短。</translation>
     </message>
 </context>
 </TS>
