@@ -139,92 +139,93 @@ std::string keysOf(const Trim& trim)
     text += trim.remove == Trim::Remove::Inside ? R"(,"remove":"inside")" : R"(,"remove":"outside")";
     text += R"(,"symmetry":")" + std::string(name(trim.symmetry)) + '"';
     return trim.color ? text + R"(,"color":)" + list(*trim.color) : text;
-    std::string keysOf(const Primitive& primitive)
-    {
-        std::string text = R"("primitive":")" + std::string(name(primitive.kind)) + '"';
-        for (const Primitive::Measure measure : measuresOf(primitive.kind))
-            text += ",\"" + std::string(name(measure)) + "\":" + shortest(primitive.length(measure));
-        if (primitive.kind == Primitive::Kind::Lathe) {
-            std::string points;
-            for (const ProfilePoint& p : primitive.profile)
-                points += (points.empty() ? "" : ",") + list({p.radius, p.height});
-            text += R"(,"profile":[)" + points + ']';
-        }
-        if (primitive.edge > 0)
-            text += R"(,"edge_length":)" + shortest(primitive.edge);
-        if (primitive.axis != 1)
-            text += R"(,"axis":")" + std::string(axisNames[static_cast<std::size_t>(primitive.axis)]) + '"';
-        return text;
-    }
+}
 
-    /// Returns the text that follows "command": in the file, up to the closing brace.
-    std::string keysOf(const FileCommand& entry)
-    {
-        using Text = std::string;
-        const Overloaded keys{
-            [](const Move& move) { return R"("move","by":)" + list(move.by); },
-            [](const Rotate& rotate) { return R"("rotate","rotation":)" + list(rotate.rotation); },
-            [](const Scale& scale) { return R"("scale","factor":)" + shortest(scale.factor); },
-            [](const Mirror& mirror) { return Text(R"("mirror","plane":")") + "xyz"[mirror.axis] + '"'; },
-            [](const Recentre&) { return Text(R"("recentre")"); },
-            [&](const Insert& insert) {
-                Text text = R"("insert",)" + (insert.primitive ? keysOf(*insert.primitive)
-                                                               : R"("file":)" + nlohmann::json(entry.file).dump());
-                text += R"(,"where":")" + Text(placeNames[static_cast<std::size_t>(insert.place)]) + '"';
-                if (insert.place == Insert::Place::Centre || insert.place == Insert::Place::Floor)
-                    text += R"(,"centre":)" + list(insert.centre);
-                if (insert.combination != Insert::Combination::Apart)
-                    text +=
-                        R"(,"combine":")" + Text(combinationNames[static_cast<std::size_t>(insert.combination)]) + '"';
-                return text;
-            },
-            [](const Fill& fill) { return R"("fill","color":)" + list(fill.color); },
-            [](const MaskOperation& mask) {
-                const Text text = R"("mask","how":")" + Text(maskChangeNames[static_cast<std::size_t>(mask.how)]) + '"';
-                return mask.how == MaskOperation::Kind::Color ? text + R"(,"color":)" + list(mask.color) : text;
-            },
-            [](const RemeshUniformly& remesh) {
-                const Text length = R"(,"detail_length":)" + shortest(remesh.detailLength);
-                return R"("remesh")" + (remesh.detailLength > 0 ? length : Text());
-            },
-            [](const Symmetrize& symmetrize) {
-                return R"("symmetrize","plane":")" + Text(name(symmetrize.plane)) + R"(","keep":")" +
-                       (symmetrize.keep == Half::Positive ? "positive" : "negative") + '"';
-            },
-            [](const Reset&) { return Text(R"("reset")"); },
-            [](const PlaceOnBed&) { return Text(R"("place_on_bed")"); },
-            [](const FlattenBase& flatten) { return R"("flatten_base","height":)" + shortest(flatten.height); },
-            [](const EditPart& edit) {
-                return R"("edit_part","name":)" + quoted(edit.name) + R"(,"locked":)" +
-                       (edit.isLocked ? "true" : "false") + (edit.tag ? R"(,"tag":)" + list(*edit.tag) : Text()) +
-                       R"(,"list_position":)" + std::to_string(std::min(edit.position, PartList::maxParts));
-            },
-            [](const ShowParts& show) { return R"("show_parts","parts":)" + list(show.visible); },
-            [](const DuplicatePart& duplicate) { return R"("duplicate_part","name":)" + quoted(duplicate.name); },
-            [](const DeletePart&) { return Text(R"("delete_part")"); },
-            [](const SeparatePart&) { return Text(R"("separate_part")"); },
-            [](const CombineParts& combination) {
-                constexpr std::string_view operations[] = {"union", "subtract", "intersect"};
-                return R"("combine_parts","operation":")" +
-                       Text(operations[static_cast<std::size_t>(combination.operation)]) + R"(","parts":)" +
-                       list(combination.others);
-            },
-            [](const Hide& hide) {
-                constexpr std::string_view words[] = {"masked", "unmasked", "nothing"};
-                return R"("hide","what":")" + Text(words[static_cast<std::size_t>(hide.what)]) + '"';
-            },
-            [](const Trim& trim) { return keysOf(trim); },
-        };
-        return std::visit(keys, entry.command);
+std::string keysOf(const Primitive& primitive)
+{
+    std::string text = R"("primitive":")" + std::string(name(primitive.kind)) + '"';
+    for (const Primitive::Measure measure : measuresOf(primitive.kind))
+        text += ",\"" + std::string(name(measure)) + "\":" + shortest(primitive.length(measure));
+    if (primitive.kind == Primitive::Kind::Lathe) {
+        std::string points;
+        for (const ProfilePoint& p : primitive.profile)
+            points += (points.empty() ? "" : ",") + list({p.radius, p.height});
+        text += R"(,"profile":[)" + points + ']';
     }
+    if (primitive.edge > 0)
+        text += R"(,"edge_length":)" + shortest(primitive.edge);
+    if (primitive.axis != 1)
+        text += R"(,"axis":")" + std::string(axisNames[static_cast<std::size_t>(primitive.axis)]) + '"';
+    return text;
+}
 
-    void write(std::ostream & out, const FileCommand& entry)
-    {
-        out << "{\"command\":" << keysOf(entry);
-        if (entry.part != 0)
-            out << ",\"part\":" << entry.part;
-        out << '}';
-    }
+/// Returns the text that follows "command": in the file, up to the closing brace.
+std::string keysOf(const FileCommand& entry)
+{
+    using Text = std::string;
+    const Overloaded keys{
+        [](const Move& move) { return R"("move","by":)" + list(move.by); },
+        [](const Rotate& rotate) { return R"("rotate","rotation":)" + list(rotate.rotation); },
+        [](const Scale& scale) { return R"("scale","factor":)" + shortest(scale.factor); },
+        [](const Mirror& mirror) { return Text(R"("mirror","plane":")") + "xyz"[mirror.axis] + '"'; },
+        [](const Recentre&) { return Text(R"("recentre")"); },
+        [&](const Insert& insert) {
+            Text text = R"("insert",)" + (insert.primitive ? keysOf(*insert.primitive)
+                                                           : R"("file":)" + nlohmann::json(entry.file).dump());
+            text += R"(,"where":")" + Text(placeNames[static_cast<std::size_t>(insert.place)]) + '"';
+            if (insert.place == Insert::Place::Centre || insert.place == Insert::Place::Floor)
+                text += R"(,"centre":)" + list(insert.centre);
+            if (insert.combination != Insert::Combination::Apart)
+                text += R"(,"combine":")" + Text(combinationNames[static_cast<std::size_t>(insert.combination)]) + '"';
+            return text;
+        },
+        [](const Fill& fill) { return R"("fill","color":)" + list(fill.color); },
+        [](const MaskOperation& mask) {
+            const Text text = R"("mask","how":")" + Text(maskChangeNames[static_cast<std::size_t>(mask.how)]) + '"';
+            return mask.how == MaskOperation::Kind::Color ? text + R"(,"color":)" + list(mask.color) : text;
+        },
+        [](const RemeshUniformly& remesh) {
+            const Text length = R"(,"detail_length":)" + shortest(remesh.detailLength);
+            return R"("remesh")" + (remesh.detailLength > 0 ? length : Text());
+        },
+        [](const Symmetrize& symmetrize) {
+            return R"("symmetrize","plane":")" + Text(name(symmetrize.plane)) + R"(","keep":")" +
+                   (symmetrize.keep == Half::Positive ? "positive" : "negative") + '"';
+        },
+        [](const Reset&) { return Text(R"("reset")"); },
+        [](const PlaceOnBed&) { return Text(R"("place_on_bed")"); },
+        [](const FlattenBase& flatten) { return R"("flatten_base","height":)" + shortest(flatten.height); },
+        [](const EditPart& edit) {
+            return R"("edit_part","name":)" + quoted(edit.name) + R"(,"locked":)" + (edit.isLocked ? "true" : "false") +
+                   (edit.tag ? R"(,"tag":)" + list(*edit.tag) : Text()) + R"(,"list_position":)" +
+                   std::to_string(std::min(edit.position, PartList::maxParts));
+        },
+        [](const ShowParts& show) { return R"("show_parts","parts":)" + list(show.visible); },
+        [](const DuplicatePart& duplicate) { return R"("duplicate_part","name":)" + quoted(duplicate.name); },
+        [](const DeletePart&) { return Text(R"("delete_part")"); },
+        [](const SeparatePart&) { return Text(R"("separate_part")"); },
+        [](const CombineParts& combination) {
+            constexpr std::string_view operations[] = {"union", "subtract", "intersect"};
+            return R"("combine_parts","operation":")" +
+                   Text(operations[static_cast<std::size_t>(combination.operation)]) + R"(","parts":)" +
+                   list(combination.others);
+        },
+        [](const Hide& hide) {
+            constexpr std::string_view words[] = {"masked", "unmasked", "nothing"};
+            return R"("hide","what":")" + Text(words[static_cast<std::size_t>(hide.what)]) + '"';
+        },
+        [](const Trim& trim) { return keysOf(trim); },
+    };
+    return std::visit(keys, entry.command);
+}
+
+void write(std::ostream& out, const FileCommand& entry)
+{
+    out << "{\"command\":" << keysOf(entry);
+    if (entry.part != 0)
+        out << ",\"part\":" << entry.part;
+    out << '}';
+}
 } // namespace
 
 void writeStrokes(std::ostream& out, const std::vector<FileEntry>& entries)
