@@ -1,7 +1,8 @@
 // Prints tables of costs: of a dab (the paper's Table 1, scale, large dabs, strength, tools), drawings, the print
 // check, files, booleans, the journal and memory. Run by hand, on a release build:
 //   fettle_bench
-//   [--benchmark_filter=table1|peersStroke|largeDab|strength|tools|drags|drawing|print|files|memory|boolean|parts|journal]
+//   [--benchmark_filter=table1|peersStroke|largeDab|strength|tools|drags|drawing|print|files|memory|boolean|parts]
+//   [--benchmark_filter=journal]
 //   FETTLE_AGED_DABS=100000 fettle_bench --benchmark_filter=agedStroke
 // Each row is run five times, interleaved; the smallest value of each counter is printed. A quick estimate:
 // --benchmark_repetitions=1.
