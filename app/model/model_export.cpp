@@ -72,7 +72,7 @@ QString ModelExport::join(ExportRequest& request, core::TriangleMesh& mesh, cons
     for (core::PartPiece& piece : core::splitByPart(mesh))
         solids.push_back(std::move(piece.mesh));
     core::BooleanResult all =
-        core::combine(core::SetOperation::Union, solids, control.part(0, 0), request.mesh->lattice());
+        core::combineOn(request.mesh->lattice(), core::SetOperation::Union, solids, control.part(0, 0));
     if (all.mesh) {
         mesh = std::move(*all.mesh);
         request.metadata.frame->parts = {};

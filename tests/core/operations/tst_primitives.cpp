@@ -18,7 +18,7 @@ Q_DECLARE_METATYPE(core::Primitive)
 
 namespace
 {
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Returns the volume of the exact solid.
 double exactVolume(const Primitive& p)

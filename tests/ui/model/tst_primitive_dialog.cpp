@@ -20,13 +20,13 @@ using Measure = core::Primitive::Measure;
 namespace
 {
 /// A parent window with an open dialog, and the command that the dialog returned.
-struct Asking
+struct PrimitiveQuestion
 {
     QWidget window;
     std::optional<Insert> insertion;
     QDialog* dialog = nullptr;
 
-    Asking()
+    PrimitiveQuestion()
     {
         const ui::ModelInfo ball{
             QStringLiteral("Ball"), 2562, 5120, {100, 50, 20}, Box(Vec3(-50, -25, -10), Vec3(50, 25, 10)), 31400, 5};
@@ -65,7 +65,7 @@ private Q_SLOTS:
 
 void TestPrimitiveDialog::accepted_givesMeasuresPlaceAndCombination()
 {
-    Asking asking;
+    PrimitiveQuestion asking;
     QCOMPARE(asking.in<QDoubleSpinBox>("width")->value(), 25.0); // a quarter of the model
     asking.choose("kind", "Cylinder");
     asking.type("radius", 6);
@@ -93,7 +93,7 @@ void TestPrimitiveDialog::accepted_givesMeasuresPlaceAndCombination()
 
 void TestPrimitiveDialog::rows_areThoseOfTheShape()
 {
-    Asking asking;
+    PrimitiveQuestion asking;
     for (std::size_t kind = 0; kind < Primitive::kinds; ++kind) {
         asking.in<QComboBox>("kind")->setCurrentIndex(static_cast<int>(kind));
         const auto measures = measuresOf(static_cast<Primitive::Kind>(kind));
@@ -110,7 +110,7 @@ void TestPrimitiveDialog::rows_areThoseOfTheShape()
 void TestPrimitiveDialog::everyShape_isPossibleAtFirst()
 {
     for (std::size_t kind = 0; kind < Primitive::kinds; ++kind) {
-        Asking asking;
+        PrimitiveQuestion asking;
         asking.in<QComboBox>("kind")->setCurrentIndex(static_cast<int>(kind));
         QVERIFY2(asking.accepting()->isEnabled(), qPrintable(asking.in<QLabel>("problem")->text()));
         asking.accepting()->click();
@@ -120,7 +120,7 @@ void TestPrimitiveDialog::everyShape_isPossibleAtFirst()
 
 void TestPrimitiveDialog::impossibleMeasures_cannotBeAccepted()
 {
-    Asking asking;
+    PrimitiveQuestion asking;
     asking.choose("kind", "Torus");
     asking.type("tube_radius", 500);
     QVERIFY(!asking.accepting()->isEnabled());
@@ -138,7 +138,7 @@ void TestPrimitiveDialog::impossibleMeasures_cannotBeAccepted()
 
 void TestPrimitiveDialog::profile_isReadLineByLine()
 {
-    Asking asking;
+    PrimitiveQuestion asking;
     asking.choose("kind", "Turned profile");
     auto* text = asking.in<QPlainTextEdit>("profile");
     for (const char* bad : {"", "10 0", "10 0\n8 x", "10 0\n8", "10 0\n8 5 3", "-1 0\n8 5"}) {
