@@ -3645,7 +3645,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Tei&amp;le</translation>
     </message>
     <message>
-        <source>&amp;Hide Masked</source>
+        <source>Hide &amp;Masked</source>
         <translation>Maskiertes aus&amp;blenden</translation>
     </message>
     <message>
@@ -3654,7 +3654,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Hide &amp;Unmasked</source>
-        <translation>&amp;Unmaskiertes ausblenden</translation>
+        <translation>U&amp;nmaskiertes ausblenden</translation>
     </message>
     <message>
         <source>Hides what is not masked.</source>
@@ -9661,6 +9661,26 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>Writes one of the program&apos;s starting shapes: %1. Or a solid of the given measures: %2.</source>
         <translation>Schreibt eine der Ausgangsformen des Programms: %1. Oder einen Körper mit den gegebenen Maßen: %2.</translation>
     </message>
+    <message>
+        <source>new: %1 needs --%2.</source>
+        <translation>new: %1 braucht --%2.</translation>
+    </message>
+    <message>
+        <source>new: %1 has no --%2.</source>
+        <translation>new: %1 hat kein --%2.</translation>
+    </message>
+    <message>
+        <source>new: %1 with measures has no --%2.</source>
+        <translation>new: %1 mit Maßen hat kein --%2.</translation>
+    </message>
+    <message>
+        <source>new: the shape must be one of %1, or with measures %2, not &quot;%3&quot;.</source>
+        <translation>new: Die Form muss eine von %1 sein, oder mit Maßen %2, nicht &quot;%3&quot;.</translation>
+    </message>
+    <message>
+        <source>new: %1 has no measures but --%2.</source>
+        <translation>new: %1 hat kein anderes Maß als --%2.</translation>
+    </message>
 </context>
 <context>
     <name>app::StandardFiles</name>
@@ -9695,29 +9715,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>(standard output)</source>
         <translation>(Standardausgabe)</translation>
-    </message>
-</context>
-<context>
-    <name>NewMessages</name>
-    <message>
-        <source>new: %1 needs --%2.</source>
-        <translation>new: %1 braucht --%2.</translation>
-    </message>
-    <message>
-        <source>new: %1 has no --%2.</source>
-        <translation>new: %1 hat kein --%2.</translation>
-    </message>
-    <message>
-        <source>new: %1 with measures has no --%2.</source>
-        <translation>new: %1 mit Maßen hat kein --%2.</translation>
-    </message>
-    <message>
-        <source>new: the shape must be one of %1, or with measures %2, not &quot;%3&quot;.</source>
-        <translation>new: Die Form muss eine von %1 sein, oder mit Maßen %2, nicht &quot;%3&quot;.</translation>
-    </message>
-    <message>
-        <source>new: %1 has no measures but --%2.</source>
-        <translation>new: %1 hat kein anderes Maß als --%2.</translation>
     </message>
 </context>
 <context>

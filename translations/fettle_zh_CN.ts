@@ -3631,8 +3631,8 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>部件(&amp;R)</translation>
     </message>
     <message>
-        <source>&amp;Hide Masked</source>
-        <translation>隐藏被遮罩的部分(&amp;H)</translation>
+        <source>Hide &amp;Masked</source>
+        <translation>隐藏被遮罩的部分(&amp;M)</translation>
     </message>
     <message>
         <source>Hides what is masked. Hidden clay is neither seen nor changed.</source>
@@ -9628,6 +9628,26 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <source>Writes one of the program&apos;s starting shapes: %1. Or a solid of the given measures: %2.</source>
         <translation>写出程序的一个起始形状：%1。或具有给定尺寸的实体：%2。</translation>
     </message>
+    <message>
+        <source>new: %1 needs --%2.</source>
+        <translation>new：%1 需要 --%2。</translation>
+    </message>
+    <message>
+        <source>new: %1 has no --%2.</source>
+        <translation>new：%1 没有 --%2。</translation>
+    </message>
+    <message>
+        <source>new: %1 with measures has no --%2.</source>
+        <translation>new：带尺寸的 %1 没有 --%2。</translation>
+    </message>
+    <message>
+        <source>new: the shape must be one of %1, or with measures %2, not &quot;%3&quot;.</source>
+        <translation>new：形状必须是 %1 之一，或带尺寸的 %2，而不是 &quot;%3&quot;。</translation>
+    </message>
+    <message>
+        <source>new: %1 has no measures but --%2.</source>
+        <translation>new：%1 除 --%2 外没有其他尺寸。</translation>
+    </message>
 </context>
 <context>
     <name>app::StandardFiles</name>
@@ -9662,29 +9682,6 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     <message>
         <source>(standard output)</source>
         <translation>（标准输出）</translation>
-    </message>
-</context>
-<context>
-    <name>NewMessages</name>
-    <message>
-        <source>new: %1 needs --%2.</source>
-        <translation>new：%1 需要 --%2。</translation>
-    </message>
-    <message>
-        <source>new: %1 has no --%2.</source>
-        <translation>new：%1 没有 --%2。</translation>
-    </message>
-    <message>
-        <source>new: %1 with measures has no --%2.</source>
-        <translation>new：带尺寸的 %1 没有 --%2。</translation>
-    </message>
-    <message>
-        <source>new: the shape must be one of %1, or with measures %2, not &quot;%3&quot;.</source>
-        <translation>new：形状必须是 %1 之一，或带尺寸的 %2，而不是 &quot;%3&quot;。</translation>
-    </message>
-    <message>
-        <source>new: %1 has no measures but --%2.</source>
-        <translation>new：%1 除 --%2 外没有其他尺寸。</translation>
     </message>
 </context>
 <context>

@@ -19,6 +19,8 @@ namespace app
 {
 namespace
 {
+using core::TriangleMesh; // lupdate takes a function that returns core::TriangleMesh for a member of core
+
 /// length of the longest side, mm: default, and limits of the option
 constexpr double starterSize = 100, minStarterSize = 0.001, maxStarterSize = 1e6;
 
@@ -97,7 +99,7 @@ std::vector<core::ProfilePoint> profileIn(const QString& text)
     return profile;
 }
 
-core::TriangleMesh primitiveOf(core::Primitive::Kind kind, const CommandOptions& options)
+TriangleMesh primitiveOf(core::Primitive::Kind kind, const CommandOptions& options)
 {
     core::Primitive primitive;
     primitive.kind = kind;
@@ -133,7 +135,7 @@ core::TriangleMesh primitiveOf(core::Primitive::Kind kind, const CommandOptions&
 
 /// Returns the shape that the arguments name. A name that is both a starter's and a primitive's is the primitive's if a
 /// measure is given.
-core::TriangleMesh shapeOf(const QString& word, const CommandOptions& options, const QString& size)
+TriangleMesh shapeOf(const QString& word, const CommandOptions& options, const QString& size)
 {
     const std::optional<core::Starter> starter = core::starterNamed(word.toStdString());
     const std::optional<core::Primitive::Kind> primitive = core::primitiveNamed(word.toStdString());

@@ -53,9 +53,11 @@ const FolderRule folderRules[] = {
     {"core/io/mesh", "core/util core/geometry core/parts core/sculpt/deform core/io/stroke core/io"},
     {"core/io", "core/util core/geometry core/parts core/analysis core/stroke core/mesh core/io/mesh"},
     {"core/journal", "core/util core/mesh core/operations core/io/stroke core/io"},
-    {"core/lesson", "core/util core/geometry core/analysis core/mesh core/sculpt core/operations core/io/stroke "
-                    "core/io/mesh core/io"},
-    {"core/preset", "core/stroke core/mesh core/drawing core/sculpt/deform core/sculpt core/operations"},
+    {"core/lesson",
+     "core/primitives core/util core/geometry core/analysis core/mesh core/sculpt core/operations core/io/stroke "
+     "core/io/mesh core/io"},
+    {"core/preset",
+     "core/primitives core/stroke core/mesh core/drawing core/sculpt/deform core/sculpt core/operations"},
     {"ui/util", "core/util core/geometry core/parts core/analysis core/stroke core/repair core/io/stroke core/io"},
     {"ui/settings", "core/geometry core/analysis core/stroke core/sculpt/deform core/io ui/util"},
     {"ui/widgets", "ui/util ui/settings"},
@@ -64,8 +66,10 @@ const FolderRule folderRules[] = {
     {"ui/input", "core/stroke core/mesh ui/settings ui/scene"},
     {"ui/viewport", "core/stroke core/mesh core/render ui/util ui/settings ui/widgets ui/actions ui/scene "
                     "ui/input"},
-    {"ui/model", "core/analysis core/repair core/operations ui/settings ui/widgets ui/actions ui/viewport"},
-    {"ui/files", "core/util core/drawing core/operations core/io ui/util ui/settings ui/widgets ui/actions ui/scene "
+    {"ui/model",
+     "core/primitives core/analysis core/repair core/operations ui/settings ui/widgets ui/actions ui/viewport"},
+    {"ui/files", "core/primitives core/util core/drawing core/operations core/io ui/util ui/settings ui/widgets "
+                 "ui/actions ui/scene "
                  "ui/model"},
     {"ui/brush", "core/util core/geometry core/stroke core/drawing core/sculpt/deform core/io/stroke core/io "
                  "core/preset ui/util ui/settings ui/widgets "
@@ -75,16 +79,18 @@ const FolderRule folderRules[] = {
     {"ui/print", "core/analysis core/mesh ui/util ui/settings ui/widgets ui/actions ui/viewport"},
     {"ui/history", "ui/settings ui/widgets"},
     {"ui/parts", "core/geometry core/parts core/operations ui/util ui/widgets ui/actions"},
-    {"ui/lesson", "core/operations core/lesson ui/widgets ui/actions"},
+    {"ui/lesson", "core/primitives core/operations core/lesson ui/widgets ui/actions"},
     {"ui/preferences", "ui/settings ui/widgets ui/actions ui/viewport"},
-    {"ui/classroom", "core/util core/analysis core/stroke core/operations core/io ui/util ui/settings ui/widgets "
-                     "ui/actions ui/lesson ui/preferences"},
+    {"ui/classroom",
+     "core/primitives core/util core/analysis core/stroke core/operations core/io ui/util ui/settings ui/widgets "
+     "ui/actions ui/lesson ui/preferences"},
     {"ui/headset", "core/geometry core/stroke ui/util ui/settings ui/widgets ui/actions ui/scene ui/viewport "
                    "ui/brush ui/classroom"},
     {"ui/help", "ui/settings ui/widgets ui/actions ui/files ui/lesson"},
-    {"ui/window", "core/operations core/io ui/util ui/settings ui/widgets ui/actions ui/scene ui/viewport "
-                  "ui/model ui/files ui/brush ui/reference ui/drawing ui/print ui/history ui/parts ui/lesson "
-                  "ui/preferences ui/classroom ui/headset ui/help"},
+    {"ui/window",
+     "core/primitives core/operations core/io ui/util ui/settings ui/widgets ui/actions ui/scene ui/viewport "
+     "ui/model ui/files ui/brush ui/reference ui/drawing ui/print ui/history ui/parts ui/lesson "
+     "ui/preferences ui/classroom ui/headset ui/help"},
     {"vr/util", "core/geometry"},
     {"vr/gl", ""},
     {"vr/openxr", "vr/util vr/gl"},
@@ -97,19 +103,19 @@ const FolderRule folderRules[] = {
     {"vr/simulator", "vr/util"},
     {"app/platform", ""},
     {"app/import", "core/util core/geometry core/io/mesh core/io app/platform"},
-    {"app/model",
-     "core/util core/geometry core/parts core/analysis core/boolean core/mesh core/drawing core/repair core/sculpt "
-     "core/operations core/io/stroke core/io ui/util ui/model ui/files ui/brush app/import"},
+    {"app/model", "core/primitives core/util core/geometry core/parts core/analysis core/boolean core/mesh "
+                  "core/drawing core/repair core/sculpt "
+                  "core/operations core/io/stroke core/io ui/util ui/model ui/files ui/brush app/import"},
     {"app/worker", "core/util core/stroke core/mesh core/drawing core/sculpt core/io/stroke core/journal ui/util "
                    "ui/drawing"},
     {"app/recovery", "core/sculpt core/journal ui/util app/model"},
     {"app/document",
-     "core/util core/stroke core/mesh core/drawing core/sculpt core/operations core/io/stroke "
+     "core/primitives core/util core/stroke core/mesh core/drawing core/sculpt core/operations core/io/stroke "
      "core/io core/journal core/geometry core/parts ui/util ui/settings ui/widgets ui/viewport ui/model ui/brush "
      "ui/history ui/window app/model app/worker app/recovery"},
     {"app/analysis", "core/geometry core/analysis core/mesh core/sculpt ui/util ui/print app/worker app/document"},
     {"app/lesson",
-     "core/util core/mesh core/drawing core/sculpt/deform core/sculpt core/operations core/io "
+     "core/primitives core/util core/mesh core/drawing core/sculpt/deform core/sculpt core/operations core/io "
      "core/journal core/lesson ui/util ui/settings ui/widgets ui/viewport ui/lesson ui/help ui/window app/model "
      "app/worker app/document app/analysis"},
     {"app/classroom",
@@ -117,7 +123,7 @@ const FolderRule folderRules[] = {
      "ui/widgets ui/viewport ui/files ui/lesson ui/classroom ui/window app/model app/worker app/recovery "
      "app/document app/lesson"},
     {"app/commands",
-     "core/util core/geometry core/analysis core/mesh core/repair core/boolean core/sculpt "
+     "core/primitives core/util core/geometry core/analysis core/mesh core/repair core/boolean core/sculpt "
      "core/operations core/io/stroke core/io core/lesson ui/util ui/brush ui/drawing app/platform app/model "
      "app/document app/classroom app/lesson"},
     {"app/headset", "ui/util ui/settings ui/scene ui/viewport ui/files ui/brush ui/lesson ui/headset ui/window "

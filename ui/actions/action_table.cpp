@@ -165,7 +165,7 @@ public:
         {MenuId::Mask, "mask.part", QT_TR_NOOP("Mask Whole &Pieces"),
          QT_TR_NOOP("Extends the mask to the whole of each connected piece that it touches."), "", "mask-part"},
 
-        {MenuId::Mask, "mask.hideMasked", QT_TR_NOOP("&Hide Masked"),
+        {MenuId::Mask, "mask.hideMasked", QT_TR_NOOP("Hide &Masked"),
          QT_TR_NOOP("Hides what is masked. Hidden clay is neither seen nor changed."), "Alt+X", "part-hidden", true},
         {MenuId::Mask, "mask.hideUnmasked", QT_TR_NOOP("Hide &Unmasked"),
          QT_TR_NOOP("Hides what is not masked."), "Alt+Shift+X", "part-hidden"},
