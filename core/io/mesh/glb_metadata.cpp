@@ -201,7 +201,7 @@ nlohmann::ordered_json jsonOf(const Part& part)
 
 std::optional<Part> partIn(const Json& json)
 {
-    const auto id = numberIn(json, "id", 0, std::numeric_limits<PartId>::max());
+    const auto id = numberIn(json, "id", 0, maxPartId);
     const Json &name = valueIn(json, "name"), &visible = valueIn(json, "visible"), &locked = valueIn(json, "locked"),
                &tag = valueIn(json, "tag");
     if (!id || *id != std::trunc(*id) || !name.is_string() || !visible.is_boolean() || !locked.is_boolean())

@@ -371,7 +371,8 @@ void TestCommandLine::words_thatAreOneOfSomeAreListed_data()
     row("replay --strokes s.json --verify most", "replay: --verify must be one of local, full, none, not \"most\".");
     row("replay --strokes s.json --frames . --every 0",
         "replay: --every must be a whole number, 1 or more, not \"0\".");
-    row("new bal b.stl", "new: the shape must be one of ball, cube, torus, slab, vase, head, tablet, not \"bal\".");
+    row("new bal b.stl", "new: the shape must be one of ball, cube, torus, slab, vase, head, tablet, or with measures "
+                         "box, ball, cylinder, cone, capsule, torus, lathe, not \"bal\".");
     row("lesson nonsense",
         "\"nonsense\" is not a lesson: it is neither one of first-clay, mug, creature nor a folder or ZIP file.");
 }
@@ -443,7 +444,7 @@ void TestCommandLine::new_writesPrimitives()
     for (const char* words :
          {"box --width 10 --height 20 --depth 30", "ball --radius 5", "cylinder --radius 5 --height 20",
           "cone --radius 5 --height 20", "cone --radius 5 --height 20 --top-radius 2", "capsule --radius 5 --height 20",
-          "torus --radius 5 --tube-radius 2 --edge-length 0.4", "lathe --profile \"0,0 10,0 8,20\""}) {
+          "torus --radius 5 --tube-radius 2 --edge-length 0.3", "lathe --profile \"0,0 10,0 8,20\""}) {
         const Answer answer = make(words);
         QVERIFY2(answer.status == 0 && answer.out.isEmpty() && answer.err.isEmpty(), answer.err.constData());
         QVERIFY2(core::checkMesh(core::readMesh(at("a.ply").toStdString())).printReady(), words);

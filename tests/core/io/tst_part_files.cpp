@@ -72,7 +72,7 @@ TriangleMesh someBalls()
 core::DocumentMetadata metadataWith(const PartList& parts)
 {
     core::DocumentMetadata metadata;
-    metadata.frame = core::MeshFrame{core::Lattice(14), 0.7, {}, parts};
+    metadata.frame = core::MeshFrame{core::Lattice(14), 0.7, core::Vec3::Zero(), parts};
     return metadata;
 }
 
