@@ -277,7 +277,7 @@ public:
         {MenuId::Parts, "parts.isolate", QT_TR_NOOP("Is&olate"),
          QT_TR_NOOP("Shows only the active part. Again: shows the others as before."), "Y", "part-isolate", true},
         {MenuId::Parts, "parts.hide", QT_TR_NOOP("&Hide or Show"),
-         QT_TR_NOOP("Hides the active part, or shows it again."), "Shift+Y", "part-hidden"},
+         QT_TR_NOOP("Hides the active part, or shows it again."), "Alt+Y", "part-hidden"},
         {MenuId::Parts, "parts.showAll", QT_TR_NOOP("Show &All"), QT_TR_NOOP("Shows all parts."), "Ctrl+H",
          "part-shown"},
         {MenuId::Parts, "parts.lock", QT_TR_NOOP("&Lock or Unlock"),

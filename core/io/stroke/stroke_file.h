@@ -53,7 +53,7 @@ namespace core
 ///      "symmetry":"none"}
 ///
 /// Each stroke and command may have "part", the id of the part that it changes (PartId; default 0). "operation" is
-/// union, subtract or intersect; "what" is masked, unmasked or nothing; "parts" are the parts to show, or to combine
+/// union, subtract or intersect; "what" is masked, unmasked or none; "parts" are the parts to show, or to combine
 /// with the part. Only "name" of edit_part is required.
 ///
 /// "keep" is positive (the default) or negative. "detail_length" defaults to the mesh's own, Mesh::uniformDetail().

@@ -211,7 +211,7 @@ std::string keysOf(const FileCommand& entry)
                    list(combination.others);
         },
         [](const Hide& hide) {
-            constexpr std::string_view words[] = {"masked", "unmasked", "nothing"};
+            constexpr std::string_view words[] = {"masked", "unmasked", "none"};
             return R"("hide","what":")" + Text(words[static_cast<std::size_t>(hide.what)]) + '"';
         },
         [](const Trim& trim) { return keysOf(trim); },

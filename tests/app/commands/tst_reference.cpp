@@ -184,6 +184,10 @@ void compareValues(const QString& key, const QString& values, const std::functio
     } else if (values == QLatin1String("text")) {
         QVERIFY2(!refusalOf(entry(QStringLiteral("\"a.stl\""))) && refusalOf(entry(QStringLiteral("\"\""))),
                  qPrintable(key));
+    } else if (values == QLatin1String("text or nothing")) {
+        QVERIFY2(!refusalOf(entry(QStringLiteral("\"a\""))) && !refusalOf(entry(QStringLiteral("\"\""))) &&
+                     refusalOf(entry(QStringLiteral("5"))),
+                 qPrintable(key));
     } else {
         static const QStringList others{QStringLiteral("list"), QStringLiteral("fingerprint"),
                                         QStringLiteral("a [tool](stroke-tools.md)")};

@@ -336,7 +336,7 @@ void TestPartFiles::manyParts_comeBack()
     std::vector<core::PartPiece> pieces;
     std::vector<Part> parts;
     for (std::size_t i = 0; i < PartList::maxParts; ++i) {
-        const auto id = static_cast<PartId>(65'535 - i);
+        const auto id = static_cast<PartId>(core::maxPartId - i);
         pieces.push_back({id, core::icosphere(0, 1), {}, {}});
         parts.push_back({id, std::string(PartList::maxNameBytes, '\x02'), i % 2 == 0, false, Rgb{1, 2, 3}});
     }

@@ -642,7 +642,7 @@ void TestStrokeFile::partCommands_roundTrip()
 {"command":"separate_part"},
 {"command":"combine_parts","operation":"subtract","parts":[2,4],"part":1},
 {"command":"hide","what":"unmasked"},
-{"command":"hide","what":"nothing"}]}
+{"command":"hide","what":"none"}]}
 )";
     const std::vector<FileEntry> entries = parseStrokes(text);
     std::ostringstream out;
