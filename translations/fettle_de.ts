@@ -9782,7 +9782,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>The parts of the model. Click one to sculpt it; with Ctrl choose others to combine it with. Double-click a name to change it.</source>
-        <translation>Die Teile des Modells. Klicken Sie eines an, um es zu formen; mit Strg wählen Sie andere, mit denen er verbunden wird. Ein Doppelklick auf einen Namen ändert ihn.</translation>
+        <translation>Die Teile des Modells. Klicken Sie eines an, um es zu formen; mit Strg wählen Sie andere, mit denen es verbunden wird. Ein Doppelklick auf einen Namen ändert ihn.</translation>
     </message>
     <message>
         <source>Parts</source>

@@ -50,9 +50,9 @@ struct BooleanResult
 /// Thread: any; uses all cores. The result does not depend on their number. Cost: a tree of boxes where solids overlap,
 /// quadratic in the number of faces that meet one face, and checkMesh() of the result.
 BooleanResult combine(SetOperation operation, std::span<const TriangleMesh> solids, const JobControl& control = {});
-/// Same, but all points of the result are on the given lattice. No finer lattice is tried, so more needles and surfaces
-/// that nearly coincide are merged within 2, 16 or 128 units. Precondition: all points of the solids are on the
-/// lattice.
+/// Combines the solids on the given lattice, which has all points of the result. No finer lattice is tried, so more
+/// needles and surfaces that nearly coincide are merged within 2, 16 or 128 units. Precondition: all points of the
+/// solids are on the lattice.
 BooleanResult combineOn(const Lattice& lattice, SetOperation operation, std::span<const TriangleMesh> solids,
                         const JobControl& control = {});
 } // namespace core

@@ -25,7 +25,7 @@ Box boxAround(const Mesh& mesh, std::span<const Vec3> places)
     return box;
 }
 
-/// What a transformation does: new places by slot, and whether it turns the faces over.
+/// A transformation: the new places by slot, and whether it turns the faces over.
 struct Motion
 {
     std::optional<PartId> part; ///< the part that moves; nothing: all parts

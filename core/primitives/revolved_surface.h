@@ -22,6 +22,6 @@ struct ProfilePoint
 /// point are on the axis, and both must be. Precondition: the profile does not cross itself.
 ///
 /// Symmetric about the planes x = 0 and z = 0 bit for bit; also about y = 0 if the profile is, and has points there.
-/// The same bits on every machine.
+/// The result has the same bits on every machine.
 TriangleMesh revolvedSurface(const std::vector<ProfilePoint>& profile, bool isClosed, double edge);
 } // namespace core

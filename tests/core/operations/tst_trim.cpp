@@ -365,7 +365,7 @@ void TestTrim::badCurves_areRefused()
     QVERIFY(applyToCopy(*mesh, around).refusal == ModelRefusal::NoOutline);
 }
 
-/// What is behind the eye stays.
+/// Tests that a cut leaves the model behind the eye as it is.
 void TestTrim::eyeWithinTheModel_cutsWhatIsBefore()
 {
     const auto mesh = sculptable(icosphere(4, 1));
