@@ -248,4 +248,18 @@ void trim(Mesh& mesh, const Trim& command, ModelChange& change, const JobControl
     if (change.refusal != ModelRefusal::None)
         mesh.rollback(mark);
 }
+
+/// Sweeps a rectangle along the plane. One of its sides is on the plane.
+Trim trimBeyond(const Vec3& point, const Vec3& normal, const Box& box)
+{
+    const Vec3 up = normal.stableNormalized(), along = up.unitOrthogonal(), aside = up.cross(along);
+    const double away = (box.center() - point).dot(up);
+    const double reach = 2 * (box.diagonal().norm() + std::abs(away));
+    const Vec3 center = box.center() - away * up;
+    Trim trim;
+    trim.direction = along;
+    trim.outline = {center - reach * aside, center + reach * aside, center + reach * (aside + up),
+                    center + reach * (up - aside)};
+    return trim;
+}
 } // namespace core

@@ -9,4 +9,9 @@ namespace core
 /// no mask. A model that is symmetric, bit for bit, about the command's plane remains so: one half of the result is
 /// replaced by the image of the other. Precondition: a stroke of the mesh is open.
 void trim(Mesh& mesh, const Trim& command, ModelChange& change, const JobControl& control);
+
+/// Returns the command that cuts away everything on the positive side of a plane. The cut is flat to a few lattice
+/// units, because its points are rounded one by one. Precondition: `normal` is not zero, of any length; `box` contains
+/// the model and is not empty.
+Trim trimBeyond(const Vec3& point, const Vec3& normal, const Box& box);
 } // namespace core

@@ -2,6 +2,7 @@
 
 #include "core/mesh/mesh_builder.h"
 #include "core/operations/model_command.h"
+#include "core/operations/trim.h"
 #include "core/operations/winding_outline.h"
 #include "tests/support/clay.h"
 #include "tests/support/effort.h"
@@ -43,6 +44,7 @@ private Q_SLOTS:
     void colorsAndMasks_areKept();
     void cutFaces_areAsFineAsTheModel();
     void stopped_changesNothing();
+    void plane_cutsFlat();
 };
 
 namespace
@@ -430,6 +432,44 @@ void TestTrim::stopped_changesNothing()
     source.request_stop();
     const ModelChange change = applyToCopy(*mesh, trimOf(frontView, circle(0.5, 40)), {source.get_token(), {}});
     QVERIFY(!change.changes && change.refusal == ModelRefusal::None);
+}
+
+/// Tests that new vertices lie on the plane, and that both sides of it add up to the whole.
+void TestTrim::plane_cutsFlat()
+{
+    StrokeFuzzer random(36);
+    // the boolean rounds each coordinate by at most half a unit of a lattice that is up to four times coarser
+    constexpr double flat = 4;
+    double farthest = 0; // lattice units
+    for (int i = 0; i < byEffort(20, 200); ++i) {
+        const auto mesh = sculptable(i % 2 ? icosphere(4, 1) : shapes::torus());
+        const double whole = volumeOf(*mesh);
+        Box box;
+        for (const Slot v : mesh->vertices())
+            box.extend(mesh->point(v).cast<double>());
+        const auto signedUnit = [&] { return random.uniform(-1, 1); };
+        const Vec3 normal =
+            i < 6 ? Vec3(Vec3::Unit(i % 3) * (i < 3 ? 5 : -5)) : Vec3(signedUnit(), signedUnit(), signedUnit() + 0.01);
+        const Vec3 point =
+            box.center() + 0.35 * box.sizes().cwiseProduct(Vec3(signedUnit(), signedUnit(), signedUnit()));
+        const auto before = placesOf(*mesh);
+        double sum = 0;
+        for (const Vec3& side : {normal, Vec3(-normal)}) {
+            ModelChange change = applyToCopy(*mesh, trimBeyond(point, side, box));
+            QVERIFY2(change.refusal == ModelRefusal::None, qPrintable(QString::number(i)));
+            mesh->swap(change.delta);
+            VERIFY_VALID(*mesh);
+            sum += volumeOf(*mesh);
+            for (const Slot v : mesh->vertices()) {
+                const double above = (mesh->point(v).cast<double>() - point).dot(side.normalized());
+                const bool isNew = !isNear(before, mesh->latticePoint(v));
+                farthest = std::max(farthest, (isNew ? std::abs(above) : above) / mesh->lattice().unit());
+            }
+            mesh->swap(change.delta);
+        }
+        QVERIFY2(std::abs(sum / whole - 1) < 1e-5, qPrintable(QString::number(i)));
+    }
+    QVERIFY2(farthest < flat, qPrintable(QString::number(farthest)));
 }
 
 FETTLE_TEST(TestTrim, QCoreApplication)
