@@ -43,6 +43,17 @@ Names namesOf(const core::CombineParts& combination)
             QStringLiteral("part-intersect")};
 }
 
+/// Names the change after what it does most visibly: a turn or a scaling about a centre may also move.
+Names namesOf(const core::Transform& transform)
+{
+    if (transform.scale != core::Vec3::Ones())
+        return {CommandNames::tr("Scale", "undo step"), CommandNames::tr("Scaling the model"), QStringLiteral("scale")};
+    if (transform.rotation != Eigen::Quaterniond::Identity())
+        return {CommandNames::tr("Rotate", "undo step"), CommandNames::tr("Rotating the model"),
+                QStringLiteral("rotate")};
+    return {CommandNames::tr("Move", "undo step"), CommandNames::tr("Moving the model"), QStringLiteral("move")};
+}
+
 QString nameOf(const core::Insert& insertion)
 {
     switch (insertion.combination) {
@@ -64,6 +75,7 @@ Names namesOf(const core::ModelCommand& command)
     const auto* combination = std::get_if<core::CombineParts>(&command);
     const auto* insertion = std::get_if<core::Insert>(&command);
     const auto* mask = std::get_if<core::MaskOperation>(&command);
+    const auto* transform = std::get_if<core::Transform>(&command);
     const Names names[] = {
         {CommandNames::tr("Move", "undo step"), CommandNames::tr("Moving the model"), QStringLiteral("move")},
         {CommandNames::tr("Rotate", "undo step"), CommandNames::tr("Rotating the model"), QStringLiteral("rotate")},
@@ -96,7 +108,8 @@ Names namesOf(const core::ModelCommand& command)
         {hide && hide->what == core::Hide::What::Nothing ? CommandNames::tr("Show All", "undo step")
                                                          : CommandNames::tr("Hide", "undo step"),
          CommandNames::tr("Hiding and showing"), QStringLiteral("part-hidden")},
-        {CommandNames::tr("Trim", "undo step"), CommandNames::tr("Trimming the model"), QStringLiteral("trim-lasso")}};
+        {CommandNames::tr("Trim", "undo step"), CommandNames::tr("Trimming the model"), QStringLiteral("trim-lasso")},
+        transform ? namesOf(*transform) : Names()};
     static_assert(std::size(names) == std::variant_size_v<core::ModelCommand>);
     return names[command.index()];
 }
@@ -186,6 +199,8 @@ QString CommandNames::refusal(const core::ModelChange& change, const QString& in
     case core::ModelRefusal::TooManyParts:
         return tr("The model stays as it is: it may have %Ln parts at most.", nullptr,
                   static_cast<int>(core::PartList::maxParts));
+    case core::ModelRefusal::AllMasked:
+        return tr("The part stays as it is, because all of it is masked or hidden.");
     case core::ModelRefusal::PartsApart:
         return tr("The parts do not overlap, so nothing was subtracted.");
     case core::ModelRefusal::TooFine:

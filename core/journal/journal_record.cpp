@@ -10,7 +10,7 @@ namespace core
 {
 namespace
 {
-constexpr std::uint32_t mark = 0x354a5446; ///< "FTJ5"
+constexpr std::uint32_t mark = 0x364a5446; ///< "FTJ6"
 
 struct Head
 {
@@ -24,7 +24,7 @@ template <class Stream> constexpr bool isReading = std::is_same_v<Stream, ByteRe
 
 // --- values inside records
 
-constexpr std::size_t vertexBytes = 27, edgeBytes = 36, faceBytes = 20, partBytes = 12;
+constexpr std::size_t vertexBytes = 27, edgeBytes = 36, faceBytes = 20, partBytes = 44;
 
 template <class Stream> void pass(Stream& stream, Passed<VertexImage, Stream>& image)
 {
@@ -81,6 +81,7 @@ template <class Stream> void pass(Stream& stream, Passed<Part, Stream>& part)
     bool hasTag = part.tag.has_value();
     Rgb tag = part.tag.value_or(Rgb());
     stream.pass(part.id, part.name, part.isVisible, part.isLocked, hasTag, tag.r, tag.g, tag.b);
+    stream.pass(part.axes.x(), part.axes.y(), part.axes.z(), part.axes.w());
     if constexpr (isReading<Stream>)
         part.tag = hasTag ? std::optional(tag) : std::nullopt;
 }

@@ -51,6 +51,8 @@ void writeFrame(std::ostream& out, const MeshFrame& frame)
         writeValue(out, part.isVisible);
         writeValue(out, part.isLocked);
         writeValue(out, part.tag);
+        for (const double x : part.axes.coeffs())
+            writeValue(out, x);
     }
 }
 
@@ -68,6 +70,8 @@ MeshFrame readFrame(std::istream& in)
         part.isVisible = readValue<bool>(in);
         part.isLocked = readValue<bool>(in);
         part.tag = readValue<std::optional<Rgb>>(in);
+        for (double& x : part.axes.coeffs())
+            x = readValue<double>(in);
     }
     if (PartList::isUsable(parts))
         frame.parts = PartList(std::move(parts));

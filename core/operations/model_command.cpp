@@ -69,7 +69,7 @@ void applyToPart(Mesh& mesh, const ModelCommand& command, PartId part, ModelChan
         change.refusal = ModelRefusal::NoSuchPart;
         return;
     }
-    if (isAnyOf<Move, Rotate, Mirror>(command))
+    if (isAnyOf<Move, Rotate, Mirror, Transform>(command))
         return edit(mesh, command, part, change, control);
     DetachedPart detached(mesh, part);
     detached.mesh().beginStroke();

@@ -3,6 +3,7 @@
 #include "core/analysis/mesh_check.h"
 #include "core/boolean/mesh_boolean.h"
 #include "core/mesh/mesh_delta.h"
+#include "core/parts/part_transform.h"
 #include "core/primitives/model_limits.h"
 #include "core/primitives/primitives.h"
 #include "core/stroke/tool.h"
@@ -168,7 +169,7 @@ struct CombineParts
 
 using ModelCommand = std::variant<Move, Rotate, Scale, Mirror, Recentre, Insert, Fill, RemeshUniformly, Symmetrize,
                                   Reset, PlaceOnBed, FlattenBase, MaskOperation, EditPart, ShowParts, DuplicatePart,
-                                  DeletePart, SeparatePart, CombineParts, Hide, Trim>;
+                                  DeletePart, SeparatePart, CombineParts, Hide, Trim, Transform>;
 
 /// Reasons why a command left the model unchanged.
 enum class ModelRefusal {
@@ -187,6 +188,7 @@ enum class ModelRefusal {
     LastPart,    ///< a document has at least one part
     OnePiece,    ///< the part is in one piece
     TooManyParts,
+    AllMasked,   ///< the part is masked or hidden, so nothing of it would move
     PartsApart,  ///< no two of the parts to combine overlap, so nothing would be subtracted
     NoOutline,   ///< the curve to cut along has fewer than three corners, or no area
     NoCut,       ///< the cut would not leave one sound surface
@@ -213,7 +215,7 @@ struct ModelChange
 ///
 /// `part`: the part that the command changes; nothing: all parts. Scale, Recentre, PlaceOnBed, Reset and ShowParts
 /// always concern all parts. Precondition: a document of several parts is given a part unless the command is one of
-/// these or moves all parts (Move, Rotate, Mirror).
+/// these or moves all parts (Move, Rotate, Mirror, Transform).
 ModelChange applyToCopy(Mesh copy, const ModelCommand& command, const JobControl& control = {},
                         std::optional<PartId> part = {});
 

@@ -29,7 +29,10 @@ PartList edited(const PartList& list, PartId id, const EditPart& edit)
 {
     std::vector<Part> parts = list.all();
     const auto found = std::ranges::find(parts, id, &Part::id);
-    const Part part{id, shortened(edit.name), found->isVisible, edit.isLocked, edit.tag};
+    Part part = *found;
+    part.name = shortened(edit.name);
+    part.isLocked = edit.isLocked;
+    part.tag = edit.tag;
     parts.erase(found);
     const std::size_t position = std::min(edit.position, parts.size());
     parts.insert(parts.begin() + static_cast<std::ptrdiff_t>(position), part);

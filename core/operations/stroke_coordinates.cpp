@@ -59,6 +59,8 @@ ModelChange StrokeCoordinates::apply(const Mesh& mesh, ModelCommand command, Par
         insert->centre -= by;
     if (auto* const trim = std::get_if<Trim>(&command))
         shift(*trim, by);
+    if (auto* const transform = std::get_if<Transform>(&command))
+        transform->centre -= by;
     if (const auto* const half = std::get_if<Symmetrize>(&command); half && by[axisOf(half->plane)] != 0)
         return symmetrizedBeside(mesh, *half, by);
     const bool isWhole = mesh.frame().parts.size() == 1;

@@ -89,6 +89,19 @@ void goTo(Mesh& mesh, const Motion& motion, ModelChange& change, const JobContro
         mesh.reverseOrientation(motion.part);
 }
 
+/// Turns the own axes of the part, or of all parts.
+void turnAxes(Mesh& mesh, std::optional<PartId> part, const Eigen::Quaterniond& rotation)
+{
+    MeshFrame frame = mesh.frame();
+    std::vector<Part> parts = frame.parts.all();
+    for (Part& turned : parts) {
+        if (!part || turned.id == *part)
+            turned.axes = (rotation * turned.axes).normalized();
+    }
+    frame.parts = PartList(std::move(parts));
+    mesh.setFrame(frame);
+}
+
 void setPlace(Mesh& mesh, const Vec3& place)
 {
     MeshFrame frame = mesh.frame();
@@ -158,6 +171,32 @@ void transform(Mesh& mesh, const Rotate& command, std::optional<PartId> part, Mo
 {
     const Eigen::Matrix3d matrix = command.rotation.toRotationMatrix();
     goTo(mesh, mapped(mesh, part, [&](const Vec3& p) { return Vec3(matrix * p); }), change, control);
+    if (change.refusal == ModelRefusal::None && !control.isCancelled())
+        turnAxes(mesh, part, command.rotation);
+}
+
+void transform(Mesh& mesh, const Transform& command, std::optional<PartId> part, ModelChange& change,
+               const JobControl& control)
+{
+    Motion motion{part, placesOf(mesh)};
+    bool isAllFree = true, isAllFixed = true;
+    for (const Slot v : mesh.vertices()) {
+        if (!motion.moves(mesh.part(v)))
+            continue;
+        const double freedom = mesh.freedom(v);
+        isAllFree = isAllFree && freedom == 1;
+        isAllFixed = isAllFixed && freedom == 0;
+        if (freedom > 0)
+            motion.places[v] = command.placeOf(motion.places[v], freedom);
+    }
+    if (isAllFixed)
+        change.refusal = ModelRefusal::AllMasked;
+    else if (isFarFromOrigin(boxAround(mesh, motion.places)))
+        change.refusal = ModelRefusal::TooFar;
+    else
+        goTo(mesh, motion, change, control);
+    if (isAllFree && change.refusal == ModelRefusal::None && !control.isCancelled())
+        turnAxes(mesh, part, command.rotation);
 }
 
 void transform(Mesh& mesh, const Scale& command, ModelChange& change, const JobControl& control)

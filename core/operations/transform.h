@@ -27,6 +27,8 @@ void transform(Mesh& mesh, const Rotate& command, std::optional<PartId> part, Mo
                const JobControl& control);
 void transform(Mesh& mesh, const Mirror& command, std::optional<PartId> part, ModelChange& change,
                const JobControl& control);
+void transform(Mesh& mesh, const Transform& command, std::optional<PartId> part, ModelChange& change,
+               const JobControl& control);
 void transform(Mesh& mesh, const Scale& command, ModelChange& change, const JobControl& control);
 void transform(Mesh& mesh, const PlaceOnBed& command, ModelChange& change, const JobControl& control);
 void transform(Mesh& mesh, const Recentre& command, ModelChange& change, const JobControl& control);

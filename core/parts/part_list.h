@@ -18,6 +18,8 @@ struct Part
     bool isVisible = true;
     bool isLocked = false;  ///< strokes and commands leave the part unchanged
     std::optional<Rgb> tag; ///< colour that marks the part in lists
+    /// Turn from the document's axes to the part's own; they turn with the part. Unit length.
+    Eigen::Quaterniond axes = Eigen::Quaterniond::Identity();
 
     friend bool operator==(const Part&, const Part&) = default;
 };

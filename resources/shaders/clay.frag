@@ -28,6 +28,7 @@ uniform vec3 sheen;       // linear; where the surface turns away
 uniform bool flatShading; // each triangle in one shade
 uniform float encodeSrgb;
 uniform float cut;       // 1: a line where the plane cuts
+uniform float cutSide;   // 1: what is on the plane's positive side is tinted
 uniform float shaded;    // 1: coloured by fault in the place of its own colours
 
 out vec4 fragColor;
@@ -58,6 +59,7 @@ vec3 soften(vec3 c)
 vec3 withCut(vec3 color)
 {
     float fromCut = dot(cutPlane, vec4(placeAndTint.xyz, 1.0));
+    color = mix(color, mix(color, vec3(0.68, 0.045, 0.026), 0.45), cutSide * step(0.0, fromCut));
     float pixels = abs(fromCut) / max(fwidth(fromCut), 1e-9);
     vec3 edged = mix(color, vec3(0.02), 0.25 * clamp(2.0 - pixels, 0.0, 1.0));
     return mix(color, mix(edged, vec3(0.92, 0.96, 1.0), 0.5 * clamp(1.0 - pixels, 0.0, 1.0)), cut);

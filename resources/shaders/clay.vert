@@ -16,6 +16,12 @@ uniform float ballFalloff; // n of its b(x); 0: no weighting
 uniform float ballCore;    // the part of the radius within which the weight is 1
 uniform float sectors;     // about y, in each of which they are
 uniform vec2 sector;       // cosine and sine of the angle of one
+// A transformation that is shown before it is made; the weights say how far each vertex takes part.
+uniform float moved;    // 1: there is one
+uniform vec3 moveCentre, moveBy;
+uniform vec3 turnAxis;  // unit length
+uniform float turnAngle; // radians
+uniform mat3 stretch;   // difference from the identity
 
 // Four by four: what a triangle is set up for counts more than its pixels where there are many.
 out vec4 placeAndTint;     // eye space; w: b(x) of the footprint
@@ -46,15 +52,33 @@ float weightInSectors()
     return b * min(6.0 - 6.0 * x, 1.0);
 }
 
+vec3 turned(vec3 v, float angle)
+{
+    return mix(turnAxis * dot(turnAxis, v), v, cos(angle)) + sin(angle) * cross(turnAxis, v);
+}
+
+// The place with this freedom, its normal and the direction of its sharp edge (core/parts/part_transform.h).
+void move(float freedom, inout vec3 place, inout vec3 facing, inout vec3 along)
+{
+    float angle = freedom * turnAngle;
+    mat3 stretched = mat3(1.0) + freedom * stretch;
+    place = moveCentre + freedom * moveBy + turned(stretched * (place - moveCentre), angle);
+    facing = turned(transpose(inverse(stretched)) * facing, angle);
+    along = turned(along, angle);
+}
+
 void main()
 {
-    vec4 eye = view * vec4(position, 1.0);
+    vec3 place = position, facing = normal.xyz, along = edge.xyz;
+    if (moved > 0.0)
+        move(weight, place, facing, along);
+    vec4 eye = view * vec4(place, 1.0);
     mat3 turn = mat3(view);
     float unit = inversesqrt(dot(view[0].xyz, view[0].xyz));
     float sharp = max(edge.w, 0.0);
-    placeAndTint = vec4(eye.xyz, max(weight, weightInSectors()));
-    normalAndMask = vec4(unit * (1.0 - sharp) * (turn * normal.xyz), normal.w);
-    crease = vec4(unit * sharp * (turn * edge.xyz), sharp);
+    placeAndTint = vec4(eye.xyz, moved > 0.0 ? 0.0 : max(weight, weightInSectors()));
+    normalAndMask = vec4(unit * (1.0 - sharp) * (turn * facing), normal.w);
+    crease = vec4(unit * sharp * (turn * along), sharp);
     albedoAndMeasure = vec4(toLinear(color.rgb), mix(color.a, shade, shaded));
     gl_Position = projection * eye;
 }

@@ -33,7 +33,7 @@ const FolderRule folderRules[] = {
     {"core/repair", "core/util core/geometry core/analysis"},
     {"core/boolean", "core/util core/geometry core/analysis core/repair"},
     {"core/drawing", "core/geometry core/mesh"},
-    {"core/render", "core/geometry core/mesh"},
+    {"core/render", "core/geometry core/mesh core/parts"},
     {"core/sculpt/select", "core/util core/geometry core/stroke core/mesh"},
     {"core/sculpt/edit", "core/util core/stroke core/mesh"},
     {"core/sculpt/verify", "core/util core/geometry core/analysis core/mesh core/sculpt/select"},

@@ -174,7 +174,7 @@ core::ModelCommand FuzzRun::nextCommand()
     if (m_start.plane != Symmetry::None)
         return core::Symmetrize{m_start.plane, m_fuzzer.below(2) == 0 ? core::Half::Positive : core::Half::Negative};
     const auto sized = [&](double from, double to) { return m_fuzzer.uniform(from, to); };
-    switch (m_fuzzer.below(7)) {
+    switch (m_fuzzer.below(8)) {
     case 0:
         return core::Move{sized(0, 0.2) * m_fuzzer.direction()};
     case 1: {
@@ -187,6 +187,13 @@ core::ModelCommand FuzzRun::nextCommand()
         return core::Mirror{static_cast<int>(m_fuzzer.below(3))};
     case 4:
         return core::Recentre{};
+    case 6: {
+        const Vec3 axis = sized(0, 0.3) * m_fuzzer.direction();
+        return core::Transform{mesh.point(*mesh.vertices().begin()).cast<double>(),
+                               sized(0, 0.1) * m_fuzzer.direction(),
+                               Eigen::Quaterniond(1, axis.x(), axis.y(), axis.z()).normalized(),
+                               {sized(0.8, 1.25), sized(0.8, 1.25), sized(0.8, 1.25)}};
+    }
     case 5: {
         const double mean2 = core::areaOf(mesh) / mesh.live().faces * 2; // roughly the square of the mean edge length
         return core::RemeshUniformly{sized(finest, coarsest) * 1.5 * std::sqrt(mean2)};

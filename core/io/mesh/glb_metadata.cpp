@@ -196,7 +196,22 @@ nlohmann::ordered_json jsonOf(const Part& part)
         {"id", part.id}, {"name", part.name}, {"visible", part.isVisible}, {"locked", part.isLocked}};
     if (part.tag)
         json["tag"] = hexOf(*part.tag);
+    if (const Eigen::Quaterniond& axes = part.axes; axes != Eigen::Quaterniond::Identity())
+        json["axes"] = {axes.x(), axes.y(), axes.z(), axes.w()};
     return json;
+}
+
+/// Returns the turn of a part's axes, which a part may lack; nothing if it is no rotation.
+std::optional<Eigen::Quaterniond> axesIn(const Json& json)
+{
+    const Json& axes = valueIn(json, "axes");
+    if (axes.is_null())
+        return Eigen::Quaterniond::Identity();
+    if (!axes.is_array() || axes.size() != 4 || !std::ranges::all_of(axes, &Json::is_number))
+        return std::nullopt;
+    const auto at = [&](std::size_t i) { return axes[i].get<double>(); };
+    const Eigen::Quaterniond turn(at(3), at(0), at(1), at(2));
+    return std::abs(turn.squaredNorm() - 1) < 1e-6 ? std::optional(turn) : std::nullopt;
 }
 
 std::optional<Part> partIn(const Json& json)
@@ -209,7 +224,11 @@ std::optional<Part> partIn(const Json& json)
     const auto color = tag.is_string() ? colorOf(tag.get_ref<const std::string&>()) : std::nullopt;
     if (!tag.is_null() && !color)
         return std::nullopt;
-    return Part{static_cast<PartId>(*id), name.get<std::string>(), visible.get<bool>(), locked.get<bool>(), color};
+    const auto axes = axesIn(json);
+    if (!axes)
+        return std::nullopt;
+    return Part{
+        static_cast<PartId>(*id), name.get<std::string>(), visible.get<bool>(), locked.get<bool>(), color, *axes};
 }
 
 /// Returns the extension in a glTF document; a null value if there is none of a version that can be read.

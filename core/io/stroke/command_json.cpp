@@ -19,6 +19,10 @@ struct CommandRow
 constexpr CommandRow commandTable[] = {
     {"move", bit(ByKey), 0, [](Draft d, Settings) -> ModelCommand { return Move{d.by}; }},
     {"rotate", bit(TurnKey), 0, [](Draft d, Settings) -> ModelCommand { return Rotate{d.rotation}; }},
+    {"transform", bit(CentreKey), bit(ByKey) | bit(TurnKey) | bit(StretchKey) | bit(StretchAxesKey),
+     [](Draft d, Settings) -> ModelCommand {
+         return Transform{d.centre, d.by, d.rotation, d.scale, d.scaleAxes};
+     }},
     {"scale", bit(FactorKey), 0, [](Draft d, Settings) -> ModelCommand { return Scale{d.factor}; }},
     {"mirror", bit(PlaneKey), 0,
      [](Draft d, Settings) -> ModelCommand {

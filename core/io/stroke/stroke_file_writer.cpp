@@ -159,6 +159,20 @@ std::string keysOf(const Primitive& primitive)
     return text;
 }
 
+std::string keysOf(const Transform& transform)
+{
+    std::string text = R"("transform","centre":)" + list(transform.centre);
+    if (!transform.by.isZero(0))
+        text += R"(,"by":)" + list(transform.by);
+    if (transform.rotation != Eigen::Quaterniond::Identity())
+        text += R"(,"rotation":)" + list(transform.rotation);
+    if (transform.scale == Vec3::Ones())
+        return text;
+    text += R"(,"scale":)" + list(transform.scale);
+    return transform.scaleAxes == Eigen::Quaterniond::Identity() ? text
+                                                                 : text + R"(,"scale_axes":)" + list(transform.scaleAxes);
+}
+
 /// Returns the text that follows "command": in the file, up to the closing brace.
 std::string keysOf(const FileCommand& entry)
 {
@@ -215,6 +229,7 @@ std::string keysOf(const FileCommand& entry)
             return R"("hide","what":")" + Text(words[static_cast<std::size_t>(hide.what)]) + '"';
         },
         [](const Trim& trim) { return keysOf(trim); },
+        [](const Transform& transform) { return keysOf(transform); },
     };
     return std::visit(keys, entry.command);
 }

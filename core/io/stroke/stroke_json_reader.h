@@ -15,7 +15,8 @@ struct CommandDraft
 {
     std::string name, file;
     Vec3 by = Vec3::Zero(), centre = Vec3::Zero();
-    Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
+    Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity(), scaleAxes = rotation;
+    Vec3 scale = Vec3::Ones();
     double factor = 1;
     Symmetry plane = Symmetry::None;
     Half keep = Half::Positive;

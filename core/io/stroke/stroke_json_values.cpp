@@ -50,10 +50,10 @@ std::size_t StrokeJsonReader::vectorLength() const
     if (m_level == Level::Stroke && m_key == OutlineKey)
         return m_inOutline ? 3 : 0;
     if (m_level == Level::Stroke)
-        return m_inProfile                                                     ? 2
-               : m_key == TurnKey                                              ? 4
-               : isAmong(ColorKey, TagKey, ByKey, CentreKey, EyeKey, AlongKey) ? 3
-                                                                               : 0;
+        return m_inProfile                                                                 ? 2
+               : isAmong(TurnKey, StretchAxesKey)                                          ? 4
+               : isAmong(ColorKey, TagKey, ByKey, CentreKey, EyeKey, AlongKey, StretchKey) ? 3
+                                                                                           : 0;
     if (m_level == Level::Sample)
         return m_key == RotationKey ? 4 : m_key == PositionKey || m_key == DirectionKey || m_key == UpKey ? 3 : 0;
     return 0;
@@ -96,6 +96,14 @@ void StrokeJsonReader::strokeVector(const Vec3& vector)
         break;
     case CentreKey:
         m_command.centre = vector;
+        break;
+    case StretchKey:
+        for (const double factor : vector)
+            inRange(factor, Transform::minScale, 1 / Transform::minScale);
+        m_command.scale = vector;
+        break;
+    case StretchAxesKey:
+        m_command.scaleAxes = unitRotation();
         break;
     case OutlineKey:
         if (m_command.outline.size() == Trim::mostCorners)

@@ -90,9 +90,11 @@ enum StrokeKey {
     TubeRadiusKey,
     ProfileKey,
     EdgeLengthKey,
-    AxisKey // the keys from CommandKey to here are keys of commands only
+    AxisKey,
+    StretchKey,
+    StretchAxesKey // the keys from CommandKey to here are keys of commands only
 };
-inline constexpr Keys<58> strokeKeys{{"tool",
+inline constexpr Keys<60> strokeKeys{{"tool",
                                       "radius",
                                       "samples",
                                       "brush",
@@ -149,7 +151,9 @@ inline constexpr Keys<58> strokeKeys{{"tool",
                                       "tube_radius",
                                       "profile",
                                       "edge_length",
-                                      "axis"},
+                                      "axis",
+                                      "scale",
+                                      "scale_axes"},
                                      3};
 
 /// The keys that only commands have.

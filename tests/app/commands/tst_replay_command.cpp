@@ -200,6 +200,17 @@ void TestReplayCommand::commands_doWhatTheyDoInCore_data()
     row({{"command", "move"}, {"by", {0.5, 0.25, -1}}}, core::Move{{0.5, 0.25, -1}});
     row({{"command", "rotate"}, {"rotation", {0, 0.6, 0, 0.8}}}, core::Rotate{Eigen::Quaterniond(0.8, 0, 0.6, 0)});
     row({{"command", "scale"}, {"factor", 3}}, core::Scale{3});
+    row({{"command", "transform"},
+         {"centre", {1, 0, 0.5}},
+         {"by", {0, 0.25, 0}},
+         {"rotation", {0.6, 0, 0, 0.8}},
+         {"scale", {1, 2, 0.5}},
+         {"scale_axes", {0, 0.6, 0, 0.8}}},
+        core::Transform{{1, 0, 0.5},
+                        {0, 0.25, 0},
+                        Eigen::Quaterniond(0.8, 0.6, 0, 0),
+                        {1, 2, 0.5},
+                        Eigen::Quaterniond(0.8, 0, 0.6, 0)});
     row({{"command", "mirror"}, {"plane", "x"}}, core::Mirror{0});
     row({{"command", "recentre"}}, core::Recentre{});
     row({{"command", "fill"}, {"color", {1, 2, 3}}}, core::Fill{{1, 2, 3}});
