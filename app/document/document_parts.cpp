@@ -85,6 +85,13 @@ void DocumentParts::showAll()
     m_document->changer().apply(show);
 }
 
+void DocumentParts::findRegion()
+{
+    m_document->worker().post([this, part = m_active](core::Sculptor& sculptor) {
+        m_mailbox.post([this, region = core::transformRegionOf(sculptor.mesh(), part)] { Q_EMIT regionFound(region); });
+    });
+}
+
 /// Asks the mesh thread for the present list.
 void DocumentParts::refresh()
 {

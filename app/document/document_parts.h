@@ -3,6 +3,7 @@
 #include "core/geometry/geometry.h"
 #include "core/mesh/surface_hit.h"
 #include "core/operations/model_command.h"
+#include "core/operations/transform_region.h"
 #include "core/parts/part_list.h"
 #include "ui/util/thread_mailbox.h"
 
@@ -35,10 +36,13 @@ public Q_SLOTS:
     /// Shows only the active part. If it is the only visible one, shows those again that were visible before.
     void isolate();
     void showAll();
+    /// Asks the mesh thread what a core::Transform of the active part moves. Emits regionFound().
+    void findRegion();
 
 Q_SIGNALS:
     /// The list or the active part has changed.
     void changed();
+    void regionFound(const core::TransformRegion& region);
 
 private:
     void refresh();

@@ -21,6 +21,7 @@
 
 #include "ui/brush/color_panel.h"
 #include "ui/drawing/preview_panel.h"
+#include "ui/gizmo/transform_tool.h"
 #include "ui/headset/partner_bar.h"
 #include "ui/history/history_panel.h"
 #include "ui/history/recovery_bar.h"
@@ -193,6 +194,20 @@ void connectParts(ui::MainWindow& window, Document& document)
     QObject::connect(window.viewport()->input(), &ui::PointerInput::partPicked, parts, &DocumentParts::pick);
 }
 
+void connectTransform(ui::MainWindow& window, Document& document)
+{
+    using ui::TransformTool;
+    auto* tool = window.viewport()->findChild<TransformTool*>();
+    DocumentParts* parts = &document.parts();
+    QObject::connect(tool, &TransformTool::regionWanted, parts, &DocumentParts::findRegion);
+    QObject::connect(parts, &DocumentParts::regionFound, tool, &TransformTool::setRegion);
+    QObject::connect(parts, &DocumentParts::changed, tool, &TransformTool::refresh);
+    QObject::connect(&document, &Document::historyChanged, tool, &TransformTool::refresh);
+    QObject::connect(&document, &Document::opened, tool, &TransformTool::refresh);
+    QObject::connect(&document, &Document::refused, tool, &TransformTool::dropRequest);
+    QObject::connect(&document, &Document::noticed, tool, &TransformTool::dropRequest);
+}
+
 void connectHistoryPanel(ui::MainWindow& window, Document& document)
 {
     using ui::HistoryPanel;
@@ -354,6 +369,7 @@ void connectAll(ui::MainWindow& window, Document& document, SculptWorker& worker
     connectHistory(window, document);
     connectHistoryPanel(window, document);
     connectParts(window, document);
+    connectTransform(window, document);
     connectPalette(window, document);
     connectMetadata(window, document);
     connectModelPanel(window, document, worker);

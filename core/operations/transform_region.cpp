@@ -32,8 +32,11 @@ TransformRegion transformRegionOf(const Mesh& mesh, std::optional<PartId> part)
     auto vertices = std::make_shared<Footprint>();
     Border border;
     for (const Slot v : mesh.vertices()) {
+        if (part && mesh.part(v) != *part)
+            continue;
+        region.whole.extend(mesh.point(v).cast<double>());
         const double freedom = mesh.freedom(v);
-        if ((part && mesh.part(v) != *part) || freedom == 0)
+        if (freedom == 0)
             continue;
         vertices->slots.push_back(v);
         vertices->weights.push_back(static_cast<std::uint8_t>(std::lround(whole * freedom)));

@@ -11,7 +11,8 @@ namespace core
 /// What a Transform of a part moves, for its preview and its handles. Space: document, mm.
 struct TransformRegion
 {
-    Box box; ///< of the vertices that move; empty if none does
+    Box box;   ///< of the vertices that move; empty if none does
+    Box whole; ///< of the part
     /// Centre about which to turn: the middle of the border to what is masked or hidden, or that of the box
     Vec3 centre = Vec3::Zero();
     Eigen::Quaterniond axes = Eigen::Quaterniond::Identity(); ///< the part's own axes

@@ -62,10 +62,12 @@ const FolderRule folderRules[] = {
     {"ui/settings", "core/geometry core/analysis core/stroke core/sculpt/deform core/io ui/util"},
     {"ui/widgets", "ui/util ui/settings"},
     {"ui/actions", "ui/settings ui/widgets"},
-    {"ui/scene", "core/geometry core/stroke core/mesh core/render core/io ui/settings"},
+    {"ui/scene", "core/geometry core/parts core/stroke core/mesh core/render core/io ui/settings"},
     {"ui/input", "core/stroke core/mesh ui/settings ui/scene"},
-    {"ui/viewport", "core/stroke core/mesh core/render ui/util ui/settings ui/widgets ui/actions ui/scene "
+    {"ui/viewport", "core/parts core/stroke core/mesh core/render ui/util ui/settings ui/widgets ui/actions ui/scene "
                     "ui/input"},
+    {"ui/gizmo", "core/geometry core/parts core/operations ui/settings ui/widgets ui/actions ui/scene ui/input "
+                 "ui/viewport"},
     {"ui/model",
      "core/primitives core/analysis core/repair core/operations ui/settings ui/widgets ui/actions ui/viewport"},
     {"ui/files", "core/primitives core/util core/drawing core/operations core/io ui/util ui/settings ui/widgets "
@@ -89,7 +91,7 @@ const FolderRule folderRules[] = {
     {"ui/help", "ui/settings ui/widgets ui/actions ui/files ui/lesson"},
     {"ui/window",
      "core/primitives core/operations core/io ui/util ui/settings ui/widgets ui/actions ui/scene ui/viewport "
-     "ui/model ui/files ui/brush ui/reference ui/drawing ui/print ui/history ui/parts ui/lesson "
+     "ui/gizmo ui/model ui/files ui/brush ui/reference ui/drawing ui/print ui/history ui/parts ui/lesson "
      "ui/preferences ui/classroom ui/headset ui/help"},
     {"vr/util", "core/geometry"},
     {"vr/gl", ""},

@@ -229,10 +229,9 @@ public:
         {MenuId::Sculpt, "color.swap", QT_TR_NOOP("S&wap Colours"),
          QT_TR_NOOP("Paints with the other colour, and keeps this one for the next swap."), "Shift+C", "swap"},
 
-        {MenuId::Model, "model.move", QT_TR_NOOP("&Move…"),
-         QT_TR_NOOP("Moves the whole model by a distance in millimetres."), "", "move"},
-        {MenuId::Model, "model.rotate", QT_TR_NOOP("&Rotate…"),
-         QT_TR_NOOP("Turns the whole model about an axis through the origin."), "", "rotate"},
+        {MenuId::Model, "model.transform", QT_TR_NOOP("&Move, Rotate, Scale"),
+         QT_TR_NOOP("Shows handles and numbers to move, rotate and scale the active part, or what of it is not masked."),
+         "V", "move", false, Bar::None, true},
         {MenuId::Model, "model.scale", QT_TR_NOOP("&Scale…"), QT_TR_NOOP("Makes the whole model larger or smaller."),
          "", "scale"},
         {MenuId::Model, "model.mirror", QT_TR_NOOP("M&irror…"),

@@ -236,7 +236,8 @@ void PointerInput::begin(const PendingEvent& press, const std::optional<core::Su
         }
         if (m_mode == PointerMode::Point && hit)
             return;
-        m_drag = hit ? Drag::Stroke : dragBesideModel(press.event.modifiers, m_preferences);
+        m_drag = hit && m_mode != PointerMode::Handles ? Drag::Stroke
+                                                       : dragBesideModel(press.event.modifiers, m_preferences);
     } else {
         m_drag = viewDrag(press.event.button, press.event.modifiers, m_preferences);
     }

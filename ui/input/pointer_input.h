@@ -71,7 +71,7 @@ public:
     std::optional<core::SurfaceHit> pointed() const;
     /// Returns the place of the cursor on the surface. In Add mode it is the place of the ball, in an anchored stroke
     /// the stroke's beginning. nullopt: no cursor is shown, because the pointer is outside the view or beside the
-    /// model, the view is being moved or a held key makes a press move it, or the mode is Pick or Point.
+    /// model, the view is being moved or a held key makes a press move it, or the mode is Pick, Point or Handles.
     std::optional<core::SurfaceHit> hover() const;
     /// Returns true if a press at the pointer would begin a stroke.
     bool wouldStroke() const;

@@ -28,8 +28,6 @@ void connectModel(const Actions& actions, QWidget* window, const std::function<c
     const auto on = [&](const char* id, const auto& what) {
         QObject::connect(actions.get(QLatin1StringView(id)), &QAction::triggered, window, what);
     };
-    on("model.move", [=] { askForMove(window, request); });
-    on("model.rotate", [=] { askForRotation(window, request); });
     on("model.scale", [=] { askForScale(window, modelInfo(), request); });
     on("model.mirror", [=] { askForMirror(window, request); });
     on("model.symmetrize", [=] { askForSymmetry(window, request); });

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace ui
 {
@@ -30,31 +29,6 @@ QString length(double mm)
     return QLocale().toString(mm, 'f', decimals);
 }
 } // namespace
-
-void askForMove(QWidget* parent, const CommandCallback& callback)
-{
-    auto* dialog = new CommandDialog(parent, "moveDialog", ModelDialogs::tr("Move the Model"),
-                                     ModelDialogs::tr("Move the model by:"));
-    const Coordinates by = addCoordinates(dialog);
-    dialog->openFor(ModelDialogs::tr("Move"), callback, [by] { return core::Move{by.value()}; });
-}
-
-void askForRotation(QWidget* parent, const CommandCallback& callback)
-{
-    auto* dialog = new CommandDialog(parent, "rotateDialog", ModelDialogs::tr("Rotate the Model"),
-                                     ModelDialogs::tr("The model turns about an axis through the origin, "
-                                                      "anticlockwise as seen from the axis's tip."));
-    const auto* axes = dialog->addChoice(
-        ModelDialogs::tr("Axis"),
-        {ModelDialogs::tr("Y, upwards"), ModelDialogs::tr("X, to the right"), ModelDialogs::tr("Z, to the front")});
-    const auto* angle =
-        dialog->addNumber("angle", ModelDialogs::tr("Angle"), {90, -360, 360, 2, ModelDialogs::tr("°")});
-    dialog->openFor(ModelDialogs::tr("Rotate"), callback, [axes, angle] {
-        const core::Vec3 directions[] = {core::Vec3::UnitY(), core::Vec3::UnitX(), core::Vec3::UnitZ()};
-        const double radians = angle->value() * std::numbers::pi / 180;
-        return core::Rotate{Eigen::Quaterniond(Eigen::AngleAxisd(radians, directions[axes->checkedId()]))};
-    });
-}
 
 /// Asks for a scale by longest side or by factor; editing one updates the other.
 void askForScale(QWidget* parent, const ModelInfo& modelInfo, const CommandCallback& callback)

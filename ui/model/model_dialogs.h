@@ -15,8 +15,6 @@ namespace ui
 /// function returns at once; the callback is called only if the user accepts.
 using CommandCallback = std::function<void(const core::ModelCommand& command)>;
 
-void askForMove(QWidget* parent, const CommandCallback& callback);
-void askForRotation(QWidget* parent, const CommandCallback& callback);
 void askForScale(QWidget* parent, const ModelInfo& modelInfo, const CommandCallback& callback);
 void askForMirror(QWidget* parent, const CommandCallback& callback);
 void askForSymmetry(QWidget* parent, const CommandCallback& callback);

@@ -124,6 +124,19 @@ void MeshRenderer::drawBackdrop(const Backdrop& backdrop)
     m_backdropProgram->release();
 }
 
+void MeshRenderer::setMove(QOpenGLShaderProgram& to) const
+{
+    to.setUniformValue("moved", m_move ? 1.0F : 0.0F);
+    if (!m_move)
+        return;
+    to.setUniformValue("moveCentre", toQt(m_move->centre));
+    to.setUniformValue("moveBy", toQt(m_move->by));
+    to.setUniformValue("turnAxis", toQt(m_move->axis));
+    to.setUniformValue("turnAngle", m_move->angle);
+    const Eigen::Matrix3f rows = m_move->stretch.transpose(); // Qt reads rows
+    to.setUniformValue("stretch", QMatrix3x3(rows.data()));
+}
+
 void MeshRenderer::drawMesh(const OrbitCamera& camera, const MeshView& picture)
 {
     m_gl->glDepthFunc(GL_LESS);
@@ -134,10 +147,11 @@ void MeshRenderer::drawMesh(const OrbitCamera& camera, const MeshView& picture)
     setShading(*m_meshProgram, picture.shading);
     m_meshProgram->setUniformValue("flatShading", picture.flat);
     m_meshProgram->setUniformValue("encodeSrgb", 1.0F);
-    const core::Vec3 cutNormal = camera.viewMatrix().topLeftCorner<3, 3>() * m_cutNormal;
-    const core::Vec3 origin = camera.viewMatrix().col(3).head<3>();
-    m_meshProgram->setUniformValue("cutPlane", QVector4D(toQt(cutNormal), static_cast<float>(-cutNormal.dot(origin))));
-    m_meshProgram->setUniformValue("cut", m_cutNormal.isZero() ? 0.0F : 1.0F);
+    const core::Vec3 normal = camera.viewMatrix().topLeftCorner<3, 3>() * m_cut.normal;
+    const core::Vec3 point = (camera.viewMatrix() * m_cut.point.homogeneous()).head<3>();
+    m_meshProgram->setUniformValue("cutPlane", QVector4D(toQt(normal), static_cast<float>(-normal.dot(point))));
+    m_meshProgram->setUniformValue("cut", m_cut.normal.isZero() ? 0.0F : 1.0F);
+    m_meshProgram->setUniformValue("cutSide", m_cut.tints ? 1.0F : 0.0F);
     m_meshProgram->setUniformValue("ball", m_ball);
     m_meshProgram->setUniformValue("ballImage", m_ballImage);
     m_meshProgram->setUniformValue("shaded", m_mesh.isShaded() ? 1.0F : 0.0F);
@@ -152,6 +166,7 @@ void MeshRenderer::drawMesh(const OrbitCamera& camera, const MeshView& picture)
     m_meshProgram->setUniformValue("imageInEye", inEye(m_ballImage));
     m_meshProgram->setUniformValue("tinted", picture.tint ? 1.0F : 0.0F);
     m_meshProgram->setUniformValue("cavity", picture.cavity && !m_mesh.isShaded() ? 1.0F : 0.0F);
+    setMove(*m_meshProgram);
     m_mesh.draw();
     m_meshProgram->release();
 }
@@ -169,6 +184,7 @@ void MeshRenderer::drawWires(const OrbitCamera& camera, const MeshView& picture)
     setCamera(*m_wireProgram, camera);
     m_wireProgram->setUniformValue("viewport", QSizeF(picture.pixels));
     m_wireProgram->setUniformValue("halfWidth", static_cast<float>(wireHalfWidth * picture.pixelRatio));
+    setMove(*m_wireProgram);
     m_mesh.draw();
     m_wireProgram->release();
     m_gl->glDisable(GL_POLYGON_OFFSET_FILL);

@@ -4,12 +4,14 @@
 #include "ui/scene/mesh_buffer.h"
 #include "ui/scene/orbit_camera.h"
 
+#include "core/render/transform_uniforms.h"
 #include "core/stroke/stroke.h"
 
 #include <QSize>
 #include <QVector4D>
 
 #include <memory>
+#include <optional>
 
 class QOpenGLShaderProgram;
 
@@ -42,28 +44,40 @@ public:
 
     MeshBuffer& meshBuffer() { return m_mesh; }
 
-    /// Draws a line where the plane through the origin with this unit normal cuts the clay; zero: no line.
-    void setCut(const core::Vec3& normal) { m_cutNormal = normal; }
+    /// A plane that cuts the clay.
+    struct Cut
+    {
+        core::Vec3 normal = core::Vec3::Zero(); ///< unit length; zero: no plane
+        core::Vec3 point = core::Vec3::Zero();  ///< of the plane, mm
+        bool tints = false;                     ///< what is on the positive side is tinted
+    };
+    /// Draws a line where a plane cuts the clay.
+    void setCut(const Cut& cut) { m_cut = cut; }
 
     /// Tints the vertices that a spherical brush at `center` (mm) would move, by their weights, in all sectors and with
     /// mirror images.
     void tintBall(const core::Vec3& center, const core::StrokeSettings& brush);
     void tintNothing();
 
+    /// Shows the tinted vertices (MeshBuffer::tint()) not tinted, but moved by a transformation; nullopt: as they are.
+    void move(const std::optional<core::TransformUniforms>& by) { m_move = by; }
+
     /// Draws one frame. Clears the depth buffer first; resets depth test, culling and blending to OpenGL's defaults.
     void draw(const OrbitCamera& camera, const MeshView& picture);
 
 private:
     void drawBackdrop(const Backdrop& backdrop);
+    void setMove(QOpenGLShaderProgram& to) const;
     void drawMesh(const OrbitCamera& camera, const MeshView& picture);
     void drawWires(const OrbitCamera& camera, const MeshView& picture);
 
     QOpenGLFunctions_3_3_Core* m_gl = nullptr;
     std::unique_ptr<QOpenGLShaderProgram> m_meshProgram, m_wireProgram, m_backdropProgram;
     unsigned int m_noVertices = 0;
-    core::Vec3 m_cutNormal = core::Vec3::Zero();
+    Cut m_cut;
     QVector4D m_ball, m_ballImage; ///< tinted ball and its mirror image: centre (xyz) and radius (w), mm
     float m_ballFalloff = 0, m_ballCore = 0, m_sectors = 1;
+    std::optional<core::TransformUniforms> m_move;
     MeshBuffer m_mesh;
 };
 } // namespace ui

@@ -275,6 +275,13 @@ void Scene::tint(const std::shared_ptr<const core::Footprint>& footprint)
     meshBuffer().tint(footprint.get());
 }
 
+void Scene::move(const std::shared_ptr<const core::Footprint>& vertices, const core::Transform& by)
+{
+    if (vertices)
+        tint(vertices);
+    m_state->painter.move(vertices ? std::optional(core::uniformsOf(by)) : std::nullopt);
+}
+
 void Scene::shade(const std::shared_ptr<const core::Footprint>& shades)
 {
     if (shades == m_state->shades)
@@ -297,10 +304,16 @@ void Scene::hideMark()
 void Scene::showPlane(core::Symmetry symmetry, const core::Box& box)
 {
     const bool shown = symmetry != core::Symmetry::None && !box.isEmpty();
-    m_state->painter.setCut(shown ? core::planeNormal(symmetry) : core::Vec3::Zero());
+    m_state->painter.setCut({shown ? core::planeNormal(symmetry) : core::Vec3::Zero()});
     if (shown)
         m_state->plane->place(symmetry, box);
     m_state->plane->setEnabled(shown && m_state->mode == Mode::InQt3dContext);
+}
+
+void Scene::showCut(const core::Vec3& point, const core::Vec3& normal)
+{
+    m_state->painter.setCut({normal, point, true});
+    m_state->plane->setEnabled(false);
 }
 
 void Scene::showSectors(int sectors, core::Symmetry symmetry, const core::Box& box)

@@ -57,6 +57,9 @@ public:
     void tintBall(const core::Vec3& center, const core::StrokeSettings& brush);
     /// Tints the vertices of a footprint; null: tints nothing.
     void tint(const std::shared_ptr<const core::Footprint>& footprint);
+    /// Shows the vertices of a footprint moved by a transformation, as far as their weights say, instead of the clay as
+    /// it is; null: ends that. Later calls with the same footprint cost no upload.
+    void move(const std::shared_ptr<const core::Footprint>& vertices, const core::Transform& by = {});
     /// Colours the clay by these shades (see PrintScale); null: by its own colours.
     void shade(const std::shared_ptr<const core::Footprint>& shades);
     /// Shows a ring around a point of the surface with a tick along the normal, faintly visible through clay.
@@ -64,6 +67,9 @@ public:
     void hideMark();
     /// Shows the plane of symmetry through the box, and the line where it cuts the clay; Symmetry::None hides both.
     void showPlane(core::Symmetry symmetry, const core::Box& box);
+    /// Shows where a plane cuts the clay, and tints what is on the side of its normal (unit length), instead of the
+    /// plane of symmetry. showPlane() ends that.
+    void showCut(const core::Vec3& point, const core::Vec3& normal);
     /// Shows the borders of this number of sectors on the ground under the box; 1: hides them.
     void showSectors(int sectors, core::Symmetry symmetry, const core::Box& box);
     /// Shows a reference image in the next frames, until the next call; a null picture shows none.

@@ -105,6 +105,10 @@ struct Viewport::State
     std::function<std::optional<core::MeshPatch>()> patchSource;
     std::shared_ptr<const core::Footprint> shades;
     std::optional<core::Sphere> teacher;
+    std::shared_ptr<const core::Footprint> movedVertices; ///< null: none is shown moved
+    core::Transform move;
+    std::optional<Cut> cut;
+    bool isMoveDone = false;
     bool patchPending = false;
     unsigned int readFramebuffer = 0;
     ViewportStats stats;
@@ -144,6 +148,8 @@ bool Viewport::State::applyPatch()
         return false;
     MeshBuffer& meshBuffer = scene->meshBuffer();
     meshBuffer.apply(*patch);
+    if (std::exchange(isMoveDone, false))
+        movedVertices.reset();
 
     ++stats.patches;
     stats.uploadedBytes = meshBuffer.counters().bytes;
@@ -170,6 +176,9 @@ double Viewport::State::cursorRadius() const
 
 void Viewport::State::placeCursor()
 {
+    scene->move(movedVertices, move);
+    if (movedVertices)
+        return scene->hideCursor();
     const std::optional<core::SurfaceHit> hit = input.hover();
     if (hit)
         scene->placeCursor(*hit, cursorRadius(), cursorColor(input.stroke()));
@@ -396,6 +405,20 @@ void Viewport::setShades(const std::shared_ptr<const core::Footprint>& shades)
     update();
 }
 
+void Viewport::showMoved(const std::shared_ptr<const core::Footprint>& vertices, const core::Transform& by, bool isDone)
+{
+    m_state->movedVertices = vertices;
+    m_state->move = by;
+    m_state->isMoveDone = vertices && isDone;
+    update();
+}
+
+void Viewport::showCut(const std::optional<Cut>& cut)
+{
+    m_state->cut = cut;
+    update();
+}
+
 QWidget* Viewport::scaleBar() const
 {
     return m_state->scaleBar;
@@ -480,8 +503,11 @@ void Viewport::paintGL()
     s.placeMark();
     s.placeAvatar();
     s.placeHighlight();
-    s.scene->showPlane(s.appearance.symmetryPlane ? s.brush->stroke().symmetry : core::Symmetry::None,
-                       s.navigation.box());
+    if (s.cut)
+        s.scene->showCut(s.cut->point, s.cut->normal);
+    else
+        s.scene->showPlane(s.appearance.symmetryPlane ? s.brush->stroke().symmetry : core::Symmetry::None,
+                           s.navigation.box());
     s.scene->showSectors(s.brush->stroke().radial, s.brush->stroke().symmetry, s.navigation.box());
     const bool darkTheme = palette().window().color().lightness() < 128;
     s.scene->setAppearance(s.appearance, darkTheme);
@@ -491,6 +517,7 @@ void Viewport::paintGL()
     s.scaleBar->showFor(s.camera);
     s.navigationCube->setLight(isBackdropDark);
     s.navigationCube->showFor(s.camera);
+    Q_EMIT drawing();
     const QSize pixels = size() * devicePixelRatioF();
     const Scene::Image image = s.scene->render(s.camera, pixels, devicePixelRatioF());
     makeCurrent();

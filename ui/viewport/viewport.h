@@ -10,6 +10,7 @@
 
 #include "core/mesh/footprint.h"
 #include "core/mesh/mesh_patch.h"
+#include "core/parts/part_transform.h"
 
 #include <QOpenGLWidget>
 
@@ -83,6 +84,19 @@ public:
     /// shades were computed for the mesh that is drawn.
     void setShades(const std::shared_ptr<const core::Footprint>& shades);
 
+    /// Shows vertices moved by a transformation, as far as their weights say; null: shows the model as it is. If it
+    /// `isDone`, this ends with the next patch, which has it.
+    void showMoved(const std::shared_ptr<const core::Footprint>& vertices, const core::Transform& by = {},
+                   bool isDone = false);
+
+    /// A plane that will cut the model.
+    struct Cut
+    {
+        core::Vec3 point, normal; ///< mm; unit length, towards what is to go
+    };
+    /// Shows where a plane cuts the model, instead of the plane of symmetry; nullopt: ends that.
+    void showCut(const std::optional<Cut>& cut);
+
     /// Returns the scale bar at the lower left; hidden if the appearance has none.
     QWidget* scaleBar() const;
     const OrbitCamera& camera() const;
@@ -98,6 +112,8 @@ public Q_SLOTS:
     void patchReady();
 
 Q_SIGNALS:
+    /// A frame is about to be drawn: overlays follow the camera.
+    void drawing();
     void appearanceChanged();
     void teacherShown(const std::optional<core::Sphere>& brush);
 

@@ -12,6 +12,7 @@
 #include "ui/classroom/classroom_lock.h"
 #include "ui/drawing/preview_panel.h"
 #include "ui/files/file_browser.h"
+#include "ui/gizmo/transform_tool.h"
 #include "ui/headset/partner_bar.h"
 #include "ui/help/guide_window.h"
 #include "ui/help/help_actions.h"
@@ -251,6 +252,7 @@ void MainWindow::State::connectActions()
     connectModel(
         actions, q, [this]() -> const ModelInfo& { return model; }, &brush, request);
     connectTrim(actions, viewport, &brush, request);
+    connect(new TransformTool(actions, viewport), &TransformTool::requested, q, request);
     connectTools();
     headset = new HeadsetActions({&actions, viewport, new PartnerBar({&actions, &brush, viewport}, q)}, q);
     connectView(actions, viewport);

@@ -9,7 +9,9 @@
 #include "core/io/mesh_io.h"
 #include "core/operations/detached_part.h"
 #include "core/sculpt/sculptor.h"
+#include "ui/gizmo/gizmo.h"
 #include "ui/parts/parts_panel.h"
+#include "ui/viewport/viewport.h"
 #include "ui/widgets/side_panel.h"
 
 #include <QAction>
@@ -92,6 +94,7 @@ private Q_SLOTS:
     void stroke_changesTheActivePart();
     void undo_activatesThePartThatItChanges();
     void click_withAltChoosesThePart();
+    void handles_moveTheActivePart();
     void row_hidesLocksAndRenames();
     void isolate_andBack();
     void combine_joinsTheSelected();
@@ -174,6 +177,47 @@ void TestPartsWindow::click_withAltChoosesThePart()
     QTest::mouseClick(view, Qt::LeftButton, Qt::AltModifier, at({-10, 0, 0}));
     QTRY_COMPARE(program.document.parts().active(), PartId(0));
     QCOMPARE(program.document.history().stack().count(), 2); // neither click sculpted
+}
+
+/// Drags an arrow of the handles: one step of the active part, which undo takes back. The handles follow the part.
+void TestPartsWindow::handles_moveTheActivePart()
+{
+    const QTemporaryDir folder;
+    Program program;
+    openTwoBalls(program, folder);
+    const auto before = hashes(program);
+    program.window.action(QStringLiteral("model.transform"))->trigger();
+    const auto* gizmo = program.window.findChild<ui::Gizmo*>();
+    QTRY_VERIFY_WITH_TIMEOUT(gizmo->frame().has_value(), longestWait);
+    QVERIFY((gizmo->frame()->centre - core::Vec3(30, 0, 0)).norm() < 0.1);
+    ui::Viewport* view = program.window.viewport();
+    const auto at = [&](const core::Vec3& point) {
+        const ui::OrbitCamera::Pixel pixel = view->camera().project(point);
+        return QPointF(pixel.x(), pixel.y()).toPoint();
+    };
+    const core::Vec3 centre = gizmo->frame()->centre;
+    const core::Vec3 tip = centre + core::Vec3(0, ui::GizmoShape::length / view->camera().pixelsPerMm(centre), 0);
+    const QPoint from = at(tip), to = at(tip + core::Vec3(0, 15, 0));
+    const auto send = [view](QEvent::Type type, const QPoint& place, Qt::MouseButton button, Qt::MouseButtons held) {
+        QMouseEvent event(type, place, view->mapToGlobal(place), button, held, Qt::NoModifier);
+        QCoreApplication::sendEvent(view, &event);
+    };
+    send(QEvent::MouseMove, from, Qt::NoButton, Qt::NoButton);
+    send(QEvent::MouseButtonPress, from, Qt::LeftButton, Qt::LeftButton);
+    for (int i = 1; i <= 8; ++i)
+        send(QEvent::MouseMove, from + (to - from) * i / 8, Qt::NoButton, Qt::LeftButton);
+    send(QEvent::MouseButtonRelease, to, Qt::LeftButton, Qt::NoButton);
+    QTRY_VERIFY_WITH_TIMEOUT(hashes(program) != before, longestWait);
+    waitUntilSettled(program);
+    QCOMPARE(program.document.history().undoText(), QStringLiteral("Part 1 copy: Move"));
+    QCOMPARE(hashes(program).at(0), before.at(0));
+    QTRY_VERIFY((gizmo->frame()->centre - core::Vec3(30, 15, 0)).norm() < 0.3);
+    program.document.history().undo();
+    waitUntilSettled(program);
+    QCOMPARE(hashes(program), before);
+    QTRY_VERIFY((gizmo->frame()->centre - core::Vec3(30, 0, 0)).norm() < 0.1);
+    program.document.parts().activate(0);
+    QTRY_VERIFY(gizmo->frame()->centre.norm() < 0.1);
 }
 
 void TestPartsWindow::row_hidesLocksAndRenames()

@@ -7,6 +7,7 @@
 #include "tests/support/test_main.h"
 #include "tests/ui/ui_test.h"
 #include "ui/brush/brush_palette.h"
+#include "ui/gizmo/gizmo.h"
 #include "ui/headset/simulator_view.h"
 #include "ui/headset/simulator_window.h"
 #include "ui/help/start_page.h"
@@ -166,6 +167,7 @@ private:
     void takeStart(Program& program);
     void takeWindow(Program& program);
     void takePalette(Program& program);
+    void takeHandles(Program& program);
     void takeHistory(Program& program);
     void takePresets(Program& program);
     void takePrint(Program& program);
@@ -217,6 +219,7 @@ void TestGuidePictures::pictures()
     takePalette(program);
     program.window.resize(narrowSize);
     QTRY_COMPARE(program.window.size(), narrowSize);
+    takeHandles(program);
     takeHistory(program);
     takePresets(program);
     takePrint(program);
@@ -316,6 +319,18 @@ void TestGuidePictures::takePalette(Program& program)
     check(picture.copy(place.adjusted(-90, -50, 90, 50)), visibleTexts(*palette, palette->rect()),
           QStringLiteral("palette"));
     palette->close();
+}
+
+/// Takes a picture of the head with the handles on it.
+void TestGuidePictures::takeHandles(Program& program)
+{
+    QAction* action = program.window.action(QStringLiteral("model.transform"));
+    action->trigger();
+    const auto* gizmo = program.window.findChild<ui::Gizmo*>();
+    QTRY_VERIFY_WITH_TIMEOUT(gizmo->isVisible(), longestWait);
+    const ui::Viewport* view = program.window.viewport();
+    take(program.window, QStringLiteral("handles"), QRect(view->mapTo(&program.window, QPoint()), view->size()));
+    action->trigger();
 }
 
 /// Opens the panel and folds all others.

@@ -469,9 +469,8 @@ void TestScreenshots::takeMenus(Program& program)
 
 void TestScreenshots::takeDialogs(Program& program)
 {
-    for (const char* id :
-         {"edit.preferences", "edit.classroom", "file.timeLapse", "help.keys", "help.about", "model.move",
-          "model.rotate", "model.scale", "model.mirror", "model.symmetrize", "model.remesh", "model.flattenBase"}) {
+    for (const char* id : {"edit.preferences", "edit.classroom", "file.timeLapse", "help.keys", "help.about",
+                           "model.scale", "model.mirror", "model.symmetrize", "model.remesh", "model.flattenBase"}) {
         program.window.action(QLatin1StringView(id))->trigger();
         QDialog* dialog = nullptr;
         QTRY_VERIFY((dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())));

@@ -43,8 +43,6 @@ class TestModelDialogs : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    void move_givesThreeNumbers();
-    void rotate_turnsAboutTheAxisChosen();
     void scale_boxesFollowEachOther();
     void scale_knowsUnits();
     void mirror_givesTheSide();
@@ -56,31 +54,6 @@ private Q_SLOTS:
     void verb_isTheDefaultButton();
     void cancelled_isNoAnswer();
 };
-
-void TestModelDialogs::move_givesThreeNumbers()
-{
-    Asking asking;
-    ui::askForMove(&asking.window, asking.answer);
-    asking.type("moveDialog", "x", 1.5);
-    asking.type("moveDialog", "y", -2);
-    asking.type("moveDialog", "z", 0.125);
-    asking.dialog("moveDialog")->accept();
-    QVERIFY(std::get<Move>(asking.command.value()).by == Vec3(1.5, -2, 0.125));
-}
-
-void TestModelDialogs::rotate_turnsAboutTheAxisChosen()
-{
-    // Image of the x axis after a quarter turn about y, x and z
-    const Vec3 images[] = {{0, 0, -1}, {1, 0, 0}, {0, 1, 0}};
-    for (int i = 0; i < 3; ++i) {
-        Asking asking;
-        ui::askForRotation(&asking.window, asking.answer);
-        asking.in<QRadioButton>("rotateDialog", qPrintable(QStringLiteral("choice%1").arg(i)))->setChecked(true);
-        asking.dialog("rotateDialog")->accept();
-        const Vec3 image = std::get<Rotate>(asking.command.value()).rotation * Vec3::UnitX();
-        QVERIFY((image - images[i]).norm() < 1e-12);
-    }
-}
 
 void TestModelDialogs::scale_knowsUnits()
 {
@@ -193,19 +166,19 @@ void TestModelDialogs::insert_givesTheCombination()
 void TestModelDialogs::verb_isTheDefaultButton()
 {
     Asking asking;
-    ui::askForMove(&asking.window, asking.answer);
-    const auto buttons = asking.dialog("moveDialog")->findChild<QDialogButtonBox*>()->buttons();
+    ui::askForMirror(&asking.window, asking.answer);
+    const auto buttons = asking.dialog("mirrorDialog")->findChild<QDialogButtonBox*>()->buttons();
     QCOMPARE(buttons.size(), 2);
     for (QAbstractButton* button : buttons)
-        QCOMPARE(static_cast<QPushButton*>(button)->isDefault(), button->text() == QStringLiteral("Move"));
+        QCOMPARE(static_cast<QPushButton*>(button)->isDefault(), button->text() == QStringLiteral("Mirror"));
 }
 
 void TestModelDialogs::cancelled_isNoAnswer()
 {
     Asking asking;
-    ui::askForMove(&asking.window, asking.answer);
+    ui::askForMirror(&asking.window, asking.answer);
     ui::askForRemesh(&asking.window, ball(), asking.answer);
-    asking.dialog("moveDialog")->reject();
+    asking.dialog("mirrorDialog")->reject();
     asking.dialog("remeshDialog")->reject();
     QVERIFY(!asking.command);
 }

@@ -391,9 +391,9 @@ private Q_SLOTS:
             else
                 act(window, id)->trigger();
         };
-        for (const char* id : {"edit.preferences", "edit.classroom", "help.keys", "help.about", "model.move",
-                               "model.rotate", "model.scale", "model.mirror", "model.symmetrize", "model.remesh",
-                               "model.flattenBase", "file.exportFor"}) {
+        for (const char* id :
+             {"edit.preferences", "edit.classroom", "help.keys", "help.about", "model.scale", "model.mirror",
+              "model.symmetrize", "model.remesh", "model.flattenBase", "file.exportFor"}) {
             open(id);
             QDialog* dialog = nullptr;
             QTRY_VERIFY((dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())));

@@ -178,7 +178,7 @@ void TestHeadsetShading::clay_looksAsOnTheDesktop()
     show(sharp);
     const core::Shading shading = ui::shadingOf(static_cast<ui::Material>(material));
     const core::Symmetry symmetry = mirrored ? core::Symmetry::X : core::Symmetry::None;
-    m_painter.setCut(core::planeNormal(symmetry));
+    m_painter.setCut({core::planeNormal(symmetry)});
     const QImage onDesktop =
         desktop({.backdrop = {}, .shading = shading, .flat = flat, .cavity = cavity, .pixels = size});
 
