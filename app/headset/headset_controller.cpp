@@ -6,6 +6,7 @@
 #include "ui/brush/color_panel.h"
 #include "ui/scene/materials.h"
 #include "ui/settings/brush_settings.h"
+#include "ui/util/part_name.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
 
@@ -59,6 +60,7 @@ void HeadsetController::connectDocument()
     connect(m_document, &Document::modelInfoChanged, this, &HeadsetController::scheduleUpdate);
     connect(m_document, &Document::historyChanged, this, &HeadsetController::scheduleUpdate);
     connect(&m_document->savedState(), &SavedState::modifiedChanged, this, &HeadsetController::scheduleUpdate);
+    connect(&m_document->parts(), &DocumentParts::changed, this, &HeadsetController::scheduleUpdate);
     connect(m_document, &Document::noticed, this, &HeadsetController::showNotice);
     connect(m_document, &Document::refused, this, &HeadsetController::showNotice);
     connect(&m_document->opener(), &ModelOpener::repairable, this, [this](const QString&, const QString& problem) {
@@ -195,6 +197,9 @@ void HeadsetController::sendUpdate()
     update.isModified = m_document->savedState().isModified();
     update.isBusy = m_document->job().isBusy();
     update.swatches = m_colors->swatches();
+    for (const core::Part& part : m_document->parts().list().all())
+        update.parts << vr::PartRow{part, ui::partName(part)};
+    update.activePart = m_document->parts().active();
     update.folder = m_files.name();
     update.files = m_files.tiles();
     m_port->setUpdate(std::move(update));

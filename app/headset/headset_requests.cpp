@@ -130,6 +130,33 @@ void HeadsetRequests::handle(const core::MaskOperation& change)
         m_document->changer().apply(change);
 }
 
+void HeadsetRequests::handle(const vr::ActivatePart& request)
+{
+    m_document->parts().activate(request.part);
+}
+
+void HeadsetRequests::handle(const vr::PickPart& request)
+{
+    m_document->parts().pick(request.ray);
+}
+
+bool HeadsetRequests::isBusyForParts()
+{
+    return isBusy(tr("The parts were not changed: another operation on the model is still running."));
+}
+
+void HeadsetRequests::handle(const vr::IsolatePart&)
+{
+    if (!isBusyForParts())
+        m_document->parts().isolate();
+}
+
+void HeadsetRequests::handle(const vr::ChangePart& request)
+{
+    if (!isBusyForParts())
+        m_document->changer().applyTo(request.part, request.command);
+}
+
 void HeadsetRequests::handle(const vr::SaveModel&)
 {
     if (m_window->classroom())

@@ -62,6 +62,11 @@ private:
     void handle(const vr::SaveModel&);
     void handle(const vr::OpenModel& request);
     void handle(const core::MaskOperation& change);
+    void handle(const vr::ActivatePart& request);
+    void handle(const vr::PickPart& request);
+    void handle(const vr::IsolatePart&);
+    void handle(const vr::ChangePart& request);
+    bool isBusyForParts();
 
     Document* m_document;
     ui::MainWindow* m_window;

@@ -18,7 +18,7 @@ constexpr double enough = 0.005;  ///< turning ends when a smaller angle than th
 bool isOpenedByHand(vr::PanelKind kind)
 {
     using enum vr::PanelKind;
-    return kind == Tools || kind == Color || kind == Files || kind == Settings;
+    return kind == Tools || kind == Color || kind == Files || kind == Settings || kind == Parts;
 }
 } // namespace
 

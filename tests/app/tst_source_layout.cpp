@@ -99,7 +99,7 @@ const FolderRule folderRules[] = {
     {"vr/input", "core/geometry vr/util vr/openxr"},
     {"vr/frame", "vr/util vr/gl vr/openxr"},
     {"vr/scene", "core/geometry core/stroke core/mesh core/render core/io/mesh vr/util vr/gl vr/openxr vr/input"},
-    {"vr/panels", "core/stroke vr/util vr/gl vr/openxr vr/input vr/frame vr/scene"},
+    {"vr/panels", "core/stroke core/boolean core/parts vr/util vr/gl vr/openxr vr/input vr/frame vr/scene"},
     {"vr/sculpt", "core/util core/stroke core/mesh core/render core/operations vr/util vr/input vr/frame vr/scene "
                   "vr/panels"},
     {"vr/simulator", "vr/util"},

@@ -84,6 +84,9 @@ struct Rows
         {Sculpting, Any,        Trigger,     F::Sculpt,           QT_TRANSLATE_NOOP("vr::Presets", "Sculpt")},
         {Sculpting, Any,        Squeeze,     F::MoveModel,        QT_TRANSLATE_NOOP("vr::Presets", "Move model")},
     };
+    static constexpr PresetRow choosePart[] = {
+        {Sculpting, Any, Trigger, F::UseTip, QT_TRANSLATE_NOOP("vr::Presets", "Choose part")},
+    };
     // clang-format on
 };
 
@@ -116,6 +119,7 @@ constexpr bool isClear(std::span<const PresetRow> table)
     return true;
 }
 static_assert(isClear(Rows::paper) && isClear(Rows::studio) && isClear(Rows::oneHand));
+static_assert(isClear(Rows::choosePart));
 
 /// Returns the label for a thumbstick, which slides only while it is pressed in.
 const char* stickLabel(const PresetRow& row)
@@ -146,11 +150,33 @@ std::span<const PresetRow> presetRows(ButtonPreset preset)
     return {};
 }
 
+std::span<const PresetRow> taskRows(HandTask task)
+{
+    switch (task) {
+    case HandTask::Sculpt:
+        return {};
+    case HandTask::ChoosePart:
+        return Rows::choosePart;
+    }
+    return {};
+}
+
+bool isReplaced(const PresetRow& row, HandTask task)
+{
+    for (const PresetRow& other : taskRows(task))
+        if (other.hand == row.hand && overlap(other.gesture, row.gesture))
+            return true;
+    return false;
+}
+
 std::optional<WandFunction> functionOf(ButtonPreset preset, const WandControl& control)
 {
     assert(control.mode != HandMode::Any);
-    for (const PresetRow& row : presetRows(preset))
+    for (const PresetRow& row : taskRows(control.task))
         if (answers(row, control))
+            return row.function;
+    for (const PresetRow& row : presetRows(preset))
+        if (answers(row, control) && !isReplaced(row, control.task))
             return row.function;
     return std::nullopt;
 }

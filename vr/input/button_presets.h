@@ -28,6 +28,13 @@ enum class HandMode {
 };
 inline constexpr std::size_t handModeCount = 4;
 
+/// What the sculpting hand does with trigger and side button. While a panel has another use for them, the rows of
+/// taskRows() replace those of any preset.
+enum class HandTask {
+    Sculpt,
+    ChoosePart ///< makes parts of the model active
+};
+
 /// A movement of a finger on a wand. Trigger, the four Pad gestures and Squeeze (the side button) last as long as the
 /// press.
 enum class Gesture {
@@ -68,7 +75,8 @@ enum class WandFunction {
     ToggleColorPanel,
     PreviousChannel,
     NextChannel,
-    SetChannel
+    SetChannel,
+    UseTip ///< does the hand's task at the wand's tip
 };
 
 /// A function of a gesture. WandMapping executes these rows, and the labels at the buttons show them. A gesture without
@@ -84,6 +92,11 @@ struct PresetRow
 
 /// Returns the rows of a preset.
 std::span<const PresetRow> presetRows(ButtonPreset preset);
+/// Returns the rows of a task, at most maxTaskRows. Each replaces all rows of the preset for the same hand and button.
+std::span<const PresetRow> taskRows(HandTask task);
+inline constexpr std::size_t maxTaskRows = 4;
+/// Returns whether a row of the task replaces this row of a preset.
+bool isReplaced(const PresetRow& row, HandTask task);
 
 /// A gesture of a hand, and the hand's mode at that moment.
 struct WandControl
@@ -91,6 +104,7 @@ struct WandControl
     HandRole hand;
     HandMode mode; ///< mode of the hand; never Any
     Gesture gesture;
+    HandTask task = HandTask::Sculpt; ///< task of the sculpting hand
 };
 /// Returns the function of the gesture; none if it has no function.
 std::optional<WandFunction> functionOf(ButtonPreset preset, const WandControl& control);

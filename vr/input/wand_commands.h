@@ -101,6 +101,12 @@ struct OpenColorPanel
     bool isOpen = true;
 };
 
+/// Does the task of the sculpting hand (HandTask) at its tip, whose pose is in room space.
+struct UseTip
+{
+    Pose tip;
+};
+
 /// Presses a panel: the trigger was pulled while the wand pointed at it. The trigger belongs to the panel until
 /// ReleasePanel.
 struct PressPanel
@@ -118,7 +124,7 @@ struct Refuse
 using WandAction = std::variant<BeginStroke, StrokePoint, EndStroke, Undo, Redo, SaveModel, RestoreModel,
                                 ToggleTopology, ToggleBrushShape, ToggleSymmetry, ToggleInverse, StepTool, ScaleRadius,
                                 SelectChannel, ChangeChannel, TurnModel, ScaleModel, MoveModel, StretchModel,
-                                OpenToolMenu, OpenColorPanel, PressPanel, ReleasePanel, Refuse>;
+                                OpenToolMenu, OpenColorPanel, UseTip, PressPanel, ReleasePanel, Refuse>;
 
 /// A request of a hand, and the gesture that made it. The gesture's label may fade once it was used.
 struct WandCommand

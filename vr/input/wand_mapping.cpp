@@ -145,7 +145,7 @@ std::array<Side, sideCount> WandMapping::order() const
 
 std::optional<WandFunction> WandMapping::functionOf(Side side, Gesture gesture) const
 {
-    return vr::functionOf(m_settings.preset, {roleOf(side), modeOf(side), gesture});
+    return vr::functionOf(m_settings.preset, {roleOf(side), modeOf(side), gesture, m_task});
 }
 
 void WandMapping::addCommand(Side side, Gesture gesture, const WandAction& action)
@@ -189,12 +189,16 @@ void WandMapping::pressTrigger(Side side, const InputFrame& frame)
     at(side).trigger = isOnPanel ? TriggerUse::Panel : TriggerUse::Function;
     if (isOnPanel)
         return addCommand(side, Gesture::Trigger, PressPanel{});
-    if (functionOf(side, Gesture::Trigger) != WandFunction::Sculpt)
+    const std::optional<WandFunction> function = functionOf(side, Gesture::Trigger);
+    if (function != WandFunction::Sculpt && function != WandFunction::UseTip)
         return;
-    if (frame.wands[indexOf(side)].isTracked && !m_stroke)
-        m_stroke = {side, frame.time};
-    else
+    const WandState& wand = frame.wands[indexOf(side)];
+    if (!wand.isTracked || m_stroke)
         addCommand(side, Gesture::Trigger, Refuse{});
+    else if (function == WandFunction::UseTip)
+        addCommand(side, Gesture::Trigger, UseTip{tipOf(wand)});
+    else
+        m_stroke = {side, frame.time};
 }
 
 void WandMapping::updateButtons(Side side, double seconds)

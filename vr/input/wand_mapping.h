@@ -63,6 +63,9 @@ public:
     HandMode modeOf(Side side) const;
     /// Opens or closes the tool menu without a button, for example because another panel replaces it.
     void setToolMenuOpen(bool isOpen) { m_toolMenuOpen = isOpen; }
+    HandTask task() const { return m_task; }
+    /// Sets the task of the sculpting hand. A stroke in progress goes on until its trigger is released.
+    void setTask(HandTask task) { m_task = task; }
     /// Returns the selected colour channel: 0 red, 1 green, 2 blue.
     int channel() const { return m_channel; }
     void selectChannel(int channel) { m_channel = channel; }
@@ -123,6 +126,7 @@ private:
     FrameClock m_clock;
     std::array<Hand, sideCount> m_hands;
     bool m_toolMenuOpen = false, m_colorPanelOpen = false;
+    HandTask m_task = HandTask::Sculpt;
     int m_channel = 0;
     double m_channelRemainder = 0; ///< part of a slide that is less than a step of 1, kept for the next frame
     std::optional<OpenStroke> m_stroke;

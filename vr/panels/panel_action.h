@@ -3,6 +3,7 @@
 #include "vr/input/button_presets.h"
 #include "vr/openxr/wand_state.h"
 
+#include "core/boolean/mesh_boolean.h"
 #include "core/stroke/tool.h"
 
 #include <QString>
@@ -11,8 +12,8 @@
 
 namespace vr
 {
-enum class PanelKind { Tools, Color, Files, Settings, Performance, Notice, Lesson };
-inline constexpr std::size_t panelKindCount = 7;
+enum class PanelKind { Tools, Color, Files, Settings, Performance, Notice, Lesson, Parts };
+inline constexpr std::size_t panelKindCount = 8;
 
 enum class SettingsPage { General, Haptics };
 
@@ -26,7 +27,11 @@ enum class PanelCommand {
     SaveModel, ///< saves under a new number
     Recentre,
     LevelModel, ///< turns the model until its Y axis is vertical
-    LeaveVr
+    LeaveVr,
+    IsolatePart, ///< shows only the active part, or again those that were shown before
+    ShowAllParts,
+    DuplicatePart,
+    DeletePart
 };
 
 struct ShowPanel
@@ -102,6 +107,49 @@ struct OpenFile
     bool operator==(const OpenFile&) const = default;
 };
 
+/// Turns to a page of the list of parts.
+struct ShowPartsPage
+{
+    int page = 0;
+    bool operator==(const ShowPartsPage&) const = default;
+};
+
+/// Makes a part the active one.
+struct ChoosePart
+{
+    core::PartId part = 0;
+    bool operator==(const ChoosePart&) const = default;
+};
+
+/// Marks a part, which is then combined with the active one.
+struct MarkPart
+{
+    core::PartId part = 0;
+    bool isMarked = true;
+    bool operator==(const MarkPart&) const = default;
+};
+
+struct ShowPart
+{
+    core::PartId part = 0;
+    bool isShown = true;
+    bool operator==(const ShowPart&) const = default;
+};
+
+struct LockPart
+{
+    core::PartId part = 0;
+    bool isLocked = true;
+    bool operator==(const LockPart&) const = default;
+};
+
+/// Combines the active part with the marked ones.
+struct CombineMarked
+{
+    core::SetOperation operation = core::SetOperation::Union;
+    bool operator==(const CombineMarked&) const = default;
+};
+
 /// Chooses the hand that sculpts.
 struct ChooseHand
 {
@@ -144,10 +192,10 @@ struct Slide
 };
 
 /// A request that the user makes through an item of a panel.
-using PanelAction =
-    std::variant<PanelCommand, core::Tool, core::BrushShape, core::Topology, ButtonPreset, SettingsPage, ShowPanel,
-                 AddNext, ChooseSymmetry, ChooseRadial, ChooseChannel, ChooseColor, ShowPage, ChooseFile, OpenFile,
-                 ChooseHand, ShowPerformance, ShowFloor, Slide, ShowLessonPage, LessonRequest>;
+using PanelAction = std::variant<PanelCommand, core::Tool, core::BrushShape, core::Topology, ButtonPreset, SettingsPage,
+                                 ShowPanel, AddNext, ChooseSymmetry, ChooseRadial, ChooseChannel, ChooseColor, ShowPage,
+                                 ChooseFile, OpenFile, ChooseHand, ShowPerformance, ShowFloor, Slide, ShowLessonPage,
+                                 LessonRequest, ShowPartsPage, ChoosePart, MarkPart, ShowPart, LockPart, CombineMarked>;
 
 /// Returns whether both actions belong to the same item. A slider has an action for each of its values.
 inline bool isSameItem(const PanelAction& a, const PanelAction& b)

@@ -5,6 +5,8 @@
 #include "vr/frame/frame_timing.h"
 #include "vr/input/headset_settings.h"
 
+#include "core/parts/part_list.h"
+
 #include <QCoreApplication>
 #include <QList>
 
@@ -101,6 +103,49 @@ private:
     QString status() const;
     void addTiles(PanelBuilder& builder) const;
     void addButtons(PanelBuilder& builder) const;
+};
+
+struct PartRow
+{
+    core::Part part;
+    QString name; ///< name for display
+
+    bool operator==(const PartRow&) const = default;
+};
+
+/// Content of the parts panel: the parts of the model, of which one is active and others can be marked to be combined
+/// with it.
+struct PartsPanel
+{
+    Q_DECLARE_TR_FUNCTIONS(vr::PartsPanel)
+
+public:
+    static constexpr int rowsPerPage = 5;
+
+    QList<PartRow> parts;
+    core::PartId active = 0;
+    QList<core::PartId> marked; ///< may include ids that no part has any more
+    int page = 0;
+    bool canUndo = false, canRedo = false;
+    bool isBusy = false; ///< the model is being opened, saved or changed as a whole
+
+    bool operator==(const PartsPanel&) const = default;
+    PanelLayout layout() const;
+    int pageCount() const;
+    /// Returns the panel after ShowPartsPage or MarkPart. Other actions change nothing.
+    PartsPanel after(const PanelAction& action) const;
+    /// Returns the row of a part; null if there is no such part.
+    const PartRow* find(core::PartId part) const;
+    /// Returns the marked parts other than the active one, in the order of the list.
+    std::vector<core::PartId> others() const;
+    /// Returns the name of a copy of the active part.
+    QString nameOfCopy() const;
+
+private:
+    int shownPage() const;
+    void addRow(PanelBuilder& builder, const PartRow* row) const;
+    void addListButtons(PanelBuilder& builder) const;
+    void addPartButtons(PanelBuilder& builder) const;
 };
 
 struct SettingsPanel
@@ -201,8 +246,8 @@ struct NoticePanel
 double noticeOpacity(const NoticePanel& notice, double age);
 
 /// The content of any panel. The alternatives are in the order of PanelKind.
-using PanelContent =
-    std::variant<ToolPanel, ColorPanel, FilesPanel, SettingsPanel, PerformancePanel, NoticePanel, LessonPanel>;
+using PanelContent = std::variant<ToolPanel, ColorPanel, FilesPanel, SettingsPanel, PerformancePanel, NoticePanel,
+                                  LessonPanel, PartsPanel>;
 
 PanelKind kindOf(const PanelContent& content);
 PanelLayout layoutOf(const PanelContent& content);

@@ -29,6 +29,7 @@ DefaultPosition defaultPositionOf(PanelKind kind)
     case PanelKind::Color:
         return {-12 * degree, 0.3};
     case PanelKind::Files:
+    case PanelKind::Parts:
     case PanelKind::Lesson:
         return {35 * degree, 0.08};
     case PanelKind::Settings:
@@ -41,7 +42,7 @@ DefaultPosition defaultPositionOf(PanelKind kind)
 }
 
 /// Panels of which only one is open at a time: the tool panel, and the panels that its buttons open.
-constexpr PanelKind pages[] = {PanelKind::Tools, PanelKind::Files, PanelKind::Settings};
+constexpr PanelKind pages[] = {PanelKind::Tools, PanelKind::Files, PanelKind::Settings, PanelKind::Parts};
 
 /// Returns a level head at the same position that looks towards a point.
 Pose lookingAt(const core::Vec3& point, const Pose& head)

@@ -17,8 +17,8 @@ public:
     void destroy();
 
     /// Opens or closes a panel. A panel that opens is placed where the user looks, unless it is attached to a hand. Of
-    /// Tools, Files and Settings only one is open at a time: a new one appears in the direction of the one that it
-    /// replaces.
+    /// Tools, Files, Settings and Parts only one is open at a time: a new one appears in the direction of the one that
+    /// it replaces.
     void open(PanelKind kind, bool isOpen = true);
     bool isOpen(PanelKind kind) const { return at(kind).isOpen; }
     /// Discards the places of all panels, because room space has changed. The next place() chooses new ones.

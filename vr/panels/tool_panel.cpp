@@ -6,10 +6,11 @@ namespace vr
 {
 namespace
 {
-constexpr double toolWidth = 1200, toolNameWidth = 210, toolHeight = 124, buttonHeight = 84, groupGap = 8,
+constexpr double toolWidth = 1260, toolNameWidth = 210, toolHeight = 124, buttonHeight = 84, groupGap = 8,
                  toolTitleWidth = 300;
 constexpr double symmetryWidth = 270, radialWidth = 170;
-constexpr double filesButtonWidth = 230, placeButtonWidth = 262, addButtonWidth = 330, leaveButtonWidth = 300;
+constexpr double filesButtonWidth = 225, partsButtonWidth = 215, levelButtonWidth = 265, addButtonWidth = 230,
+                 leaveButtonWidth = 245;
 constexpr double toolDistance = 0.5; ///< metres from which the panel is read: it is held up by a hand
 constexpr std::array<std::size_t, 4> toolsInRow{4, 4, 4, 4};
 
@@ -74,21 +75,22 @@ void ToolPanel::addTools(PanelBuilder& builder) const
 /// Adds the buttons that open other panels, and those that concern the whole scene.
 void ToolPanel::addPanelButtons(PanelBuilder& builder) const
 {
-    const std::vector<QRectF> upper =
-        cells(builder.nextRow(buttonHeight), {filesButtonWidth, 0, placeButtonWidth, placeButtonWidth});
+    const std::vector<QRectF> upper = cells(builder.nextRow(buttonHeight), {filesButtonWidth, partsButtonWidth, 0, 0});
     builder.add(upper[0], {{.text = tr("Files"), .icon = QStringLiteral("files")}, ShowPanel{PanelKind::Files}});
-    builder.add(upper[1],
+    builder.add(upper[1], {{.text = tr("Parts"), .icon = QStringLiteral("part-union")}, ShowPanel{PanelKind::Parts}});
+    builder.add(upper[2],
                 {{.text = tr("Settings"), .icon = QStringLiteral("preferences")}, ShowPanel{PanelKind::Settings}});
-    builder.add(upper[2], {{.text = tr("Recentre"), .icon = QStringLiteral("recentre")}, PanelCommand::Recentre});
-    builder.add(upper[3], {{.text = tr("Level"), .icon = QStringLiteral("level")}, PanelCommand::LevelModel});
-    const std::vector<QRectF> lower = cells(builder.nextRow(buttonHeight), {addButtonWidth, 0, leaveButtonWidth});
-    builder.add(lower[0],
+    builder.add(upper[3], {{.text = tr("Recentre"), .icon = QStringLiteral("recentre")}, PanelCommand::Recentre});
+    const std::vector<QRectF> lower =
+        cells(builder.nextRow(buttonHeight), {levelButtonWidth, addButtonWidth, 0, leaveButtonWidth});
+    builder.add(lower[0], {{.text = tr("Level"), .icon = QStringLiteral("level")}, PanelCommand::LevelModel});
+    builder.add(lower[1],
                 {{.text = tr("Add ball"), .icon = QStringLiteral("add"), .isChosen = addsNext}, AddNext{!addsNext}});
-    builder.add(lower[1], {{.text = tr("Hold to restore"), .icon = QStringLiteral("reset")},
+    builder.add(lower[2], {{.text = tr("Hold to restore"), .icon = QStringLiteral("reset")},
                            PanelCommand::RestoreModel,
                            canChange,
                            true});
-    builder.add(lower[2], {{.text = tr("Leave VR"), .icon = QStringLiteral("quit")}, PanelCommand::LeaveVr});
+    builder.add(lower[3], {{.text = tr("Leave VR"), .icon = QStringLiteral("quit")}, PanelCommand::LeaveVr});
 }
 
 void ToolPanel::addSymmetry(PanelBuilder& builder) const

@@ -44,9 +44,30 @@ bool isOnSimpleWand(WandSpot spot)
     return spot == WandSpot::Trigger || spot == WandSpot::Menu;
 }
 
-std::uint32_t bitOf(std::size_t row)
+constexpr std::size_t maxPresetRows = 32;
+
+/// Returns the bit of a row of the preset.
+std::uint64_t bitOf(std::size_t row)
 {
-    return std::uint32_t(1) << row;
+    return std::uint64_t(1) << row;
+}
+
+/// Returns the bit of a row of a task.
+std::uint64_t bitOf(HandTask task, std::size_t row)
+{
+    return bitOf(maxPresetRows + static_cast<std::size_t>(task) * maxTaskRows + row);
+}
+
+/// Visits the rows in effect, each with its bit.
+template <class Visit> void forEachRow(ButtonPreset preset, HandTask task, Visit visit)
+{
+    const std::span<const PresetRow> rows = presetRows(preset), ofTask = taskRows(task);
+    assert(rows.size() <= maxPresetRows && ofTask.size() <= maxTaskRows);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (!isReplaced(rows[i], task))
+            visit(rows[i], bitOf(i));
+    for (std::size_t i = 0; i < ofTask.size(); ++i)
+        visit(ofTask[i], bitOf(task, i));
 }
 
 bool isIn(const PresetRow& row, HandMode mode)
@@ -110,6 +131,7 @@ void WandLabels::step(const InputFrame& frame, const Pose& head, const WandMappi
     const double seconds = m_clock.step(frame.time);
     if (m_settings != hands.settings())
         begin(hands);
+    updateTask(hands);
     updateKinds(frame, hands);
     note(hands, commands);
     m_behind = behind(frame, head);
@@ -136,6 +158,7 @@ std::array<WandLabel, wandSpotCount> WandLabels::labels(Side side) const
 void WandLabels::begin(const WandMapping& hands)
 {
     m_settings = hands.settings();
+    m_task = hands.task();
     m_used = 0;
     m_hands = {};
     for (const Side side : sides) {
@@ -146,19 +169,29 @@ void WandLabels::begin(const WandMapping& hands)
 
 void WandLabels::write(Hand& hand, HandRole role) const
 {
-    const std::span<const PresetRow> table = presetRows(m_settings->preset);
-    assert(table.size() <= 32);
     hand.linesOf = {};
     for (const HandMode mode : {HandMode::Plain, HandMode::ToolMenu, HandMode::ColorPanel})
-        for (std::size_t row = 0; row < table.size(); ++row) {
-            const WandSpot spot = spotOf(table[row].gesture);
-            if (table[row].hand != role || !isIn(table[row], mode) || (hand.kind.isSimple && !isOnSimpleWand(spot)))
-                continue;
+        forEachRow(m_settings->preset, m_task, [&](const PresetRow& row, std::uint64_t bit) {
+            const WandSpot spot = spotOf(row.gesture);
+            if (row.hand != role || !isIn(row, mode) || (hand.kind.isSimple && !isOnSimpleWand(spot)))
+                return;
             Line& line = hand.linesOf[static_cast<std::size_t>(mode)][static_cast<std::size_t>(spot)];
-            const QString label = labelOf(table[row], hand.kind.isStick);
+            const QString label = labelOf(row, hand.kind.isStick);
             line.text += line.text.isEmpty() ? label : QStringLiteral(" \u00B7 ") + label;
-            line.rows |= bitOf(row);
-        }
+            line.rows |= bit;
+        });
+}
+
+/// Writes the labels again if the sculpting hand has another task. Labels with another text fade in from 0.
+void WandLabels::updateTask(const WandMapping& hands)
+{
+    if (std::exchange(m_task, hands.task()) == hands.task())
+        return;
+    for (const Side side : sides) {
+        const Lines before = at(side).lines();
+        write(at(side), hands.roleOf(side));
+        restart(at(side), before);
+    }
 }
 
 /// Writes a hand's labels again if its wand is now of another kind.
@@ -191,10 +224,10 @@ void WandLabels::note(const WandMapping& hands, std::span<const WandCommand> com
 
 void WandLabels::use(const WandMapping& hands, Side side, Gesture gesture)
 {
-    const std::span<const PresetRow> table = presetRows(m_settings->preset);
-    for (std::size_t row = 0; row < table.size(); ++row)
-        if (table[row].hand == hands.roleOf(side) && table[row].gesture == gesture && isIn(table[row], at(side).mode))
-            m_used |= bitOf(row);
+    forEachRow(m_settings->preset, m_task, [&](const PresetRow& row, std::uint64_t bit) {
+        if (row.hand == hands.roleOf(side) && row.gesture == gesture && isIn(row, at(side).mode))
+            m_used |= bit;
+    });
 }
 
 /// Updates how long the wand has been looked at. Returns whether that is long enough to show its labels.
@@ -247,8 +280,13 @@ void WandLabels::hide(Hand& hand, double seconds)
 /// Sets the mode. Labels with another text fade in from 0.
 void WandLabels::setMode(Hand& hand, HandMode mode)
 {
-    const Lines& before = hand.lines();
-    hand.mode = mode;
+    const HandMode before = std::exchange(hand.mode, mode);
+    restart(hand, hand.linesOf[static_cast<std::size_t>(before)]);
+}
+
+/// Makes labels whose functions differ from those of `before` fade in from 0.
+void WandLabels::restart(Hand& hand, const Lines& before)
+{
     for (std::size_t spot = 0; spot < wandSpotCount; ++spot)
         if (hand.lines()[spot].rows != before[spot].rows)
             hand.opacities[spot] = 0;

@@ -29,7 +29,8 @@ inline constexpr double labelGapSlack = 3, labelGapSlackMetres = 0.03;
 /// wands, the farther wand has none. A wand that lacks a part has no label for it. After a change of the preset, or of
 /// the hands' roles, all functions count as unused.
 ///
-/// Uses no clock except the frames' times. Allocates only in a step that finds new settings or another kind of wand.
+/// Uses no clock except the frames' times. Allocates only in a step that finds new settings, another task or another
+/// kind of wand.
 /// Thread: any.
 class WandLabels
 {
@@ -47,7 +48,7 @@ private:
     struct Line
     {
         QString text;
-        std::uint32_t rows = 0; ///< functions that the text names; bit i: row i of the preset
+        std::uint64_t rows = 0; ///< functions that the text names, by their bits (bitOf())
     };
     using Lines = std::array<Line, wandSpotCount>;
 
@@ -74,10 +75,12 @@ private:
 
     void begin(const WandMapping& hands);
     void write(Hand& hand, HandRole role) const;
+    void updateTask(const WandMapping& hands);
     void updateKinds(const InputFrame& frame, const WandMapping& hands);
     void note(const WandMapping& hands, std::span<const WandCommand> commands);
     void use(const WandMapping& hands, Side side, Gesture gesture);
-    void setMode(Hand& hand, HandMode mode);
+    static void setMode(Hand& hand, HandMode mode);
+    static void restart(Hand& hand, const Lines& before);
     void fade(Hand& hand, bool isLookedAt, double seconds);
     static void hide(Hand& hand, double seconds);
     std::optional<Side> behind(const InputFrame& frame, const Pose& head) const;
@@ -88,7 +91,8 @@ private:
     FrameClock m_clock;
     std::optional<WandSettings> m_settings; ///< settings that the lines were written for
     std::array<Hand, sideCount> m_hands;    ///< indexed by Side
-    std::uint32_t m_used = 0;               ///< functions used already; bit i: row i of the preset
+    HandTask m_task = HandTask::Sculpt;     ///< task that the lines were written for
+    std::uint64_t m_used = 0;               ///< functions used already, by their bits (bitOf())
     std::optional<Side> m_behind;           ///< wand for whose labels there is no room
 };
 } // namespace vr

@@ -54,6 +54,8 @@ struct DocumentUpdate
     /// The model is being opened, saved or changed as a whole; no other such operation can begin.
     bool isBusy = false;
     QList<core::Rgb> swatches;
+    QList<PartRow> parts;
+    core::PartId activePart = 0;
     QString folder; ///< name of the folder of `files`, for display
     QList<FileTile> files;
     QString saved;                       ///< name that the last save of this visit used, for display
@@ -113,9 +115,31 @@ struct OpenModel
     bool discardsChanges = false;
 };
 
+struct ActivatePart
+{
+    core::PartId part = 0;
+};
+
+/// Makes the visible part active that the ray meets first. Units: document space.
+struct PickPart
+{
+    core::Ray ray;
+};
+
+/// Shows only the active part, or again those that were shown before.
+struct IsolatePart
+{};
+
+/// Applies a command to a part of the model, or to the parts that it concerns.
+struct ChangePart
+{
+    core::PartId part = 0;
+    core::ModelCommand command;
+};
+
 /// A request to the gui thread. Requests and strokes are executed in the order in which they were made.
 using DocumentRequest = std::variant<ChooseBrush, Undo, Redo, SaveModel, RestoreModel, OpenModel, core::MaskOperation,
-                                     HeadsetSettings, LessonRequest>;
+                                     HeadsetSettings, LessonRequest, ActivatePart, PickPart, IsolatePart, ChangePart>;
 
 /// The document as the headset's thread sees it. Thread: the headset's; no function waits for another thread, or
 /// allocates more than it passes on. Units: mm in document space.

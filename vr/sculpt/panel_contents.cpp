@@ -40,6 +40,11 @@ void PanelContents::update(const DocumentUpdate& before, const DocumentUpdate& n
     m_files.hasUnsavedChanges = now.isModified;
     m_files.isBusy = now.isBusy;
     m_files.saved = now.saved;
+    m_parts.parts = now.parts;
+    m_parts.active = now.activePart;
+    m_parts.canUndo = now.canUndo;
+    m_parts.canRedo = now.canRedo;
+    m_parts.isBusy = now.isBusy;
 }
 
 void PanelContents::apply(const PanelAction& action)
@@ -51,6 +56,7 @@ void PanelContents::apply(const PanelAction& action)
     };
     std::visit(handler, action);
     m_files = m_files.after(action);
+    m_parts = m_parts.after(action);
 }
 
 void PanelContents::show(PanelManager& panels, const Sources& sources)
@@ -61,6 +67,8 @@ void PanelContents::show(PanelManager& panels, const Sources& sources)
         panels.show(ColorPanel{sources.brush.stroke.color, sources.channel, sources.document.swatches});
     if (panels.isOpen(PanelKind::Files))
         panels.show(m_files);
+    if (panels.isOpen(PanelKind::Parts))
+        panels.show(m_parts);
     if (panels.isOpen(PanelKind::Settings))
         panels.show(SettingsPanel::of(sources.settings, m_settingsPage));
     showPerformance(panels, sources);
@@ -80,10 +88,10 @@ void PanelContents::showPerformance(PanelManager& panels, const Sources& sources
     panels.show(m_performance);
 }
 
-/// Shows the page of an open lesson, unless the files panel is open in its place.
+/// Shows the page of an open lesson, unless the files or parts panel is open in its place.
 void PanelContents::showLesson(PanelManager& panels, const std::optional<LessonPanel>& lesson) const
 {
-    const bool isShown = lesson && !panels.isOpen(PanelKind::Files);
+    const bool isShown = lesson && !panels.isOpen(PanelKind::Files) && !panels.isOpen(PanelKind::Parts);
     panels.open(PanelKind::Lesson, isShown);
     if (!isShown)
         return;

@@ -29,6 +29,7 @@ public:
     /// Shows the contents of all open panels. Opens and closes the performance, lesson and notice panels, as settings
     /// and document require. To be called once a frame.
     void show(PanelManager& panels, const Sources& sources);
+    const PartsPanel& parts() const { return m_parts; }
 
 private:
     void showPerformance(PanelManager& panels, const Sources& sources);
@@ -36,6 +37,7 @@ private:
     void showNotice(PanelManager& panels, const Sources& sources);
 
     FilesPanel m_files;
+    PartsPanel m_parts;
     int m_lessonPage = 0;
     SettingsPage m_settingsPage = SettingsPage::General;
     PerformancePanel m_performance;

@@ -1,5 +1,7 @@
 #include "vr/sculpt/sculpt_client.h"
 
+#include "vr/sculpt/part_requests.h"
+
 #include "core/util/overloaded.h"
 
 #include <QOpenGLContext>
@@ -30,7 +32,7 @@ template <class... Kinds> bool isOneOf(const WandAction& action)
 bool isStep(const WandAction& action)
 {
     return isOneOf<StepTool, SelectChannel, ToggleTopology, ToggleBrushShape, ToggleSymmetry, ToggleInverse>(action) ||
-           isOneOf<OpenToolMenu, OpenColorPanel, Undo, Redo, SaveModel, RestoreModel>(action);
+           isOneOf<OpenToolMenu, OpenColorPanel, Undo, Redo, SaveModel, RestoreModel, UseTip>(action);
 }
 
 /// Returns the request to the document for a panel's command; none if the command concerns only the headset.
@@ -52,6 +54,10 @@ std::optional<DocumentRequest> requestOf(PanelCommand command)
     case PanelCommand::Recentre:
     case PanelCommand::LevelModel:
     case PanelCommand::LeaveVr:
+    case PanelCommand::IsolatePart:
+    case PanelCommand::ShowAllParts:
+    case PanelCommand::DuplicatePart:
+    case PanelCommand::DeletePart:
         return std::nullopt;
     }
     return std::nullopt;
@@ -102,6 +108,17 @@ ShownWand shownWand(const WandState& wand, const WandMapping& mapping, Side side
     if (const std::optional<WandMapping::Hold> hold = mapping.hold(side))
         shown.holdProgress = hold->progress;
     return shown;
+}
+
+/// Returns the appearance of what the sculpting hand holds: the brush, or a ray that points at parts.
+std::variant<std::monostate, BallBrush, RayBrush>
+shownAtTip(const WandBrush& brush, HandTask task, const std::optional<Pose>& tip, const ModelPlacement& placement)
+{
+    if (task == HandTask::Sculpt)
+        return brush.shown(placement);
+    if (!tip)
+        return {};
+    return RayBrush{{tip->position, tip->forward()}, {}};
 }
 
 /// Returns what the window shows of the user. `radius`: radius of the brush, metres.
@@ -160,6 +177,7 @@ FrameOutput SculptClient::frame(const FrameInput& input)
     handleRoomChange(input);
     place(input);
     aimAtPanels(input);
+    m_mapping.setTask(m_panels.isOpen(PanelKind::Parts) ? HandTask::ChoosePart : HandTask::Sculpt);
     const InputFrame frame{input.seconds(), input.wands, {pointsAtPanel(Side::Left), pointsAtPanel(Side::Right)}};
     const std::vector<WandCommand> commands = m_mapping.step(frame);
     handle(commands);
@@ -294,6 +312,7 @@ void SculptClient::handle(const WandCommand& command)
         [&](const StretchModel& stretch) { m_placement.stretch(stretch.from, stretch.to); },
         [&](const OpenToolMenu& menu) { m_panels.open(PanelKind::Tools, menu.isOpen); },
         [&](const OpenColorPanel& panel) { m_panels.open(PanelKind::Color, panel.isOpen); },
+        [&](const UseTip& use) { m_port->request(pickAt(use.tip, m_placement)); },
         [&](const PressPanel&) { act(m_panels.press(side)); },
         [&](const ReleasePanel& release) { act(m_panels.release(side, release.isClick)); },
         [&](const Undo& undo) { m_port->request(undo); },
@@ -331,6 +350,8 @@ void SculptClient::handle(Side side, const PanelAction& action)
     };
     hapticInput(side).stepped = true;
     std::visit(handler, action);
+    if (const std::optional<DocumentRequest> request = requestOf(m_contents.parts(), action))
+        m_port->request(*request);
     m_brush.change(changed(m_brush.state(), action));
     m_contents.apply(action);
     applySettings(SettingsPanel::after(m_settings, action));
@@ -365,7 +386,7 @@ void SculptClient::updateScene(const FrameInput& input)
     m_state.hasFloor = m_settings.showsFloor;
     m_state.brush = {};
     if (!pointsAtPanel(m_settings.wands.sculpting))
-        m_state.brush = m_brush.shown(m_placement);
+        m_state.brush = shownAtTip(m_brush, m_mapping.task(), m_tip, m_placement);
     const bool paints = brush.stroke.tool == core::Tool::Paint;
     m_state.brushColor = paints ? brush.stroke.color : SceneState().brushColor;
     for (const Side side : {Side::Left, Side::Right}) {

@@ -216,7 +216,8 @@ public:
         if (layout.kind == vr::PanelKind::Tools || layout.kind == vr::PanelKind::Color)
             return vr::placeAtHand(m_grips[static_cast<std::size_t>(carrier)], at,
                                    {layout.metres(), clay, carrier == vr::Side::Left ? 1.0 : -1.0});
-        const bool replacesTools = layout.kind == vr::PanelKind::Files || layout.kind == vr::PanelKind::Settings;
+        const bool replacesTools = layout.kind == vr::PanelKind::Files || layout.kind == vr::PanelKind::Settings ||
+                                   layout.kind == vr::PanelKind::Parts;
         const auto place = vr::PanelManager::placeOnOpening(layout.kind, {at, {}, sculpting(), clay}, layout,
                                                             replacesTools ? m_tools : std::nullopt);
         return m_ahead.emplace(layout.kind, place).first->second;

@@ -49,6 +49,7 @@ struct CommandNames
     {
         return QStringLiteral("color panel") + isOn(open.isOpen);
     }
+    QString operator()(const vr::UseTip&) const { return QStringLiteral("use tip"); }
     QString operator()(const vr::PressPanel&) const { return QStringLiteral("press panel"); }
     QString operator()(const vr::ReleasePanel& release) const
     {

@@ -191,6 +191,30 @@ private Q_SLOTS:
                     QVERIFY(isHeld(row.gesture));
     }
 
+    /// Checks that a task replaces the functions of its own buttons of the sculpting hand, also their long presses, and
+    /// no others.
+    void tasksReplaceTheirButtonsOnly()
+    {
+        const auto isSideButton = [](Gesture gesture) {
+            return gesture == Gesture::Squeeze || gesture == Gesture::SqueezeHold;
+        };
+        for (const auto task : {vr::HandTask::ChoosePart}) {
+            std::set<Gesture> own;
+            for (const PresetRow& row : vr::taskRows(task)) {
+                QVERIFY(row.hand == HandRole::Sculpting && row.mode == HandMode::Any);
+                own.insert(row.gesture);
+            }
+            QVERIFY(!own.empty() && own.size() <= vr::maxTaskRows);
+            for (const ButtonPreset preset : presets)
+                for (const PresetRow& row : vr::presetRows(preset)) {
+                    const bool isOwn =
+                        row.hand == HandRole::Sculpting &&
+                        (own.contains(row.gesture) || (isSideButton(row.gesture) && own.contains(Gesture::Squeeze)));
+                    QCOMPARE(vr::isReplaced(row, task), isOwn);
+                }
+        }
+    }
+
     /// Checks that each hand's bindings use only the modes of its own panel. For one hand there are both panels.
     void rowsAreOfTheHandsOwnModes()
     {

@@ -184,6 +184,8 @@ std::set<QString> commandNames(WandFunction function, const Move& move, bool isO
         return {QStringLiteral("begin smooth no"), QStringLiteral("point"), QStringLiteral("end")};
     case WandFunction::Smooth:
         return {};
+    case WandFunction::UseTip:
+        return {QStringLiteral("use tip")};
     case WandFunction::TurnClockwise:
         return {QStringLiteral("turn -")};
     case WandFunction::TurnAnticlockwise:
@@ -374,6 +376,7 @@ private Q_SLOTS:
     void thePadsHeightIsHalfAChannel();
     void whatGoesOnEndsWhenHandsAreChosenAnew();
     void whatIsPressedMeanwhileMustBeLetGo();
+    void aTaskTakesTheTrigger();
     void swappedHandsDoTheSame();
     void frameRatesDoTheSame();
     void atRandomNothingIsLeftOpen_data();
@@ -843,6 +846,38 @@ void TestWandMapping::whatIsPressedMeanwhileMustBeLetGo()
                 });
                 QCOMPARE(!play(player, side, move).empty(), isBound);
             }
+}
+
+/// Checks that the trigger of the sculpting hand does its task at the tip, and that a stroke in progress goes on.
+void TestWandMapping::aTaskTakesTheTrigger()
+{
+    for (const ButtonPreset preset : everyPreset) {
+        Player player({preset, Side::Right});
+        player.wand(Side::Right).trigger = 1;
+        player.step();
+        player.hands().setTask(vr::HandTask::ChoosePart);
+        QCOMPARE(words(player.step()), QStringList(QStringLiteral("point")));
+        player.wand(Side::Right).trigger = 0;
+        QCOMPARE(words(player.step()), QStringList(QStringLiteral("end")));
+
+        player.move(Side::Right, {0.1, 0.2, 0.3});
+        player.wand(Side::Right).trigger = 1;
+        const auto uses = all<vr::UseTip>(player.step());
+        QCOMPARE(uses.size(), std::size_t(1));
+        QCOMPARE(uses[0].tip.position, vr::tipOf(player.wand(Side::Right)).position);
+        QVERIFY(player.play(0.5).empty() && !player.hands().isDrawing(Side::Right));
+        player.wand(Side::Right).trigger = 0;
+        QVERIFY(player.step().empty());
+        player.pointAtPanel(Side::Right, true);
+        player.wand(Side::Right).trigger = 1;
+        QCOMPARE(words(player.step()), QStringList(QStringLiteral("press panel")));
+        player.wand(Side::Right).trigger = 0;
+        player.step();
+        player.pointAtPanel(Side::Right, false);
+        player.wand(Side::Right).isTracked = false;
+        player.wand(Side::Right).trigger = 1;
+        QCOMPARE(words(player.step()), QStringList(QStringLiteral("refuse")));
+    }
 }
 
 void TestWandMapping::swappedHandsDoTheSame()

@@ -102,6 +102,33 @@ std::vector<ExamplePanel> filesPanels()
     busy.isBusy = true;
     return {{"files", chosen}, {"files-last", last}, {"files-empty", empty}, {"files-busy", busy}};
 }
+
+std::vector<ExamplePanel> partsPanels()
+{
+    vr::PartsPanel panel;
+    const auto add = [&](const QString& name, bool isVisible, bool isLocked, std::optional<core::Rgb> tag) {
+        const auto id = static_cast<core::PartId>(panel.parts.size());
+        panel.parts << vr::PartRow{{id, name.toStdString(), isVisible, isLocked, tag}, name};
+    };
+    add(QStringLiteral("body"), true, false, {});
+    const vr::PartsPanel one = panel;
+    add(QStringLiteral("wheel"), true, false, core::Rgb{204, 52, 44});
+    add(QStringLiteral("a wheel with a long name that somebody typed at the window"), false, true,
+        core::Rgb{52, 124, 190});
+    add(QStringLiteral("花瓶-2"), false, false, {});
+    add(QStringLiteral("axle"), true, true, {});
+    add(QStringLiteral("roof"), true, false, {});
+    add(QStringLiteral("lamp"), true, false, {});
+    panel.active = 1;
+    panel.canUndo = panel.canRedo = true;
+    vr::PartsPanel marked = panel, last = panel, busy = panel;
+    marked.marked = {0, 2};
+    last.page = 1;
+    last.active = 6;
+    busy.isBusy = true;
+    return {{"parts", panel}, {"parts-one", one}, {"parts-marked", marked}, {"parts-last", last}, {"parts-busy", busy}};
+}
+
 std::vector<ExamplePanel> lessonPanels()
 {
     vr::LessonPanel shown{QStringLiteral("First clay: a pear"),
@@ -186,8 +213,8 @@ std::vector<ExamplePanel> examplePanels()
              "“teapot with a long and winding name.stl” cannot be opened: 12 triangles meet others, 3 edges belong to "
              "more than two "
              "triangles, and two shells lie within each other. Open it at the desktop, where it can be repaired.")}});
-    for (const ExamplePanel& lesson : lessonPanels())
-        all.push_back(lesson);
+    for (const auto& more : {lessonPanels(), partsPanels()})
+        all.insert(all.end(), more.begin(), more.end());
     return all;
 }
 

@@ -69,10 +69,16 @@ std::vector<PanelAction> wanted()
                                  vr::LessonRequest::Play,
                                  vr::LessonRequest::TryIt,
                                  vr::LessonRequest::Back,
-                                 vr::LessonRequest::Next};
+                                 vr::LessonRequest::Next,
+                                 PanelCommand::IsolatePart,
+                                 PanelCommand::ShowAllParts,
+                                 PanelCommand::DuplicatePart,
+                                 PanelCommand::DeletePart,
+                                 vr::ShowPartsPage{0},
+                                 vr::ShowPartsPage{1}};
     for (std::size_t i = 0; i < core::toolNames().size(); ++i)
         all.push_back(static_cast<core::Tool>(i));
-    for (const auto kind : {vr::PanelKind::Files, vr::PanelKind::Settings})
+    for (const auto kind : {vr::PanelKind::Files, vr::PanelKind::Settings, vr::PanelKind::Parts})
         for (const bool isShown : {false, true})
             all.push_back(vr::ShowPanel{kind, isShown});
     for (const bool isOn : {false, true}) {
@@ -83,6 +89,16 @@ std::vector<PanelAction> wanted()
     }
     for (const int count : {1, 2, 4, 6})
         all.push_back(vr::ChooseRadial{count});
+    for (core::PartId part = 0; part < 7; ++part)
+        all.push_back(vr::ChoosePart{part});
+    for (const bool isOn : {false, true}) {
+        all.push_back(vr::MarkPart{2, isOn});
+        all.push_back(vr::ShowPart{static_cast<core::PartId>(isOn ? 2 : 1), isOn});
+        all.push_back(vr::LockPart{static_cast<core::PartId>(isOn ? 1 : 2), isOn});
+    }
+    for (const auto operation :
+         {core::SetOperation::Union, core::SetOperation::Difference, core::SetOperation::Intersection})
+        all.push_back(vr::CombineMarked{operation});
     for (int i = 0; i < 3; ++i)
         all.push_back(vr::ChooseChannel{i});
     for (int i = 0; i <= static_cast<int>(vr::PanelSlider::Hold); ++i)
@@ -114,6 +130,8 @@ private Q_SLOTS:
     void aPageThatIsNot_isTheNearest();
     void aChoice_staysOnItsPanel();
     void openingUnsaved_mustBeHeld();
+    void aPart_isOnOnePage();
+    void partsAreCombined_ifOthersAreMarked();
     void aNotice_isReadBeforeItFades();
 
 private:
@@ -309,6 +327,47 @@ void TestPanelLayout::openingUnsaved_mustBeHeld()
         QVERIFY(!panel.layout().itemFor(vr::OpenFile{panel.chosen, !loses}));
     }
     QVERIFY(vr::ToolPanel().layout().itemFor(PanelCommand::RestoreModel)->mustHold);
+}
+
+/// Checks that each part has its row on one page, whatever their number, and that a page that is not shows the nearest.
+void TestPanelLayout::aPart_isOnOnePage()
+{
+    for (const int count : {1, 4, 5, 6, 23, 1000}) {
+        vr::PartsPanel panel;
+        for (int i = 0; i < count; ++i)
+            panel.parts << vr::PartRow{{static_cast<core::PartId>(i), {}, true, false, {}}, QString::number(i)};
+        std::vector<int> seen(static_cast<std::size_t>(count));
+        for (panel.page = 0; panel.page < panel.pageCount(); ++panel.page)
+            for (int i = 0; i < count; ++i)
+                seen[static_cast<std::size_t>(i)] +=
+                    panel.layout().itemFor(vr::ChoosePart{static_cast<core::PartId>(i)}) != nullptr;
+        QVERIFY(std::ranges::all_of(seen, [](int pages) { return pages == 1; }));
+        QVERIFY(panel.layout().itemFor(vr::ChoosePart{static_cast<core::PartId>(count - 1)}));
+        panel.page = -3;
+        QVERIFY(panel.layout().itemFor(vr::ChoosePart{0}));
+    }
+}
+
+/// Checks that only marked parts other than the active one are combined with it, and that marks of parts that are gone
+/// do not count.
+void TestPanelLayout::partsAreCombined_ifOthersAreMarked()
+{
+    vr::PartsPanel panel;
+    for (const core::PartId id : std::initializer_list<core::PartId>{4, 2, 7})
+        panel.parts << vr::PartRow{{id, {}, true, false, {}}, QString::number(id)};
+    panel.active = 2;
+    const auto canCombine = [&] {
+        return panel.layout().itemFor(vr::CombineMarked{core::SetOperation::Union}) != nullptr;
+    };
+    QVERIFY(panel.others().empty() && !canCombine());
+    panel = panel.after(vr::MarkPart{2, true}).after(vr::MarkPart{9, true});
+    QVERIFY(panel.others().empty() && !canCombine());
+    panel = panel.after(vr::MarkPart{7, true}).after(vr::MarkPart{4, true}).after(vr::MarkPart{7, true});
+    QVERIFY((panel.others() == std::vector<core::PartId>{4, 7}) && canCombine());
+    panel.active = 4;
+    QVERIFY((panel.others() == std::vector<core::PartId>{2, 7}));
+    panel = panel.after(vr::MarkPart{7, false}).after(vr::MarkPart{2, false});
+    QVERIFY(panel.others().empty() && !canCombine());
 }
 
 void TestPanelLayout::aNotice_isReadBeforeItFades()

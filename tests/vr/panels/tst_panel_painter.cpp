@@ -259,7 +259,7 @@ void TestPanelPainter::everyIcon_isThere()
         for (int y = 0; y < 60; ++y)
             for (int x = 0; x < 60; ++x) {
                 const QColor pixel = icon.pixelColor(x, y);
-                inked += pixel.alpha() > 128 ? 1 : 0;
+                inked += pixel.alpha() > 64 ? 1 : 0; // an icon of what is off may be faint
                 QVERIFY2(pixel.alpha() < 128 || pixel.rgb() == QColor(Qt::red).rgb(),
                          qPrintable(name)); // edges are antialiased
             }

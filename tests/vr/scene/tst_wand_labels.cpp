@@ -276,6 +276,7 @@ private Q_SLOTS:
     void labels_areTrueInEveryMode();
     void labels_ofOneSpotShareALine();
     void labels_changeWithTheHandsMode();
+    void labels_changeWithTheTask();
     void labels_fadeIn();
     void labels_stayUntilTheyAreUsed_data() { rates(); }
     void labels_stayUntilTheyAreUsed();
@@ -396,6 +397,30 @@ void TestWandLabels::labels_changeWithTheHandsMode()
     QCOMPARE(player.opacity(Side::Right, WandSpot::PadLeft), 1.0F);
     player.doOnce(Side::Right, pressingMenu());
     QCOMPARE(player.text(Side::Right, WandSpot::PadLeft), QStringLiteral("Undo"));
+}
+
+/// Checks that the labels name a task's functions, which are new and fade in, and then the preset's again.
+void TestWandLabels::labels_changeWithTheTask()
+{
+    Player player;
+    player.play(appears);
+    player.doOnce(Side::Right, pulling(1));
+    player.play(goes);
+    QCOMPARE(player.label(Side::Right, WandSpot::Trigger).opacity, 0.0F);
+    player.hands().setTask(vr::HandTask::ChoosePart);
+    player.play(0.01);
+    QVERIFY(player.label(Side::Right, WandSpot::Trigger).opacity < 0.1F);
+    player.play(appears);
+    QCOMPARE(player.text(Side::Right, WandSpot::Trigger), QStringLiteral("Choose part"));
+    QCOMPARE(player.label(Side::Right, WandSpot::Trigger).opacity, 1.0F);
+    QCOMPARE(player.text(Side::Left, WandSpot::Trigger), QStringLiteral("Move model"));
+    player.doOnce(Side::Right, pulling(1));
+    player.play(goes);
+    QCOMPARE(player.label(Side::Right, WandSpot::Trigger).opacity, 0.0F);
+    player.hands().setTask(vr::HandTask::Sculpt);
+    player.play(appears);
+    QCOMPARE(player.text(Side::Right, WandSpot::Trigger), QStringLiteral("Sculpt"));
+    QCOMPARE(player.label(Side::Right, WandSpot::Trigger).opacity, 0.0F);
 }
 
 void TestWandLabels::labels_fadeIn()

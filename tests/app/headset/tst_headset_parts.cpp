@@ -1,0 +1,253 @@
+// Tests the parts of a model in the headset: the parts panel, pointing at parts, and strokes on one of several parts.
+#include "tests/app/headset/headset_visit.h"
+#include "tests/support/test_main.h"
+#include "tests/vr/vr_test.h"
+
+#include "core/operations/detached_part.h"
+#include "ui/util/part_name.h"
+
+using namespace app;
+using core::PartId;
+using core::Vec3;
+using vr::PanelCommand;
+using vr::PanelKind;
+using vr::Side;
+
+namespace
+{
+/// A visit as Alone, with the parts panel open beside the model.
+struct AtParts : Alone
+{
+    explicit AtParts(const QSize& pixels = HeadsetHand::few) : Alone({}, pixels)
+    {
+        vr::ToolPanel tools;
+        hand.put(Side::Left, {-0.35, 1.25, -0.3});
+        hand.press(Side::Left, "menu");
+        for (const core::Tool tool : {core::Tool::Flatten, core::Tool::Pull})
+            hand.choose(tools, tool, [&] { return brush().tool == tool; });
+        hand.openFromTools(tools, PanelKind::Parts);
+        hand.waitForPanels();
+    }
+
+    DocumentParts& parts() { return program.document.parts(); }
+    /// Returns the content of the panel, with the marks set by mark().
+    vr::PartsPanel panel()
+    {
+        vr::PartsPanel panel;
+        for (const core::Part& part : parts().list().all())
+            panel.parts << vr::PartRow{part, ui::partName(part)};
+        panel.active = parts().active();
+        panel.marked = marked;
+        panel.canUndo = program.document.history().canUndo();
+        panel.canRedo = program.document.history().canRedo();
+        return panel;
+    }
+    template <class Happened> bool choose(const vr::PanelAction& item, const Happened& happened, int count = 2)
+    {
+        return hand.choose(panel(), item, happened, count);
+    }
+    void mark(PartId part)
+    {
+        hand.waitForPanels(); // until the row of a new part is painted
+        hand.click(panel(), vr::MarkPart{part, true});
+        marked << part;
+        hand.waitForPanels();
+    }
+    /// Adds a copy of the first part by the panel, and moves it.
+    void addCopy(const Vec3& by)
+    {
+        const std::size_t before = parts().list().size();
+        QVERIFY(choose(PanelCommand::DuplicatePart, [&] { return parts().list().size() == before + 1; }));
+        program.document.changer().applyTo(static_cast<PartId>(before), core::Move{by});
+        hand.settle();
+    }
+    /// Pulls the trigger while the wand points at a place of the model from the front.
+    void pointAt(const Vec3& place, double distance = 0.1)
+    {
+        hand.put(Side::Right, hand.place(place) + Vec3(0, 0, distance));
+        hand.frames(2);
+        hand.press(Side::Right, "trigger", 2);
+        hand.settle();
+    }
+    std::uint64_t hashOf(PartId part)
+    {
+        return hand.ask([part](core::Sculptor& sculptor) {
+            return core::Mesh(core::surfaceOf(sculptor.mesh(), part), sculptor.mesh().lattice()).meshHash();
+        });
+    }
+    QString complaints() { return hand.headset().complaints(); }
+
+    QList<PartId> marked;
+};
+} // namespace
+
+class TestHeadsetParts : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { SKIP_WITHOUT_GLX(); }
+
+    void pointing_choosesThePart();
+    void rows_chooseHideAndLock();
+    void isolate_andBack();
+    void stroke_changesTheActivePart();
+    void combine_joinsTheMarked();
+    void delete_isHeld();
+    void window_showsInTheHeadset();
+    void takenOver_partsStay();
+};
+
+/// Points at parts from afar and from within, and beside all of them. No trigger sculpts while the panel is open.
+void TestHeadsetParts::pointing_choosesThePart()
+{
+    AtParts v;
+    v.addCopy({120, 0, 0});
+    const int changes = v.changes();
+    QCOMPARE(v.parts().active(), PartId(0));
+    v.pointAt({120, 0, 50});
+    QCOMPARE(v.parts().active(), PartId(1));
+    v.pointAt({0, 0, 50}, -0.02); // the tip is in the clay
+    QCOMPARE(v.parts().active(), PartId(0));
+    v.pointAt({120, 0, 50}, 1);
+    QCOMPARE(v.parts().active(), PartId(1));
+    v.pointAt({60, 90, 50});
+    QCOMPARE(v.parts().active(), PartId(1));
+    QCOMPARE(v.changes(), changes);
+    QCOMPARE(v.complaints(), QString());
+}
+
+void TestHeadsetParts::rows_chooseHideAndLock()
+{
+    AtParts v;
+    v.addCopy({120, 0, 0});
+    QVERIFY(v.choose(vr::ChoosePart{1}, [&] { return v.parts().active() == 1; }));
+    QVERIFY(v.choose(vr::ShowPart{0, false}, [&] { return !v.parts().list().isVisible(0); }));
+    QVERIFY(v.parts().list().isVisible(1));
+    v.pointAt({0, 0, 50}); // a hidden part is not there
+    QCOMPARE(v.parts().active(), PartId(1));
+    QVERIFY(v.choose(PanelCommand::ShowAllParts, [&] { return v.parts().list().isVisible(0); }));
+    QVERIFY(v.choose(vr::LockPart{0, true}, [&] { return v.parts().list().find(0)->isLocked; }));
+    QVERIFY(!v.parts().list().find(1)->isLocked);
+    QVERIFY(v.choose(PanelCommand::Undo, [&] { return !v.parts().list().find(0)->isLocked; }));
+    QCOMPARE(v.complaints(), QString());
+}
+
+void TestHeadsetParts::isolate_andBack()
+{
+    AtParts v;
+    v.addCopy({120, 0, 0});
+    v.addCopy({-120, 0, 0});
+    QVERIFY(v.choose(vr::ShowPart{2, false}, [&] { return !v.parts().list().isVisible(2); }));
+    const auto shown = [&] {
+        std::vector<PartId> ids;
+        for (const core::Part& part : v.parts().list().all())
+            if (part.isVisible)
+                ids.push_back(part.id);
+        return ids;
+    };
+    QVERIFY(v.choose(PanelCommand::IsolatePart, [&] { return shown() == std::vector<PartId>{0}; }));
+    QVERIFY(v.choose(PanelCommand::IsolatePart, [&] { return shown() == std::vector<PartId>{0, 1}; }));
+    QCOMPARE(v.complaints(), QString());
+}
+
+/// Closes the panel and sculpts where two parts overlap: only the active one changes.
+void TestHeadsetParts::stroke_changesTheActivePart()
+{
+    AtParts v;
+    v.addCopy({10, 0, 0});
+    QVERIFY(v.choose(vr::ChoosePart{1}, [&] { return v.parts().active() == 1; }));
+    const int changes = v.changes();
+    const std::uint64_t first = v.hashOf(0), second = v.hashOf(1);
+    v.hand.click(v.panel(), vr::ShowPanel{PanelKind::Parts, false});
+    v.hand.waitForPanels();
+    v.pull();
+    QCOMPARE(v.changes(), changes + 1);
+    QCOMPARE(v.hashOf(0), first);
+    QVERIFY(v.hashOf(1) != second);
+    v.hand.pressPad(Side::Right, -0.8, 0); // undo
+    v.hand.settle();
+    QCOMPARE(v.hashOf(1), second);
+    QCOMPARE(v.complaints(), QString());
+}
+
+void TestHeadsetParts::combine_joinsTheMarked()
+{
+    AtParts v;
+    v.addCopy({60, 0, 0});
+    v.addCopy({-60, 0, 0});
+    v.mark(2);
+    QVERIFY(v.choose(vr::CombineMarked{core::SetOperation::Difference}, [&] { return v.parts().list().size() == 2; }));
+    QVERIFY(v.parts().list().find(0) && v.parts().list().find(1));
+    const core::Box cut = v.box();
+    QVERIFY(cut.min().x() > -40 && cut.max().x() > 109); // the left side is gone
+    QVERIFY(v.choose(PanelCommand::Undo, [&] { return v.parts().list().size() == 3; }));
+    v.mark(1);
+    QVERIFY(v.choose(vr::CombineMarked{core::SetOperation::Union}, [&] { return v.parts().list().size() == 1; }));
+    QVERIFY(v.box().sizes().x() > 219);
+    QCOMPARE(v.complaints(), QString());
+}
+
+void TestHeadsetParts::delete_isHeld()
+{
+    AtParts v;
+    v.addCopy({120, 0, 0});
+    QVERIFY(v.choose(vr::ChoosePart{1}, [&] { return v.parts().active() == 1; }));
+    v.hand.click(v.panel(), PanelCommand::DeletePart);
+    QCOMPARE(v.parts().list().size(), std::size_t(2));
+    v.hand.setSlow(true);
+    const bool isDeleted = v.choose(
+        PanelCommand::DeletePart, [&] { return v.parts().list().size() == 1; }, HeadsetHand::longPress);
+    v.hand.setSlow(false);
+    QVERIFY(isDeleted);
+    QCOMPARE(v.parts().active(), PartId(0));
+    QVERIFY(v.choose(PanelCommand::Undo, [&] { return v.parts().list().size() == 2; }));
+    QCOMPARE(v.complaints(), QString());
+}
+
+/// Chooses and renames a part at the window; the panel in the headset shows it.
+void TestHeadsetParts::window_showsInTheHeadset()
+{
+    AtParts v(HeadsetHand::enough);
+    v.addCopy({120, 0, 0});
+    const auto look = [&] {
+        v.hand.waitForPanels();
+        return v.hand.picture();
+    };
+    v.hand.put(Side::Right, {0.5, 1.1, -0.1});
+    // turns to the panel, which is left of the model
+    v.hand.headset().step("{'head': {'yaw_pitch_roll': [40, 0, 0]}}");
+    const QImage before = look();
+    QCOMPARE(look(), before);
+    v.parts().activate(1);
+    v.hand.settle();
+    const QImage chosen = look();
+    QVERIFY(chosen != before);
+    v.program.document.changer().applyTo(1, core::EditPart{"wheel", false, {}, 1});
+    v.hand.settle();
+    QVERIFY(look() != chosen);
+    QCOMPARE(v.complaints(), QString());
+}
+
+/// While the window has taken over, the headset changes neither the parts nor which one is active.
+void TestHeadsetParts::takenOver_partsStay()
+{
+    AtParts v;
+    v.addCopy({120, 0, 0});
+    v.trigger("vr.takeOver");
+    v.hand.settle();
+    const int changes = v.changes();
+    v.pointAt({120, 0, 50});
+    v.hand.click(v.panel(), vr::ChoosePart{1});
+    v.hand.click(v.panel(), vr::ShowPart{0, false});
+    v.hand.click(v.panel(), PanelCommand::IsolatePart);
+    QCOMPARE(v.parts().active(), PartId(0));
+    QCOMPARE(v.changes(), changes);
+    v.trigger("vr.takeOver");
+    v.hand.settle();
+    QVERIFY(v.choose(vr::ChoosePart{1}, [&] { return v.parts().active() == 1; }));
+    QCOMPARE(v.complaints(), QString());
+}
+
+FETTLE_TEST(TestHeadsetParts, app::OnScreen)
+#include "tst_headset_parts.moc"

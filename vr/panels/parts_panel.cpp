@@ -1,0 +1,150 @@
+#include "vr/panels/panel_builder.h"
+#include "vr/panels/panel_content.h"
+#include "vr/panels/panel_theme.h"
+
+#include <algorithm>
+
+namespace vr
+{
+namespace
+{
+constexpr double partsWidth = 980, rowHeight = 84, buttonHeight = 84, arrowWidth = 84, pageWidth = 120, iconWidth = 84,
+                 tagWidth = 44, titleWidth = 340, groupGap = 8, hintHeight = 84;
+constexpr double partsDistance = 0.6; ///< metres from which the panel is read: arm's length
+} // namespace
+
+int PartsPanel::pageCount() const
+{
+    return std::max(1, static_cast<int>((parts.size() + rowsPerPage - 1) / rowsPerPage));
+}
+
+int PartsPanel::shownPage() const
+{
+    return std::clamp(page, 0, pageCount() - 1);
+}
+
+PartsPanel PartsPanel::after(const PanelAction& action) const
+{
+    PartsPanel panel = *this;
+    if (const auto* shown = std::get_if<ShowPartsPage>(&action)) {
+        panel.page = shown->page;
+    } else if (const auto* mark = std::get_if<MarkPart>(&action)) {
+        panel.marked.removeAll(mark->part);
+        if (mark->isMarked)
+            panel.marked << mark->part;
+    }
+    return panel;
+}
+
+const PartRow* PartsPanel::find(core::PartId part) const
+{
+    const auto found = std::ranges::find_if(parts, [&](const PartRow& row) { return row.part.id == part; });
+    return found == parts.end() ? nullptr : &*found;
+}
+
+std::vector<core::PartId> PartsPanel::others() const
+{
+    std::vector<core::PartId> ids;
+    for (const PartRow& row : parts)
+        if (row.part.id != active && marked.contains(row.part.id))
+            ids.push_back(row.part.id);
+    return ids;
+}
+
+QString PartsPanel::nameOfCopy() const
+{
+    const PartRow* row = find(active);
+    return row ? tr("%1 copy", "name of a copied part").arg(row->name) : QString();
+}
+
+/// Adds a row: mark, colour, name, eye and lock. `row`: null for an empty row.
+void PartsPanel::addRow(PanelBuilder& builder, const PartRow* row) const
+{
+    const QRectF area = builder.nextRow(rowHeight);
+    if (!row)
+        return;
+    const core::Part& part = row->part;
+    const bool isActive = part.id == active, isMarked = !isActive && marked.contains(part.id);
+    std::vector<double> widths{iconWidth, 0, iconWidth, iconWidth};
+    if (part.tag)
+        widths.insert(widths.begin() + 1, tagWidth);
+    const std::vector<QRectF> places = cells(area, widths);
+    const std::size_t name = part.tag ? 2 : 1;
+    builder.add(places[0], {{.icon = QStringLiteral("plus"), .isChosen = isMarked, .isFlat = true},
+                            MarkPart{part.id, !isMarked},
+                            !isActive});
+    if (part.tag)
+        builder.add({places[1], SwatchLook{*part.tag}});
+    builder.add(places[name], {{.text = row->name, .isChosen = isActive}, ChoosePart{part.id}});
+    const QString eye = part.isVisible ? QStringLiteral("part-shown") : QStringLiteral("part-hidden");
+    builder.add(places[name + 1],
+                {{.icon = eye, .isFlat = part.isVisible}, ShowPart{part.id, !part.isVisible}, !isBusy});
+    const QString lock = part.isLocked ? QStringLiteral("part-locked") : QStringLiteral("part-unlocked");
+    builder.add(places[name + 2],
+                {{.icon = lock, .isFlat = !part.isLocked}, LockPart{part.id, !part.isLocked}, !isBusy});
+}
+
+/// Adds the buttons that turn pages, and those that show and hide parts.
+void PartsPanel::addListButtons(PanelBuilder& builder) const
+{
+    const int shown = shownPage();
+    const bool isAlone = std::ranges::all_of(
+        parts, [this](const PartRow& row) { return row.part.isVisible == (row.part.id == active); });
+    const std::vector<QRectF> places = cells(builder.nextRow(buttonHeight), {arrowWidth, pageWidth, arrowWidth, 0, 0});
+    builder.add(places[0], {{.icon = QStringLiteral("previous")}, ShowPartsPage{shown - 1}, shown > 0});
+    builder.add(places[1], TextLook{tr("%1 / %2").arg(shown + 1).arg(pageCount()), TextRole::Number, Qt::AlignCenter});
+    builder.add(places[2], {{.icon = QStringLiteral("next")}, ShowPartsPage{shown + 1}, shown + 1 < pageCount()});
+    builder.add(
+        places[3],
+        {{.text = tr("Isolate"), .icon = QStringLiteral("part-isolate"), .isChosen = isAlone && parts.size() > 1},
+         PanelCommand::IsolatePart,
+         !isBusy && parts.size() > 1});
+    builder.add(places[4], {{.text = tr("Show all"), .icon = QStringLiteral("part-shown")},
+                            PanelCommand::ShowAllParts,
+                            !isBusy && parts.size() > 1});
+}
+
+/// Adds the buttons that copy, delete and combine.
+void PartsPanel::addPartButtons(PanelBuilder& builder) const
+{
+    using core::SetOperation;
+    const std::vector<QRectF> upper = evenCells(builder.nextRow(buttonHeight), 2);
+    builder.add(upper[0],
+                {{.text = tr("Duplicate"), .icon = QStringLiteral("duplicate")}, PanelCommand::DuplicatePart, !isBusy});
+    builder.add(upper[1], {{.text = tr("Hold to delete"), .icon = QStringLiteral("trash")},
+                           PanelCommand::DeletePart,
+                           !isBusy && parts.size() > 1,
+                           true});
+    const bool canCombine = !isBusy && !others().empty();
+    const std::vector<QRectF> lower = evenCells(builder.nextRow(buttonHeight), 3);
+    builder.add(
+        lower[0],
+        {{.text = tr("Join"), .icon = QStringLiteral("part-union")}, CombineMarked{SetOperation::Union}, canCombine});
+    builder.add(lower[1], {{.text = tr("Subtract"), .icon = QStringLiteral("part-subtract")},
+                           CombineMarked{SetOperation::Difference},
+                           canCombine});
+    builder.add(lower[2], {{.text = tr("Intersect"), .icon = QStringLiteral("part-intersect")},
+                           CombineMarked{SetOperation::Intersection},
+                           canCombine});
+}
+
+PanelLayout PartsPanel::layout() const
+{
+    PanelBuilder builder(PanelKind::Parts, partsWidth, partsDistance);
+    const PartRow* present = find(active);
+    builder.addTitle({tr("Parts"), present ? present->name : QString(), titleWidth},
+                     {{{.icon = QStringLiteral("undo")}, PanelCommand::Undo, canUndo},
+                      {{.icon = QStringLiteral("redo")}, PanelCommand::Redo, canRedo},
+                      {{.icon = QStringLiteral("panel-close"), .isFlat = true}, ShowPanel{PanelKind::Parts, false}}});
+    for (qsizetype i = 0; i < rowsPerPage; ++i) {
+        const qsizetype row = shownPage() * rowsPerPage + i;
+        addRow(builder, row < parts.size() ? &parts[row] : nullptr);
+    }
+    builder.skip(groupGap);
+    addListButtons(builder);
+    addPartButtons(builder);
+    const QString hint = tr("The trigger chooses the part that you point at. Mark others to combine them with it.");
+    builder.add(builder.nextRow(hintHeight), TextLook{.text = hint, .role = TextRole::Faint, .lines = 2});
+    return builder.finished();
+}
+} // namespace vr

@@ -1,0 +1,76 @@
+#include "vr/sculpt/part_requests.h"
+
+#include "core/util/overloaded.h"
+
+namespace vr
+{
+namespace
+{
+/// Returns the command after which a part is shown, or is hidden, and all others are as before.
+core::ShowParts shown(const PartsPanel& panel, const ShowPart& change)
+{
+    core::ShowParts show;
+    for (const PartRow& row : panel.parts)
+        if (row.part.id == change.part ? change.isShown : row.part.isVisible)
+            show.visible.push_back(row.part.id);
+    return show;
+}
+
+core::ShowParts allShown(const PartsPanel& panel)
+{
+    core::ShowParts show;
+    for (const PartRow& row : panel.parts)
+        show.visible.push_back(row.part.id);
+    return show;
+}
+
+std::optional<DocumentRequest> locked(const PartsPanel& panel, const LockPart& change)
+{
+    const PartRow* row = panel.find(change.part);
+    if (!row)
+        return std::nullopt;
+    const auto position = static_cast<std::size_t>(row - panel.parts.data());
+    return ChangePart{change.part, core::EditPart{row->part.name, change.isLocked, row->part.tag, position}};
+}
+
+std::optional<DocumentRequest> requestOf(const PartsPanel& panel, PanelCommand command)
+{
+    switch (command) {
+    case PanelCommand::IsolatePart:
+        return IsolatePart{};
+    case PanelCommand::ShowAllParts:
+        return ChangePart{panel.active, allShown(panel)};
+    case PanelCommand::DuplicatePart:
+        return ChangePart{panel.active, core::DuplicatePart{panel.nameOfCopy().toStdString()}};
+    case PanelCommand::DeletePart:
+        return ChangePart{panel.active, core::DeletePart{}};
+    default:
+        return std::nullopt;
+    }
+}
+} // namespace
+
+std::optional<DocumentRequest> requestOf(const PartsPanel& panel, const PanelAction& action)
+{
+    using Request = std::optional<DocumentRequest>;
+    const core::Overloaded request{
+        [&](PanelCommand command) { return requestOf(panel, command); },
+        [](const ChoosePart& chosen) { return Request(ActivatePart{chosen.part}); },
+        [&](const ShowPart& change) {
+            return Request(ChangePart{change.part, shown(panel, change)});
+        },
+        [&](const LockPart& change) { return locked(panel, change); },
+        [&](const CombineMarked& chosen) {
+            return Request(ChangePart{panel.active, core::CombineParts{chosen.operation, panel.others()}});
+        },
+        [](const auto&) { return Request(); },
+    };
+    return std::visit(request, action);
+}
+
+PickPart pickAt(const Pose& tip, const ModelPlacement& placement)
+{
+    const core::Vec3 palm = tip.position - tipReach * tip.forward();
+    return {{placement.toModel(palm), placement.directionToModel(tip.forward())}};
+}
+} // namespace vr
