@@ -1,5 +1,8 @@
 #include "app/headset/headset_port.h"
 
+#include "core/operations/transform_region.h"
+#include "core/sculpt/sculptor.h"
+
 #include <utility>
 
 namespace app
@@ -124,6 +127,31 @@ std::optional<vr::SurfaceQueryResult> HeadsetPort::takeQueryResult()
 {
     const std::lock_guard lock(m_mutex);
     return std::exchange(m_queryResult, std::nullopt);
+}
+
+void HeadsetPort::queryPart()
+{
+    const std::lock_guard lock(m_mutex);
+    if (m_hasEnded)
+        return;
+    m_worker->post([self = shared_from_this()](core::Sculptor& sculptor) {
+        core::TransformRegion region = core::transformRegionOf(sculptor.mesh(), sculptor.activePart());
+        std::optional<vr::MovablePart> next = vr::MovablePart{region.centre, std::move(region.vertices)};
+        const std::lock_guard own(self->m_mutex);
+        std::swap(self->m_movablePart, next);
+    });
+}
+
+std::optional<vr::MovablePart> HeadsetPort::takePart()
+{
+    const std::lock_guard lock(m_mutex);
+    return std::exchange(m_movablePart, std::nullopt);
+}
+
+bool HeadsetPort::isSettled()
+{
+    const std::lock_guard lock(m_mutex);
+    return m_done >= m_requested;
 }
 
 void HeadsetPort::request(const vr::DocumentRequest& request)

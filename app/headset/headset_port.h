@@ -63,7 +63,10 @@ public:
     vr::StrokeEffect takeEffect() override;
     void querySurface(const vr::SurfaceQuery& query) override;
     std::optional<vr::SurfaceQueryResult> takeQueryResult() override;
+    void queryPart() override;
+    std::optional<vr::MovablePart> takePart() override;
     void request(const vr::DocumentRequest& request) override;
+    bool isSettled() override;
     void show(const vr::AvatarState& avatar) override;
 
 Q_SIGNALS:
@@ -94,6 +97,7 @@ private:
     std::mutex m_mutex; ///< guards the following members
     std::optional<vr::DocumentUpdate> m_update;
     std::optional<vr::SurfaceQueryResult> m_queryResult;
+    std::optional<vr::MovablePart> m_movablePart;
     vr::StrokeEffect m_effect;
     HeadsetMessages m_messages;
     bool m_isNotified = false;

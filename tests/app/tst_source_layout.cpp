@@ -98,10 +98,13 @@ const FolderRule folderRules[] = {
     {"vr/openxr", "vr/util vr/gl"},
     {"vr/input", "core/geometry vr/util vr/openxr"},
     {"vr/frame", "vr/util vr/gl vr/openxr"},
-    {"vr/scene", "core/geometry core/stroke core/mesh core/render core/io/mesh vr/util vr/gl vr/openxr vr/input"},
-    {"vr/panels", "core/stroke core/boolean core/parts vr/util vr/gl vr/openxr vr/input vr/frame vr/scene"},
-    {"vr/sculpt", "core/util core/stroke core/mesh core/render core/operations vr/util vr/input vr/frame vr/scene "
-                  "vr/panels"},
+    {"vr/scene", "core/geometry core/stroke core/mesh core/render core/parts core/io/mesh vr/util vr/gl vr/openxr "
+                 "vr/input"},
+    {"vr/panels",
+     "core/stroke core/boolean core/parts core/primitives vr/util vr/gl vr/openxr vr/input vr/frame vr/scene"},
+    {"vr/sculpt",
+     "core/util core/stroke core/mesh core/render core/parts core/operations vr/util vr/input vr/frame vr/scene "
+     "vr/panels"},
     {"vr/simulator", "vr/util"},
     {"app/platform", ""},
     {"app/import", "core/util core/geometry core/io/mesh core/io app/platform"},
@@ -128,9 +131,10 @@ const FolderRule folderRules[] = {
      "core/primitives core/util core/geometry core/analysis core/mesh core/repair core/boolean core/sculpt "
      "core/operations core/io/stroke core/io core/lesson ui/util ui/brush ui/drawing app/platform app/model "
      "app/document app/classroom app/lesson"},
-    {"app/headset", "ui/util ui/settings ui/scene ui/viewport ui/files ui/brush ui/lesson ui/headset ui/window "
-                    "vr/openxr vr/input vr/frame vr/scene vr/panels vr/sculpt vr/simulator app/worker "
-                    "app/document app/commands"},
+    {"app/headset",
+     "core/sculpt core/operations ui/util ui/settings ui/scene ui/viewport ui/files ui/brush "
+     "ui/lesson ui/headset ui/window vr/openxr vr/input vr/frame vr/scene vr/panels vr/sculpt vr/simulator app/worker "
+     "app/document app/commands"},
     {"app/window",
      "ui/util ui/viewport ui/model ui/brush ui/reference ui/drawing ui/print ui/history ui/parts ui/headset "
      "ui/window app/worker "

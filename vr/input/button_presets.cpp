@@ -85,7 +85,12 @@ struct Rows
         {Sculpting, Any,        Squeeze,     F::MoveModel,        QT_TRANSLATE_NOOP("vr::Presets", "Move model")},
     };
     static constexpr PresetRow choosePart[] = {
-        {Sculpting, Any, Trigger, F::UseTip, QT_TRANSLATE_NOOP("vr::Presets", "Choose part")},
+        {Sculpting, Any, Trigger, F::UseTip,   QT_TRANSLATE_NOOP("vr::Presets", "Choose part")},
+        {Sculpting, Any, Squeeze, F::MovePart, QT_TRANSLATE_NOOP("vr::Presets", "Move part")},
+    };
+    static constexpr PresetRow placeShape[] = {
+        {Sculpting, Any, Trigger, F::UseTip,   QT_TRANSLATE_NOOP("vr::Presets", "Place shape")},
+        {Sculpting, Any, Squeeze, F::MovePart, QT_TRANSLATE_NOOP("vr::Presets", "Move part")},
     };
     // clang-format on
 };
@@ -119,7 +124,7 @@ constexpr bool isClear(std::span<const PresetRow> table)
     return true;
 }
 static_assert(isClear(Rows::paper) && isClear(Rows::studio) && isClear(Rows::oneHand));
-static_assert(isClear(Rows::choosePart));
+static_assert(isClear(Rows::choosePart) && isClear(Rows::placeShape));
 
 /// Returns the label for a thumbstick, which slides only while it is pressed in.
 const char* stickLabel(const PresetRow& row)
@@ -157,6 +162,8 @@ std::span<const PresetRow> taskRows(HandTask task)
         return {};
     case HandTask::ChoosePart:
         return Rows::choosePart;
+    case HandTask::PlaceShape:
+        return Rows::placeShape;
     }
     return {};
 }

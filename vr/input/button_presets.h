@@ -32,7 +32,8 @@ inline constexpr std::size_t handModeCount = 4;
 /// taskRows() replace those of any preset.
 enum class HandTask {
     Sculpt,
-    ChoosePart ///< makes parts of the model active
+    ChoosePart, ///< makes parts of the model active
+    PlaceShape  ///< adds a shape
 };
 
 /// A movement of a finger on a wand. Trigger, the four Pad gestures and Squeeze (the side button) last as long as the
@@ -76,7 +77,8 @@ enum class WandFunction {
     PreviousChannel,
     NextChannel,
     SetChannel,
-    UseTip ///< does the hand's task at the wand's tip
+    UseTip,  ///< does the hand's task at the wand's tip
+    MovePart ///< moves the active part with the hand
 };
 
 /// A function of a gesture. WandMapping executes these rows, and the labels at the buttons show them. A gesture without

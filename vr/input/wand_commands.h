@@ -107,6 +107,15 @@ struct UseTip
     Pose tip;
 };
 
+/// Moves and turns the active part with the sculpting hand, whose poses are in room space. Followed by LetGoOfPart.
+struct MovePart
+{
+    Pose from, to;
+};
+
+struct LetGoOfPart
+{};
+
 /// Presses a panel: the trigger was pulled while the wand pointed at it. The trigger belongs to the panel until
 /// ReleasePanel.
 struct PressPanel
@@ -121,10 +130,11 @@ struct ReleasePanel
 struct Refuse
 {};
 
-using WandAction = std::variant<BeginStroke, StrokePoint, EndStroke, Undo, Redo, SaveModel, RestoreModel,
-                                ToggleTopology, ToggleBrushShape, ToggleSymmetry, ToggleInverse, StepTool, ScaleRadius,
-                                SelectChannel, ChangeChannel, TurnModel, ScaleModel, MoveModel, StretchModel,
-                                OpenToolMenu, OpenColorPanel, UseTip, PressPanel, ReleasePanel, Refuse>;
+using WandAction =
+    std::variant<BeginStroke, StrokePoint, EndStroke, Undo, Redo, SaveModel, RestoreModel, ToggleTopology,
+                 ToggleBrushShape, ToggleSymmetry, ToggleInverse, StepTool, ScaleRadius, SelectChannel, ChangeChannel,
+                 TurnModel, ScaleModel, MoveModel, StretchModel, OpenToolMenu, OpenColorPanel, UseTip, MovePart,
+                 LetGoOfPart, PressPanel, ReleasePanel, Refuse>;
 
 /// A request of a hand, and the gesture that made it. The gesture's label may fade once it was used.
 struct WandCommand

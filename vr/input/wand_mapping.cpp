@@ -95,6 +95,7 @@ std::vector<WandCommand> WandMapping::step(const InputFrame& frame)
     for (const Side side : order())
         isDrawing(side) ? at(side).reader.ignoreButtonsUntilReleased() : updateButtons(side, seconds);
     updateGrabs(frame);
+    updateHeldPart(frame);
     updateStroke(frame);
     return std::exchange(m_commands, {});
 }
@@ -102,6 +103,7 @@ std::vector<WandCommand> WandMapping::step(const InputFrame& frame)
 std::vector<WandCommand> WandMapping::releaseAll()
 {
     endStroke();
+    letGoOfPart();
     for (const Side side : order()) {
         Hand& hand = at(side);
         if (hand.trigger == TriggerUse::Panel)
@@ -313,6 +315,26 @@ void WandMapping::updateGrabs(const InputFrame& frame)
     for (std::size_t i = 0; i < sideCount && !both; ++i)
         if (from[i] && to[i])
             addCommand(sides[i], gestureAt(sides[i]), MoveModel{*from[i], *to[i]});
+}
+
+/// Moves the active part by the movement of the sculpting hand since the last frame. A hand that is lost lets go.
+void WandMapping::updateHeldPart(const InputFrame& frame)
+{
+    const Side side = m_settings.sculpting;
+    const WandState& wand = frame.wands[indexOf(side)];
+    const bool holds = !m_stroke && wand.isTracked && at(side).gestures.side.isDown &&
+                       functionOf(side, Gesture::Squeeze) == WandFunction::MovePart;
+    if (!holds)
+        return letGoOfPart();
+    if (m_partGrip)
+        addCommand(side, Gesture::Squeeze, MovePart{*m_partGrip, wand.grip});
+    m_partGrip = wand.grip;
+}
+
+void WandMapping::letGoOfPart()
+{
+    if (std::exchange(m_partGrip, std::nullopt))
+        addCommand(m_settings.sculpting, Gesture::Squeeze, LetGoOfPart{});
 }
 
 void WandMapping::updateStroke(const InputFrame& frame)

@@ -120,6 +120,8 @@ private:
     bool usesTrigger(Side side, WandFunction function) const;
     bool isGrabbing(Side side) const;
     void updateGrabs(const InputFrame& frame);
+    void updateHeldPart(const InputFrame& frame);
+    void letGoOfPart();
     void updateStroke(const InputFrame& frame);
 
     WandSettings m_settings;
@@ -130,6 +132,8 @@ private:
     int m_channel = 0;
     double m_channelRemainder = 0; ///< part of a slide that is less than a step of 1, kept for the next frame
     std::optional<OpenStroke> m_stroke;
+    std::optional<Pose>
+        m_partGrip; ///< pose of the hand that moves a part, in the last frame, room space; none: no part
     std::vector<WandCommand> m_commands; ///< commands of the present frame
 };
 } // namespace vr

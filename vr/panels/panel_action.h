@@ -4,6 +4,7 @@
 #include "vr/openxr/wand_state.h"
 
 #include "core/boolean/mesh_boolean.h"
+#include "core/primitives/primitives.h"
 #include "core/stroke/tool.h"
 
 #include <QString>
@@ -16,6 +17,7 @@ enum class PanelKind { Tools, Color, Files, Settings, Performance, Notice, Lesso
 inline constexpr std::size_t panelKindCount = 8;
 
 enum class SettingsPage { General, Haptics };
+enum class PartsPage { List, Shapes };
 
 /// Commands without parameters.
 enum class PanelCommand {
@@ -192,10 +194,11 @@ struct Slide
 };
 
 /// A request that the user makes through an item of a panel.
-using PanelAction = std::variant<PanelCommand, core::Tool, core::BrushShape, core::Topology, ButtonPreset, SettingsPage,
-                                 ShowPanel, AddNext, ChooseSymmetry, ChooseRadial, ChooseChannel, ChooseColor, ShowPage,
-                                 ChooseFile, OpenFile, ChooseHand, ShowPerformance, ShowFloor, Slide, ShowLessonPage,
-                                 LessonRequest, ShowPartsPage, ChoosePart, MarkPart, ShowPart, LockPart, CombineMarked>;
+using PanelAction =
+    std::variant<PanelCommand, core::Tool, core::BrushShape, core::Topology, ButtonPreset, SettingsPage, ShowPanel,
+                 AddNext, ChooseSymmetry, ChooseRadial, ChooseChannel, ChooseColor, ShowPage, ChooseFile, OpenFile,
+                 ChooseHand, ShowPerformance, ShowFloor, Slide, ShowLessonPage, LessonRequest, ShowPartsPage,
+                 ChoosePart, MarkPart, ShowPart, LockPart, CombineMarked, PartsPage, core::Primitive::Kind>;
 
 /// Returns whether both actions belong to the same item. A slider has an action for each of its values.
 inline bool isSameItem(const PanelAction& a, const PanelAction& b)

@@ -113,8 +113,8 @@ struct PartRow
     bool operator==(const PartRow&) const = default;
 };
 
-/// Content of the parts panel: the parts of the model, of which one is active and others can be marked to be combined
-/// with it.
+/// Content of the parts panel. On one page are the parts of the model, of which one is active and others can be marked
+/// to be combined with it; on the other the shapes that can be placed.
 struct PartsPanel
 {
     Q_DECLARE_TR_FUNCTIONS(vr::PartsPanel)
@@ -128,11 +128,15 @@ public:
     int page = 0;
     bool canUndo = false, canRedo = false;
     bool isBusy = false; ///< the model is being opened, saved or changed as a whole
+    PartsPage shown = PartsPage::List;
+    core::Primitive::Kind shape = core::Primitive::Kind::Cuboid; ///< shape that the trigger places
 
     bool operator==(const PartsPanel&) const = default;
     PanelLayout layout() const;
     int pageCount() const;
-    /// Returns the panel after ShowPartsPage or MarkPart. Other actions change nothing.
+    /// Returns what the sculpting hand does while the panel is open.
+    HandTask task() const { return shown == PartsPage::Shapes ? HandTask::PlaceShape : HandTask::ChoosePart; }
+    /// Returns the panel after ShowPartsPage, MarkPart, PartsPage or Primitive::Kind. Other actions change nothing.
     PartsPanel after(const PanelAction& action) const;
     /// Returns the row of a part; null if there is no such part.
     const PartRow* find(core::PartId part) const;
@@ -143,6 +147,9 @@ public:
 
 private:
     int shownPage() const;
+    static QString nameOf(core::Primitive::Kind kind);
+    void addList(PanelBuilder& builder) const;
+    void addShapes(PanelBuilder& builder) const;
     void addRow(PanelBuilder& builder, const PartRow* row) const;
     void addListButtons(PanelBuilder& builder) const;
     void addPartButtons(PanelBuilder& builder) const;

@@ -3,13 +3,14 @@
 #include "vr/panels/panel_theme.h"
 
 #include <algorithm>
+#include <array>
 
 namespace vr
 {
 namespace
 {
 constexpr double partsWidth = 980, rowHeight = 84, buttonHeight = 84, arrowWidth = 84, pageWidth = 120, iconWidth = 84,
-                 tagWidth = 44, titleWidth = 340, groupGap = 8, hintHeight = 84;
+                 tagWidth = 44, titleWidth = 340, groupGap = 8, hintHeight = 124, shapeHeight = 110;
 constexpr double partsDistance = 0.6; ///< metres from which the panel is read: arm's length
 } // namespace
 
@@ -32,6 +33,10 @@ PartsPanel PartsPanel::after(const PanelAction& action) const
         panel.marked.removeAll(mark->part);
         if (mark->isMarked)
             panel.marked << mark->part;
+    } else if (const auto* opened = std::get_if<PartsPage>(&action)) {
+        panel.shown = *opened;
+    } else if (const auto* kind = std::get_if<core::Primitive::Kind>(&action)) {
+        panel.shape = *kind;
     }
     return panel;
 }
@@ -128,6 +133,56 @@ void PartsPanel::addPartButtons(PanelBuilder& builder) const
                            canCombine});
 }
 
+QString PartsPanel::nameOf(core::Primitive::Kind kind)
+{
+    using Kind = core::Primitive::Kind;
+    switch (kind) {
+    case Kind::Cuboid:
+        return tr("Box");
+    case Kind::Ball:
+        return tr("Ball");
+    case Kind::Cylinder:
+        return tr("Cylinder");
+    case Kind::Cone:
+        return tr("Cone");
+    case Kind::Capsule:
+        return tr("Capsule");
+    case Kind::Torus:
+        return tr("Torus");
+    case Kind::Lathe:
+        break; // has no measures, so it is not on the panel
+    }
+    return {};
+}
+
+void PartsPanel::addList(PanelBuilder& builder) const
+{
+    for (qsizetype i = 0; i < rowsPerPage; ++i) {
+        const qsizetype row = shownPage() * rowsPerPage + i;
+        addRow(builder, row < parts.size() ? &parts[row] : nullptr);
+    }
+    builder.skip(groupGap);
+    addListButtons(builder);
+    addPartButtons(builder);
+    const QString hint = tr("Trigger: chooses the part that you point at. Side button: moves the chosen part. Mark "
+                            "others to combine them with it.");
+    builder.add(builder.nextRow(hintHeight), TextLook{.text = hint, .role = TextRole::Faint, .lines = 3});
+}
+
+void PartsPanel::addShapes(PanelBuilder& builder) const
+{
+    using Kind = core::Primitive::Kind;
+    for (const auto& kinds :
+         {std::array{Kind::Cuboid, Kind::Ball, Kind::Cylinder}, std::array{Kind::Cone, Kind::Capsule, Kind::Torus}}) {
+        const std::vector<QRectF> places = evenCells(builder.nextRow(shapeHeight), kinds.size());
+        for (std::size_t i = 0; i < kinds.size(); ++i)
+            builder.add(places[i], {{.text = nameOf(kinds[i]), .isChosen = kinds[i] == shape}, kinds[i]});
+    }
+    const QString hint = tr("Trigger: puts the shape at the tip, as large as the brush, and joins it with the chosen "
+                            "part. Side button: moves that part.");
+    builder.add(builder.nextRow(hintHeight), TextLook{.text = hint, .role = TextRole::Faint, .lines = 3});
+}
+
 PanelLayout PartsPanel::layout() const
 {
     PanelBuilder builder(PanelKind::Parts, partsWidth, partsDistance);
@@ -136,15 +191,13 @@ PanelLayout PartsPanel::layout() const
                      {{{.icon = QStringLiteral("undo")}, PanelCommand::Undo, canUndo},
                       {{.icon = QStringLiteral("redo")}, PanelCommand::Redo, canRedo},
                       {{.icon = QStringLiteral("panel-close"), .isFlat = true}, ShowPanel{PanelKind::Parts, false}}});
-    for (qsizetype i = 0; i < rowsPerPage; ++i) {
-        const qsizetype row = shownPage() * rowsPerPage + i;
-        addRow(builder, row < parts.size() ? &parts[row] : nullptr);
-    }
-    builder.skip(groupGap);
-    addListButtons(builder);
-    addPartButtons(builder);
-    const QString hint = tr("The trigger chooses the part that you point at. Mark others to combine them with it.");
-    builder.add(builder.nextRow(hintHeight), TextLook{.text = hint, .role = TextRole::Faint, .lines = 2});
+    builder.addChoice({}, 0,
+                      {{tr("Parts"), {}, PartsPage::List, shown == PartsPage::List},
+                       {tr("Shapes"), {}, PartsPage::Shapes, shown == PartsPage::Shapes}});
+    if (shown == PartsPage::List)
+        addList(builder);
+    else
+        addShapes(builder);
     return builder.finished();
 }
 } // namespace vr

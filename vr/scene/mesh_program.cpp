@@ -22,6 +22,17 @@ void MeshProgram::useFor(const EyeUniforms& eye) const
     setSectors(1);
     tinted.set(0.0F);
     cavity.set(0.0F);
+    moved.set(0.0F);
+}
+
+void MeshProgram::move(const core::TransformUniforms& move) const
+{
+    moved.set(1.0F);
+    moveCentre.set(move.centre);
+    moveBy.set(move.by);
+    turnAxis.set(move.axis);
+    turnAngle.set(move.angle);
+    stretch.set(move.stretch);
 }
 
 void MeshProgram::tintBalls(const EyeUniforms& eye, const Eigen::Matrix4f& toRoom, const Eigen::Vector4f& brush,

@@ -4,6 +4,7 @@
 #include "vr/scene/eye_uniforms.h"
 
 #include "core/render/shading.h"
+#include "core/render/transform_uniforms.h"
 
 namespace vr
 {
@@ -13,7 +14,8 @@ class MeshProgram : public Program
 public:
     bool create(QOpenGLExtraFunctions* gl) { return Program::create(gl, "clay.vert", "clay.frag"); }
 
-    /// Makes the program current for an eye, with smooth shading and without cut line, tint and cavity shading.
+    /// Makes the program current for an eye, with smooth shading and without cut line, tint, cavity shading and
+    /// transform.
     void useFor(const EyeUniforms& eye) const;
     /// Sets the transform from the vertices' own space to room space. It must scale uniformly.
     void place(const EyeUniforms& eye, const Eigen::Matrix4f& toRoom) const
@@ -28,6 +30,8 @@ public:
     /// line.
     void cutAlong(const EyeUniforms& eye, const Eigen::Matrix4f& toRoom, const Eigen::Vector3f& normal) const;
     void shade(const core::Shading& shading) const;
+    /// Shows a transform of the mesh before it is made. A vertex follows it as far as its weight says.
+    void move(const core::TransformUniforms& move) const;
     /// Sets the number of sectors about the y axis in which the ball and its mirror image are repeated.
     void setSectors(float count) const;
 
@@ -45,6 +49,8 @@ private:
     Uniform cut{this, "cut"}, cutPlane{this, "cutPlane"};
     Uniform ball{this, "ball"}, ballImage{this, "ballImage"};
     Uniform ballInEye{this, "ballInEye"}, imageInEye{this, "imageInEye"};
+    Uniform moved{this, "moved"}, moveCentre{this, "moveCentre"}, moveBy{this, "moveBy"}, turnAxis{this, "turnAxis"},
+        turnAngle{this, "turnAngle"}, stretch{this, "stretch"};
     Uniform sectors{this, "sectors"}, sector{this, "sector"};
 };
 } // namespace vr

@@ -30,6 +30,7 @@ struct MeshAppearance
     Eigen::Vector3f cutNormal = Eigen::Vector3f::Zero();
     Eigen::Vector4f ball = Eigen::Vector4f::Zero(), ballImage = Eigen::Vector4f::Zero(); ///< centre and radius, mm
     float ballFalloff = 0, ballCore = 0, sectors = 1;
+    std::optional<core::TransformUniforms> move;
 };
 
 namespace
@@ -50,6 +51,8 @@ MeshAppearance meshAppearance(const SceneState& state)
     const core::Vec3 normal = core::planeNormal(state.symmetry);
     look.cutNormal = normal.cast<float>();
     look.sectors = static_cast<float>(state.radial);
+    if (state.move)
+        look.move = core::uniformsOf(*state.move);
     if (const auto* brush = std::get_if<BallBrush>(&state.brush)) {
         const core::Vec3 center = state.model.inverse() * brush->center;
         const double radius = brush->radius / std::cbrt(state.model.linear().determinant());
@@ -142,6 +145,8 @@ void Scene::State::drawOpaque(const EyeUniforms& eye)
     meshProgram.setSectors(look.sectors);
     meshProgram.tinted.set(look.hasTint ? 1.0F : 0.0F);
     meshProgram.cavity.set(look.hasCavity ? 1.0F : 0.0F);
+    if (look.move)
+        meshProgram.move(*look.move);
     meshProgram.place(eye, look.toRoom);
     meshProgram.shade(look.shading);
     clock.run([&] { mesh.shown().draw(); });

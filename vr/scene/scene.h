@@ -37,7 +37,8 @@ public:
     void apply(core::MeshPatch patch);
     /// Returns whether the last model is still shown because a new one is being uploaded.
     bool isLoading() const;
-    /// Marks the vertices of a ray brush's footprint in place of earlier marks; null: no marks. A whole patch removes
+    /// Marks the vertices of a ray brush's footprint, or those that SceneState::move moves, in place of earlier marks;
+    /// null: no marks. A whole patch removes
     /// the marks, and a model that is being uploaded has none.
     void tint(const core::Footprint* footprint);
 

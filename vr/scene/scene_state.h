@@ -4,6 +4,7 @@
 #include "vr/scene/wand_model.h"
 #include "vr/util/pose.h"
 
+#include "core/parts/part_transform.h"
 #include "core/render/shading.h"
 #include "core/stroke/tool.h"
 
@@ -62,6 +63,12 @@ struct RayBrush
     std::optional<Hit> hit; ///< point where the ray meets the mesh
 };
 
+/// A straight line, in room space.
+struct Segment
+{
+    core::Vec3 from, to;
+};
+
 /// A beam from a wand to a panel, in room space.
 struct Laser
 {
@@ -101,6 +108,9 @@ struct SceneState
     int radial = 1; ///< number of sectors about the model's y axis
     std::variant<std::monostate, BallBrush, RayBrush> brush;
     core::Rgb brushColor{235, 240, 248};
+    std::vector<Segment> outline; ///< edges of a shape that is about to be placed
+    /// Transform of the mesh that is shown before it is made, of the vertices that Scene::tint() marks. Units: mm.
+    std::optional<core::Transform> move;
     std::array<ShownWand, sideCount> wands; ///< indexed by Side
     std::optional<Spotlight> spotlight;
     std::optional<core::Sphere> teacher; ///< brush of a lesson's teacher

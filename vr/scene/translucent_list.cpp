@@ -58,6 +58,7 @@ public:
     void addBrush(std::monostate) {}
     void addBrush(const BallBrush& brush);
     void addBrush(const RayBrush& brush);
+    void addOutline(const Segment& edge);
     void addWand(const ShownWand& wand);
     void addLaser(const Laser& laser);
     void addSpotlight(const Spotlight& spotlight);
@@ -147,6 +148,12 @@ void TranslucentListBuilder::addBrush(const RayBrush& brush)
     forEachImage([&](const Eigen::Affine3d& image) {
         addFootprint({image * brush.hit->point, image.linear() * brush.hit->normal, brush.hit->radius}, mirrored);
     });
+}
+
+void TranslucentListBuilder::addOutline(const Segment& edge)
+{
+    addLine(edge.from, edge.to,
+            {.width = thinner, .color = linearFromSrgb(m_state.brushColor), .alphas = {0.8F, 0.8F}});
 }
 
 void TranslucentListBuilder::addFootprint(const RayBrush::Hit& hit, float strength)
@@ -277,6 +284,8 @@ void buildTranslucentList(const SceneState& state, LabelTextures& labels, Transl
     TranslucentListBuilder builder(state, labels, into);
     builder.addPlane();
     std::visit([&](const auto& brush) { builder.addBrush(brush); }, state.brush);
+    for (const Segment& edge : state.outline)
+        builder.addOutline(edge);
     for (const ShownWand& wand : state.wands)
         builder.addWand(wand);
     for (const std::optional<Laser>& laser : state.lasers)

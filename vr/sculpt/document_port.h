@@ -84,6 +84,13 @@ struct SurfaceQueryResult
     std::shared_ptr<const core::Footprint> footprint; ///< footprint of a ray brush that hits; else null
 };
 
+/// What moves if the active part is moved, as core::transformRegionOf() finds it. Space: document, mm.
+struct MovablePart
+{
+    core::Vec3 centre = core::Vec3::Zero();          ///< place about which to turn
+    std::shared_ptr<const core::Footprint> vertices; ///< vertices that move, weighted by how far they are not masked
+};
+
 /// Effects of this visit's strokes since the last call of takeEffect().
 struct StrokeEffect
 {
@@ -163,7 +170,13 @@ public:
     virtual void querySurface(const SurfaceQuery& query) = 0;
     virtual std::optional<SurfaceQueryResult> takeQueryResult() = 0;
 
+    /// Asks what moves if the active part is moved.
+    virtual void queryPart() = 0;
+    virtual std::optional<MovablePart> takePart() = 0;
+
     virtual void request(const DocumentRequest& request) = 0;
+    /// Returns whether all requests that change the model are done. The patches of these changes can then be taken.
+    virtual bool isSettled() = 0;
     virtual void show(const AvatarState& avatar) = 0;
 };
 } // namespace vr

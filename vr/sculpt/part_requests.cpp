@@ -1,5 +1,7 @@
 #include "vr/sculpt/part_requests.h"
 
+#include "vr/sculpt/shape_tool.h"
+
 #include "core/util/overloaded.h"
 
 namespace vr
@@ -68,9 +70,12 @@ std::optional<DocumentRequest> requestOf(const PartsPanel& panel, const PanelAct
     return std::visit(request, action);
 }
 
-PickPart pickAt(const Pose& tip, const ModelPlacement& placement)
+DocumentRequest requestAt(const Pose& tip, HandTask task, const PartsPanel& panel, const BrushState& brush,
+                          const ModelPlacement& placement)
 {
+    if (task == HandTask::PlaceShape)
+        return ChangePart{panel.active, shapeAt(panel.shape, tip, brush, placement)};
     const core::Vec3 palm = tip.position - tipReach * tip.forward();
-    return {{placement.toModel(palm), placement.directionToModel(tip.forward())}};
+    return PickPart{{placement.toModel(palm), placement.directionToModel(tip.forward())}};
 }
 } // namespace vr

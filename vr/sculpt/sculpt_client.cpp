@@ -1,6 +1,7 @@
 #include "vr/sculpt/sculpt_client.h"
 
 #include "vr/sculpt/part_requests.h"
+#include "vr/sculpt/shape_tool.h"
 
 #include "core/util/overloaded.h"
 
@@ -116,7 +117,7 @@ shownAtTip(const WandBrush& brush, HandTask task, const std::optional<Pose>& tip
 {
     if (task == HandTask::Sculpt)
         return brush.shown(placement);
-    if (!tip)
+    if (!tip || task != HandTask::ChoosePart)
         return {};
     return RayBrush{{tip->position, tip->forward()}, {}};
 }
@@ -143,6 +144,7 @@ SculptClient::SculptClient(std::shared_ptr<DocumentPort> port, const HeadsetSett
     , m_settings(settings)
     , m_mapping(settings.wands)
     , m_brush(m_port.get(), settings.wands.preset)
+    , m_partHand(m_port.get())
     , m_haptics(settings.hapticLevels)
 {}
 
@@ -172,12 +174,13 @@ FrameOutput SculptClient::frame(const FrameInput& input)
     m_output = {};
     m_hapticInputs = {};
     takeUpdate();
+    m_partHand.step();
     if (std::optional<core::MeshPatch> patch = m_port->takePatch())
         m_scene.apply(*std::move(patch));
     handleRoomChange(input);
     place(input);
     aimAtPanels(input);
-    m_mapping.setTask(m_panels.isOpen(PanelKind::Parts) ? HandTask::ChoosePart : HandTask::Sculpt);
+    m_mapping.setTask(m_panels.isOpen(PanelKind::Parts) ? m_contents.parts().task() : HandTask::Sculpt);
     const InputFrame frame{input.seconds(), input.wands, {pointsAtPanel(Side::Left), pointsAtPanel(Side::Right)}};
     const std::vector<WandCommand> commands = m_mapping.step(frame);
     handle(commands);
@@ -312,7 +315,11 @@ void SculptClient::handle(const WandCommand& command)
         [&](const StretchModel& stretch) { m_placement.stretch(stretch.from, stretch.to); },
         [&](const OpenToolMenu& menu) { m_panels.open(PanelKind::Tools, menu.isOpen); },
         [&](const OpenColorPanel& panel) { m_panels.open(PanelKind::Color, panel.isOpen); },
-        [&](const UseTip& use) { m_port->request(pickAt(use.tip, m_placement)); },
+        [&](const UseTip& use) {
+            m_port->request(requestAt(use.tip, m_mapping.task(), m_contents.parts(), m_brush.state(), m_placement));
+        },
+        [&](const MovePart& move) { m_partHand.move(move, m_update.activePart, m_placement); },
+        [&](const LetGoOfPart&) { m_partHand.letGo(); },
         [&](const PressPanel&) { act(m_panels.press(side)); },
         [&](const ReleasePanel& release) { act(m_panels.release(side, release.isClick)); },
         [&](const Undo& undo) { m_port->request(undo); },
@@ -387,6 +394,10 @@ void SculptClient::updateScene(const FrameInput& input)
     m_state.brush = {};
     if (!pointsAtPanel(m_settings.wands.sculpting))
         m_state.brush = shownAtTip(m_brush, m_mapping.task(), m_tip, m_placement);
+    m_state.outline.clear();
+    if (m_mapping.task() == HandTask::PlaceShape && m_tip && !pointsAtPanel(m_settings.wands.sculpting))
+        outlineOf(shapeAt(m_contents.parts().shape, *m_tip, brush, m_placement), m_placement, m_state.outline);
+    m_state.move = m_partHand.shown();
     const bool paints = brush.stroke.tool == core::Tool::Paint;
     m_state.brushColor = paints ? brush.stroke.color : SceneState().brushColor;
     for (const Side side : {Side::Left, Side::Right}) {
@@ -412,10 +423,9 @@ void SculptClient::updateScene(const FrameInput& input)
         if (pointsAtPanel(side) && (m_panels.spot(side)->point - tip.position).dot(tip.forward()) > 0)
             m_state.lasers[static_cast<std::size_t>(side)] = Laser{tip.position, m_panels.spot(side)->point};
     }
-    if (m_brush.footprint() != m_tint) {
-        m_tint = m_brush.footprint();
+    const auto marked = m_state.move ? m_partHand.vertices() : m_brush.footprint();
+    if (std::exchange(m_tint, marked) != marked)
         m_scene.tint(m_tint.get());
-    }
 }
 
 /// Ends all actions and hides the user's avatar: the window must not wait for a hand that is gone, or show old

@@ -7,6 +7,7 @@
 #include "vr/scene/scene.h"
 #include "vr/scene/wand_labels.h"
 #include "vr/sculpt/panel_contents.h"
+#include "vr/sculpt/part_hand.h"
 #include "vr/sculpt/wand_brush.h"
 
 #include <memory>
@@ -48,6 +49,7 @@ private:
     DocumentUpdate m_update;
     WandMapping m_mapping;
     WandBrush m_brush;
+    PartHand m_partHand;
     std::optional<Pose> m_tip; ///< tip of the sculpting wand, room space; none while the wand is not tracked
     Haptics m_haptics;
     std::array<HapticInput, sideCount> m_hapticInputs; ///< input of the present frame, indexed by Side
@@ -63,6 +65,6 @@ private:
     Scene m_scene;
     EyeTarget m_target;
     SceneState m_state;
-    std::shared_ptr<const core::Footprint> m_tint; ///< footprint that is shown as a tint
+    std::shared_ptr<const core::Footprint> m_tint; ///< vertices that are marked in the scene
 };
 } // namespace vr

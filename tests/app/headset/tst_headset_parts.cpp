@@ -3,6 +3,7 @@
 #include "tests/support/test_main.h"
 #include "tests/vr/vr_test.h"
 
+#include "core/analysis/mesh_check.h"
 #include "core/operations/detached_part.h"
 #include "ui/util/part_name.h"
 
@@ -38,6 +39,7 @@ struct AtParts : Alone
             panel.parts << vr::PartRow{part, ui::partName(part)};
         panel.active = parts().active();
         panel.marked = marked;
+        panel.shown = shown;
         panel.canUndo = program.document.history().canUndo();
         panel.canRedo = program.document.history().canRedo();
         return panel;
@@ -75,9 +77,19 @@ struct AtParts : Alone
             return core::Mesh(core::surfaceOf(sculptor.mesh(), part), sculptor.mesh().lattice()).meshHash();
         });
     }
+    core::Box boxOf(PartId part)
+    {
+        return hand.ask([part](core::Sculptor& sculptor) {
+            core::Box box;
+            for (const core::Vec3f& point : core::surfaceOf(sculptor.mesh(), part).points)
+                box.extend(point.cast<double>());
+            return box;
+        });
+    }
     QString complaints() { return hand.headset().complaints(); }
 
     QList<PartId> marked;
+    vr::PartsPage shown = vr::PartsPage::List;
 };
 } // namespace
 
@@ -96,6 +108,9 @@ private Q_SLOTS:
     void delete_isHeld();
     void window_showsInTheHeadset();
     void takenOver_partsStay();
+    void shape_isPlacedAtTheTip();
+    void grip_movesTheActivePart();
+    void grip_showsThePartBeforeItMoves();
 };
 
 /// Points at parts from afar and from within, and beside all of them. No trigger sculpts while the panel is open.
@@ -246,6 +261,100 @@ void TestHeadsetParts::takenOver_partsStay()
     v.trigger("vr.takeOver");
     v.hand.settle();
     QVERIFY(v.choose(vr::ChoosePart{1}, [&] { return v.parts().active() == 1; }));
+    QCOMPARE(v.complaints(), QString());
+}
+
+/// Places a box on top of the ball: it is joined with the active part as one step, which undo takes back.
+void TestHeadsetParts::shape_isPlacedAtTheTip()
+{
+    AtParts v;
+    v.addCopy({120, 0, 0});
+    v.hand.click(v.panel(), vr::PartsPage::Shapes);
+    v.shown = vr::PartsPage::Shapes;
+    v.hand.waitForPanels();
+    v.hand.click(v.panel(), core::Primitive::Kind::Cuboid);
+    v.hand.waitForPanels();
+    const int changes = v.changes();
+    const std::uint64_t other = v.hashOf(1);
+    const double half = v.hand.room().lengthToModel(vr::defaultRadius);
+    v.hand.put(Side::Right, v.hand.place({0, 50, 0}));
+    v.hand.frames(2);
+    v.hand.press(Side::Right, "trigger", 2);
+    v.hand.settle();
+    QCOMPARE(v.changes(), changes + 1);
+    QCOMPARE(v.parts().list().size(), std::size_t(2));
+    QCOMPARE(v.hashOf(1), other);
+    const double top = v.box().max().y();
+    QVERIFY2(std::abs(top - (50 + half)) < 0.01, qPrintable(QString::number(top - 50)));
+    const auto report =
+        v.hand.ask([](core::Sculptor& sculptor) { return core::checkMesh(core::extractMesh(sculptor.mesh())); });
+    QVERIFY(report.printReady());
+    v.hand.pressPad(Side::Right, -0.8, 0); // undo
+    v.hand.settle();
+    QVERIFY(std::abs(v.box().max().y() - 50) < 0.1);
+    QCOMPARE(v.complaints(), QString());
+}
+
+/// Moves one of two parts by the grip. It follows the hand, and is changed once, when the hand lets go.
+void TestHeadsetParts::grip_movesTheActivePart()
+{
+    AtParts v;
+    v.addCopy({120, 0, 0});
+    QVERIFY(v.choose(vr::ChoosePart{1}, [&] { return v.parts().active() == 1; }));
+    const int changes = v.changes();
+    const std::uint64_t other = v.hashOf(0), before = v.hashOf(1);
+    const core::Box start = v.boxOf(1);
+    const double scale = v.scale();
+    const Vec3 from(120, 0, 60), by(15, 25, -10);
+    v.hand.put(Side::Right, v.hand.place(from));
+    v.hand.frames(2);
+    v.hand.set(Side::Right, "squeeze", 1);
+    v.hand.frames(3);
+    for (int i = 1; i <= 10; ++i) {
+        v.hand.put(Side::Right, v.hand.place(from + by * i / 10));
+        v.hand.frame();
+    }
+    QCOMPARE(v.changes(), changes);
+    QCOMPARE(v.hashOf(1), before);
+    v.hand.set(Side::Right, "squeeze", 0);
+    v.hand.settle();
+    QCOMPARE(v.changes(), changes + 1);
+    QCOMPARE(v.hashOf(0), other);
+    const double error = (v.boxOf(1).center() - start.center() - by).norm();
+    QVERIFY2(error < 0.01, qPrintable(QString::number(error)));
+    QVERIFY(std::abs(v.scale() - scale) < 1e-9); // the model stays where it is
+    v.hand.pressPad(Side::Right, -0.8, 0);       // undo
+    v.hand.settle();
+    QCOMPARE(v.hashOf(1), before);
+    QCOMPARE(v.complaints(), QString());
+}
+
+/// Compares pictures: while the hand holds the part, it is drawn where it will be when the hand has let go.
+void TestHeadsetParts::grip_showsThePartBeforeItMoves()
+{
+    AtParts v(HeadsetHand::enough);
+    const auto picture = [&] {
+        v.hand.frames(3);
+        return v.hand.picture();
+    };
+    const Vec3 from(0, 0, 60);
+    v.hand.put(Side::Right, v.hand.place(from));
+    const QImage before = picture();
+    v.hand.set(Side::Right, "squeeze", 1);
+    v.hand.frames(3);
+    v.hand.put(Side::Right, v.hand.place(from + Vec3(0, 30, 0)));
+    const QImage held = picture();
+    v.hand.set(Side::Right, "squeeze", 0);
+    v.hand.settle();
+    QCOMPARE(v.changes(), 1);
+    const QImage after = picture();
+    const QPoint top = Look{before, *v.hand.seen().head}.at(v.hand.place({0, 70, 0}));
+    const auto difference = [&](const QImage& a, const QImage& b) {
+        const QColor x = a.pixelColor(top), y = b.pixelColor(top);
+        return std::abs(x.red() - y.red()) + std::abs(x.green() - y.green()) + std::abs(x.blue() - y.blue());
+    };
+    QVERIFY(difference(before, held) > 60);
+    QVERIFY(difference(held, after) < 12);
     QCOMPARE(v.complaints(), QString());
 }
 

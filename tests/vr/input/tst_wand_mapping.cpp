@@ -186,6 +186,8 @@ std::set<QString> commandNames(WandFunction function, const Move& move, bool isO
         return {};
     case WandFunction::UseTip:
         return {QStringLiteral("use tip")};
+    case WandFunction::MovePart:
+        return {QStringLiteral("move part"), QStringLiteral("let go of part")};
     case WandFunction::TurnClockwise:
         return {QStringLiteral("turn -")};
     case WandFunction::TurnAnticlockwise:
@@ -377,6 +379,7 @@ private Q_SLOTS:
     void whatGoesOnEndsWhenHandsAreChosenAnew();
     void whatIsPressedMeanwhileMustBeLetGo();
     void aTaskTakesTheTrigger();
+    void theGripMovesThePartOfATask();
     void swappedHandsDoTheSame();
     void frameRatesDoTheSame();
     void atRandomNothingIsLeftOpen_data();
@@ -877,6 +880,36 @@ void TestWandMapping::aTaskTakesTheTrigger()
         player.wand(Side::Right).isTracked = false;
         player.wand(Side::Right).trigger = 1;
         QCOMPARE(words(player.step()), QStringList(QStringLiteral("refuse")));
+    }
+}
+
+/// Checks that while a task is set, the grip of the sculpting hand moves the part and nothing else, also if it is held
+/// long. A hand that is lost lets go once.
+void TestWandMapping::theGripMovesThePartOfATask()
+{
+    const QString move = QStringLiteral("move part"), letGo = QStringLiteral("let go of part");
+    for (const ButtonPreset preset : everyPreset) {
+        Player player({preset, Side::Right});
+        player.hands().setTask(vr::HandTask::ChoosePart);
+        player.wand(Side::Right).side = true;
+        QVERIFY(player.step().empty());
+        Vec3 way = Vec3::Zero();
+        for (int i = 0; i < 200; ++i) {
+            player.move(Side::Right, {0.001, 0, 0});
+            const auto commands = player.step();
+            QCOMPARE(words(commands), QStringList(move));
+            const auto& part = std::get<vr::MovePart>(commands[0].action);
+            way += part.to.position - part.from.position;
+        }
+        QVERIFY((way - Vec3(0.2, 0, 0)).norm() < 1e-9 && !player.hands().hold(Side::Right));
+        player.wand(Side::Right).isTracked = false;
+        QCOMPARE(words(player.step()), QStringList(letGo));
+        QVERIFY(player.step().empty());
+        player.wand(Side::Right).isTracked = true;
+        player.step();
+        QCOMPARE(words(player.step()), QStringList(move));
+        player.hands().setTask(vr::HandTask::Sculpt); // the panel was closed
+        QVERIFY(words(player.step()).contains(letGo));
     }
 }
 

@@ -126,7 +126,11 @@ std::vector<ExamplePanel> partsPanels()
     last.page = 1;
     last.active = 6;
     busy.isBusy = true;
-    return {{"parts", panel}, {"parts-one", one}, {"parts-marked", marked}, {"parts-last", last}, {"parts-busy", busy}};
+    vr::PartsPanel shapes = panel;
+    shapes.shown = vr::PartsPage::Shapes;
+    shapes.shape = core::Primitive::Kind::Capsule;
+    return {{"parts-shapes", shapes}, {"parts", panel},     {"parts-one", one},
+            {"parts-marked", marked}, {"parts-last", last}, {"parts-busy", busy}};
 }
 
 std::vector<ExamplePanel> lessonPanels()

@@ -74,6 +74,8 @@ std::vector<PanelAction> wanted()
                                  PanelCommand::ShowAllParts,
                                  PanelCommand::DuplicatePart,
                                  PanelCommand::DeletePart,
+                                 vr::PartsPage::List,
+                                 vr::PartsPage::Shapes,
                                  vr::ShowPartsPage{0},
                                  vr::ShowPartsPage{1}};
     for (std::size_t i = 0; i < core::toolNames().size(); ++i)
@@ -96,6 +98,9 @@ std::vector<PanelAction> wanted()
         all.push_back(vr::ShowPart{static_cast<core::PartId>(isOn ? 2 : 1), isOn});
         all.push_back(vr::LockPart{static_cast<core::PartId>(isOn ? 1 : 2), isOn});
     }
+    for (const auto kind : {core::Primitive::Kind::Cuboid, core::Primitive::Kind::Ball, core::Primitive::Kind::Cylinder,
+                            core::Primitive::Kind::Cone, core::Primitive::Kind::Capsule, core::Primitive::Kind::Torus})
+        all.push_back(kind);
     for (const auto operation :
          {core::SetOperation::Union, core::SetOperation::Difference, core::SetOperation::Intersection})
         all.push_back(vr::CombineMarked{operation});

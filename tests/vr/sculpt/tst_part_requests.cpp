@@ -1,8 +1,15 @@
 #include "vr/sculpt/part_requests.h"
 
+#include "core/mesh/face_octree.h"
+#include "core/mesh/mesh.h"
+#include "core/mesh/surface_query.h"
 #include "tests/support/test_main.h"
+#include "vr/sculpt/part_hand.h"
+#include "vr/sculpt/shape_tool.h"
 
 #include <QTest>
+
+#include <random>
 
 using core::PartId;
 using vr::PanelCommand;
@@ -26,6 +33,42 @@ template <class Command> std::optional<Command> requested(const vr::PanelAction&
     const auto* command = change && change->part == part ? std::get_if<Command>(&change->command) : nullptr;
     return command ? std::optional(*command) : std::nullopt;
 }
+
+vr::ModelPlacement turnedPlacement()
+{
+    vr::ModelPlacement placement(core::Box(core::Vec3(-20, -20, -20), core::Vec3(20, 20, 20)));
+    placement.place({Eigen::Quaterniond::Identity(), {0, 1.6, 0}});
+    placement.turn(0.3);
+    placement.scale(2);
+    return placement;
+}
+
+/// A document that answers what moves, and records requests.
+class HoldingPort : public vr::DocumentPort
+{
+public:
+    std::optional<core::MeshPatch> takePatch() override { return {}; }
+    std::optional<vr::DocumentUpdate> takeUpdate() override { return {}; }
+    bool beginStroke(const core::StrokeSettings&) override { return false; }
+    void addSample(const core::StrokeSample&) override {}
+    void endStroke() override {}
+    vr::StrokeEffect takeEffect() override { return {}; }
+    void querySurface(const vr::SurfaceQuery&) override {}
+    std::optional<vr::SurfaceQueryResult> takeQueryResult() override { return {}; }
+    void queryPart() override { answers = ++queries; }
+    std::optional<vr::MovablePart> takePart() override
+    {
+        return std::exchange(answers, 0) > 0 ? std::optional(movable) : std::nullopt;
+    }
+    void request(const vr::DocumentRequest& request) override { requests.push_back(request); }
+    bool isSettled() override { return isDone; }
+    void show(const vr::AvatarState&) override {}
+
+    vr::MovablePart movable{{3, -4, 5}, std::make_shared<core::Footprint>()};
+    int queries = 0, answers = 0;
+    bool isDone = false;
+    std::vector<vr::DocumentRequest> requests;
+};
 } // namespace
 
 class TestPartRequests : public QObject
@@ -38,6 +81,12 @@ private Q_SLOTS:
     void combine_takesTheMarked();
     void others_requestNothing();
     void pick_beginsAtThePalm();
+    void shape_isAsLargeAsTheBrush_data();
+    void shape_isAsLargeAsTheBrush();
+    void outline_isOnTheShape_data() { shape_isAsLargeAsTheBrush_data(); }
+    void outline_isOnTheShape();
+    void part_followsTheHand();
+    void part_staysIfNothingIsKnown();
 };
 
 void TestPartRequests::parts_areShownAndHiddenOneByOne()
@@ -89,15 +138,137 @@ void TestPartRequests::others_requestNothing()
 /// Checks that the ray of a wand whose tip is in a part begins before it, wherever the model is placed.
 void TestPartRequests::pick_beginsAtThePalm()
 {
-    vr::ModelPlacement placement(core::Box(core::Vec3(-20, -20, -20), core::Vec3(20, 20, 20)));
-    placement.place({Eigen::Quaterniond::Identity(), {0, 1.6, 0}});
-    placement.turn(0.7);
-    placement.scale(2);
+    const vr::ModelPlacement placement = turnedPlacement();
     const vr::Pose tip{Eigen::Quaterniond(Eigen::AngleAxisd(0.4, core::Vec3::UnitY())), placement.middle()};
-    const core::Ray ray = vr::pickAt(tip, placement).ray;
+    const vr::DocumentRequest request = vr::requestAt(tip, vr::HandTask::ChoosePart, threeParts(), {}, placement);
+    const auto* pick = std::get_if<vr::PickPart>(&request);
+    QVERIFY(pick);
+    const core::Ray ray = pick->ray;
     QVERIFY((ray.direction - placement.directionToModel(tip.forward())).norm() < 1e-12);
     const core::Vec3 way = placement.toRoom(core::Vec3::Zero()) - placement.toRoom(ray.origin);
     QVERIFY(std::abs(way.norm() - vr::tipReach) < 1e-9 && way.normalized().dot(tip.forward()) > 1 - 1e-9);
+}
+
+void TestPartRequests::shape_isAsLargeAsTheBrush_data()
+{
+    QTest::addColumn<int>("kind");
+    for (int kind = 0; kind < static_cast<int>(core::Primitive::Kind::Lathe); ++kind)
+        QTest::newRow(core::name(static_cast<core::Primitive::Kind>(kind)).data()) << kind;
+}
+
+/// Checks for every shape and several directions of the wand that the solid can be made, that its greatest measure is
+/// the diameter of the brush on the model, and that its centre is the tip.
+void TestPartRequests::shape_isAsLargeAsTheBrush()
+{
+    QFETCH(int, kind);
+    const vr::ModelPlacement placement = turnedPlacement();
+    vr::PartsPanel panel = threeParts();
+    panel.shape = static_cast<core::Primitive::Kind>(kind);
+    vr::BrushState brush;
+    for (const double radius : {vr::minRadius, 0.03, vr::maxRadius})
+        for (const double angle : {0.0, 1.4}) {
+            brush.radius = radius;
+            const vr::Pose tip{Eigen::Quaterniond(Eigen::AngleAxisd(angle, core::Vec3::UnitZ())), {0.1, 1.3, -0.5}};
+            const auto request = vr::requestAt(tip, vr::HandTask::PlaceShape, panel, brush, placement);
+            const auto* change = std::get_if<vr::ChangePart>(&request);
+            QVERIFY(change && change->part == panel.active);
+            const auto& insert = std::get<core::Insert>(change->command);
+            QVERIFY((placement.toRoom(insert.centre) - tip.position).norm() < 1e-9);
+            const core::PrimitiveResult made = core::makePrimitive(*insert.primitive);
+            QVERIFY(made.mesh && insert.primitive->kind == panel.shape);
+            core::Box box;
+            for (const core::Vec3f& point : made.mesh->points)
+                box.extend(point.cast<double>());
+            const double most = box.sizes().maxCoeff(), asked = 2 * placement.lengthToModel(radius);
+            QVERIFY2(std::abs(most - asked) < 0.02 * asked, qPrintable(QString::number(most / asked)));
+            QCOMPARE(insert.primitive->axis, angle == 0 ? 1 : 0);
+        }
+}
+
+/// Checks that all points of the outline are on the surface of the solid that is placed.
+void TestPartRequests::outline_isOnTheShape()
+{
+    QFETCH(int, kind);
+    const vr::ModelPlacement placement = turnedPlacement();
+    vr::BrushState brush;
+    const vr::Pose tip{Eigen::Quaterniond(Eigen::AngleAxisd(1.4, core::Vec3::UnitZ())), {0.1, 1.3, -0.5}};
+    const core::Insert insert = vr::shapeAt(static_cast<core::Primitive::Kind>(kind), tip, brush, placement);
+    std::vector<vr::Segment> outline{{tip.position, tip.position}};
+    vr::outlineOf(insert, placement, outline);
+    QVERIFY(outline.size() >= 12);
+    const core::PrimitiveResult made = core::makePrimitive(*insert.primitive);
+    QVERIFY(made.mesh);
+    const double size = 2 * placement.lengthToModel(brush.radius);
+    const core::Mesh mesh(*made.mesh, core::Lattice::forExtent(size));
+    const core::FaceOctree octree(mesh);
+    for (const vr::Segment& edge : outline)
+        for (const core::Vec3& end : {edge.from, edge.to})
+            QVERIFY(core::nearestPoint(mesh, octree, placement.toModel(end) - insert.centre, 0.02 * size));
+}
+
+/// Moves and turns a hand at random: the part follows it exactly, about the centre that the document gives, and the
+/// document is asked once.
+void TestPartRequests::part_followsTheHand()
+{
+    const vr::ModelPlacement placement = turnedPlacement();
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> number(-0.2, 0.2);
+    HoldingPort port;
+    vr::PartHand hand(&port);
+    vr::Pose at{Eigen::Quaterniond::Identity(), {0.2, 1.2, -0.4}};
+    const vr::Pose first = at;
+    for (int i = 0; i < 40; ++i) {
+        vr::Pose next = at;
+        next.position += core::Vec3(number(random), number(random), number(random));
+        const core::Vec3 axis = core::Vec3(number(random), number(random), number(random)).normalized();
+        next.rotation = Eigen::AngleAxisd(3 * number(random), axis) * at.rotation;
+        hand.step();
+        hand.move({at, next}, 7, placement);
+        at = next;
+    }
+    QCOMPARE(port.queries, 1);
+    QVERIFY(hand.shown() && hand.vertices() == port.movable.vertices);
+    const core::Transform shown = *hand.shown();
+    QCOMPARE(shown.centre, port.movable.centre);
+    for (const core::Vec3& p : {core::Vec3(0, 0, 0), core::Vec3(10, 3, -7), core::Vec3(-4, 19, 2)}) {
+        const core::Vec3 expected = placement.toModel(at * (first.inverse() * placement.toRoom(p)));
+        QVERIFY((shown.placeOf(p, 1) - expected).norm() < 1e-6);
+    }
+    QVERIFY(port.requests.empty());
+    hand.letGo();
+    QCOMPARE(port.requests.size(), std::size_t(1));
+    const auto* change = std::get_if<vr::ChangePart>(&port.requests[0]);
+    QVERIFY(change && change->part == 7);
+    const auto* transform = std::get_if<core::Transform>(&change->command);
+    QVERIFY(transform && transform->by == shown.by && transform->rotation.coeffs() == shown.rotation.coeffs());
+
+    // The preview stays until the change is made; a hold in between has no effect.
+    hand.step();
+    hand.move({first, at}, 7, placement);
+    QVERIFY(hand.shown() && hand.shown()->by == shown.by);
+    port.isDone = true;
+    hand.step();
+    QVERIFY(!hand.shown() && !hand.vertices());
+    QCOMPARE(port.requests.size(), std::size_t(1));
+}
+
+/// Checks that a hold that ends before the document has answered, or that did not move, changes nothing.
+void TestPartRequests::part_staysIfNothingIsKnown()
+{
+    const vr::ModelPlacement placement = turnedPlacement();
+    const vr::Pose a{Eigen::Quaterniond::Identity(), {0.2, 1.2, -0.4}}, b{a.rotation, {0.3, 1.2, -0.4}};
+    HoldingPort port;
+    vr::PartHand hand(&port);
+    hand.move({a, b}, 7, placement);
+    QVERIFY(!hand.shown());
+    hand.letGo();
+    hand.step(); // the answer comes too late
+    QVERIFY(!hand.shown());
+    hand.move({a, a}, 7, placement);
+    hand.step();
+    QVERIFY(hand.shown());
+    hand.letGo();
+    QVERIFY(!hand.shown() && port.requests.empty());
 }
 
 FETTLE_TEST(TestPartRequests, QCoreApplication)

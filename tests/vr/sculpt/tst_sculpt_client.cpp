@@ -32,7 +32,10 @@ public:
     vr::StrokeEffect takeEffect() override { return {}; }
     void querySurface(const vr::SurfaceQuery&) override {}
     std::optional<vr::SurfaceQueryResult> takeQueryResult() override { return {}; }
+    void queryPart() override {}
+    std::optional<vr::MovablePart> takePart() override { return {}; }
     void request(const vr::DocumentRequest&) override {}
+    bool isSettled() override { return true; }
     void show(const vr::AvatarState& presence) override { seen = presence; }
 
     int begun = 0, samples = 0, ended = 0;

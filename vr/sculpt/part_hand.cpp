@@ -1,0 +1,62 @@
+#include "vr/sculpt/part_hand.h"
+
+namespace vr
+{
+void PartHand::step()
+{
+    if (std::optional<MovablePart> movable = m_port->takePart(); movable && m_state == State::Held)
+        m_movable = std::move(movable);
+    if (m_state == State::Changing && m_port->isSettled())
+        m_state = State::Free;
+}
+
+void PartHand::move(const MovePart& move, core::PartId part, const ModelPlacement& placement)
+{
+    if (m_state == State::Changing)
+        return;
+    if (m_state == State::Free) {
+        m_state = State::Held;
+        m_part = part;
+        m_movable.reset();
+        m_turn = Eigen::Quaterniond::Identity();
+        m_shift = core::Vec3::Zero();
+        m_port->queryPart();
+    }
+    // A turn of the hand about its own place, then a move of that place; both as seen from the model.
+    const Eigen::AngleAxisd inRoom(move.to.rotation * move.from.rotation.conjugate());
+    const Eigen::Quaterniond turn(Eigen::AngleAxisd(inRoom.angle(), placement.directionToModel(inRoom.axis())));
+    const core::Vec3 from = placement.toModel(move.from.position), to = placement.toModel(move.to.position);
+    m_turn = (turn * m_turn).normalized();
+    m_shift = to + turn * (m_shift - from);
+}
+
+void PartHand::letGo()
+{
+    if (m_state != State::Held)
+        return;
+    m_state = State::Free;
+    if (!m_movable || transform().isNothing())
+        return;
+    m_state = State::Changing;
+    m_port->request(ChangePart{m_part, transform()});
+}
+
+core::Transform PartHand::transform() const
+{
+    core::Transform transform;
+    transform.centre = m_movable->centre;
+    transform.rotation = m_turn;
+    transform.by = m_turn * transform.centre + m_shift - transform.centre;
+    return transform;
+}
+
+std::optional<core::Transform> PartHand::shown() const
+{
+    return m_state != State::Free && m_movable ? std::optional(transform()) : std::nullopt;
+}
+
+std::shared_ptr<const core::Footprint> PartHand::vertices() const
+{
+    return m_state != State::Free && m_movable ? m_movable->vertices : nullptr;
+}
+} // namespace vr
