@@ -46,8 +46,29 @@ std::vector<Slot> involved(const Mesh& mesh, const Surgery& surgery)
     return vertices;
 }
 
+/// The sides of added faces, each by the corner opposite it.
+class AddedSides
+{
+public:
+    explicit AddedSides(const Surgery& surgery)
+    {
+        for (const Triangle& t : surgery.faces) {
+            for (std::size_t i = 0; i < 3; ++i)
+                m_sides.push_back({t[i], {t[(i + 1) % 3], t[(i + 2) % 3]}});
+        }
+        std::ranges::sort(m_sides);
+    }
+    auto opposite(Slot corner) const
+    {
+        return std::ranges::equal_range(m_sides, corner, {}, &std::pair<Slot, Side>::first);
+    }
+
+private:
+    std::vector<std::pair<Slot, Side>> m_sides;
+};
+
 /// Returns the sides opposite v of the faces around v after the surgery; together they form the ring of v.
-std::vector<Side> ringSides(const Mesh& mesh, const Surgery& surgery, const std::vector<Slot>& gone, Slot v)
+std::vector<Side> ringSides(const Mesh& mesh, const AddedSides& added, const std::vector<Slot>& gone, Slot v)
 {
     std::vector<Side> sides;
     if (!Surgery::isNew(v)) {
@@ -56,12 +77,8 @@ std::vector<Side> ringSides(const Mesh& mesh, const Surgery& surgery, const std:
                 sides.emplace_back(mesh.to(h), mesh.to(mesh.next(h)));
         });
     }
-    for (const Triangle& t : surgery.faces) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            if (t[i] == v)
-                sides.emplace_back(t[(i + 1) % 3], t[(i + 2) % 3]);
-        }
-    }
+    for (const auto& [corner, side] : added.opposite(v))
+        sides.push_back(side);
     std::ranges::sort(sides);
     return sides;
 }
@@ -139,8 +156,9 @@ bool isSurgeryOk(const Mesh& mesh, const Surgery& surgery)
     const std::vector<Slot> gone = sorted(surgery.removed);
     if (!sidesPair(mesh, surgery, gone))
         return false;
+    const AddedSides added(surgery);
     return std::ranges::all_of(involved(mesh, surgery), [&](Slot v) {
-        const std::vector<Side> sides = ringSides(mesh, surgery, gone, v);
+        const std::vector<Side> sides = ringSides(mesh, added, gone, v);
         return sides.empty() || cycles(sides).size() == 1;
     });
 }
@@ -151,7 +169,7 @@ void splitUmbrellas(const Mesh& mesh, Surgery& surgery, double apart)
         if (Surgery::isNew(v))
             continue;
         const std::vector<Slot> gone = sorted(surgery.removed);
-        std::vector<std::vector<Slot>> rings = cycles(ringSides(mesh, surgery, gone, v));
+        std::vector<std::vector<Slot>> rings = cycles(ringSides(mesh, AddedSides(surgery), gone, v));
         std::ranges::stable_sort(rings, [](const auto& a, const auto& b) { return a.size() > b.size(); });
         for (std::size_t i = 1; i < rings.size(); ++i) {
             const auto pointOf = [&](Slot w) -> Vec3 {

@@ -39,8 +39,8 @@ private:
 Surgery additionOf(const TriangleMesh& shell, Slot near);
 
 /// Returns whether the mesh after the surgery is a closed 2-manifold, consistently oriented: each half-edge has its
-/// opposite, no two faces share a half-edge, and the faces around each vertex form one umbrella. Cost: O(exchanged
-/// faces and stars of their corners).
+/// opposite, no two faces share a half-edge, and the faces around each vertex form one umbrella. Cost: a sort of the
+/// exchanged faces, and the stars of their corners.
 bool isSurgeryOk(const Mesh& mesh, const Surgery& surgery);
 
 /// Splits vertices whose faces would form several cycles after the surgery. Each cycle except the largest gets a copy
