@@ -20,6 +20,12 @@ set(FETTLE_RESOURCE_FILES
     icons/about.svg
     icons/adaptive.svg
     icons/add.svg
+    icons/area-box.svg
+    icons/area-lasso.svg
+    icons/area-line.svg
+    icons/area-polygon.svg
+    icons/area-split.svg
+    icons/area-trim.svg
     icons/background-black.svg
     icons/background-dark.svg
     icons/background-light.svg
@@ -168,10 +174,6 @@ set(FETTLE_RESOURCE_FILES
     icons/tint.svg
     icons/tool-names.svg
     icons/trash.svg
-    icons/trim-box.svg
-    icons/trim-lasso.svg
-    icons/trim-line.svg
-    icons/trim-polygon.svg
     icons/turn-down.svg
     icons/turn-left.svg
     icons/turn-right.svg

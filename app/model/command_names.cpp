@@ -76,6 +76,7 @@ Names namesOf(const core::ModelCommand& command)
     const auto* insertion = std::get_if<core::Insert>(&command);
     const auto* mask = std::get_if<core::MaskOperation>(&command);
     const auto* transform = std::get_if<core::Transform>(&command);
+    const auto* maskArea = std::get_if<core::MaskArea>(&command);
     const Names names[] = {
         {CommandNames::tr("Move", "undo step"), CommandNames::tr("Moving the model"), QStringLiteral("move")},
         {CommandNames::tr("Rotate", "undo step"), CommandNames::tr("Rotating the model"), QStringLiteral("rotate")},
@@ -108,7 +109,14 @@ Names namesOf(const core::ModelCommand& command)
         {hide && hide->what == core::Hide::What::Nothing ? CommandNames::tr("Show All", "undo step")
                                                          : CommandNames::tr("Hide", "undo step"),
          CommandNames::tr("Hiding and showing"), QStringLiteral("part-hidden")},
-        {CommandNames::tr("Trim", "undo step"), CommandNames::tr("Trimming the model"), QStringLiteral("trim-lasso")},
+        {CommandNames::tr("Trim", "undo step"), CommandNames::tr("Trimming the model"), QStringLiteral("area-trim")},
+        {maskArea && maskArea->isErasing ? CommandNames::tr("Unmask Area", "undo step")
+                                         : CommandNames::tr("Mask Area", "undo step"),
+         CommandNames::tr("Changing the mask"), QStringLiteral("mask")},
+        {CommandNames::tr("Hide Area", "undo step"), CommandNames::tr("Hiding and showing"),
+         QStringLiteral("part-hidden")},
+        {CommandNames::tr("Split Off", "undo step"), CommandNames::tr("Splitting the part"),
+         QStringLiteral("area-split")},
         transform ? namesOf(*transform) : Names()};
     static_assert(std::size(names) == std::variant_size_v<core::ModelCommand>);
     return names[command.index()];
@@ -137,6 +145,14 @@ QString CommandNames::unchanged(const core::ModelCommand& command)
     if (const auto* const hide = std::get_if<core::Hide>(&command))
         return hide->what == core::Hide::What::Nothing ? tr("Nothing is hidden.")
                                                        : tr("Nothing is masked, so nothing was hidden.");
+    if (const auto* const maskArea = std::get_if<core::MaskArea>(&command))
+        return maskArea->isErasing
+                   ? tr("Nothing is masked in the area.")
+                   : tr("Nothing was masked: none of the model is in the area, or it is masked already.");
+    if (std::holds_alternative<core::HideArea>(command))
+        return tr("Nothing was hidden: none of the model is in the area.");
+    if (std::holds_alternative<core::SplitPart>(command))
+        return tr("Nothing was split off: all of the part is on one side of the curve.");
     if (std::holds_alternative<core::Trim>(command))
         return tr("Nothing was cut away: none of the model is on that side of the curve.");
     if (const auto* insertion = std::get_if<core::Insert>(&command);

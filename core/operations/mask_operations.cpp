@@ -5,6 +5,7 @@
 
 #include "core/operations/mask_operations.h"
 
+#include "core/area/seen_vertices.h"
 #include "core/mesh/normals.h"
 
 #include <algorithm>
@@ -169,6 +170,29 @@ void applyHide(Mesh& mesh, const Hide& command, std::optional<PartId> part)
         const bool hides = !showsAll && isHalfMasked(v) == (command.what == Hide::What::Masked);
         if (isMeant(v) && mesh.isHidden(v) != hides && (hides || showsAll))
             mesh.setHidden(v, hides);
+    }
+}
+
+void applyMaskArea(Mesh& mesh, const MaskArea& command, std::optional<PartId> part, ModelChange& change)
+{
+    const auto isIn = verticesIn(command.area, mesh, part);
+    if (!isIn)
+        change.refusal = ModelRefusal::NoOutline;
+    const std::uint8_t mask = command.isErasing ? 0 : whole;
+    for (const Slot v : mesh.vertices()) {
+        if (isIn && (*isIn)[v] && mesh.mask(v) != mask)
+            mesh.setMask(v, mask);
+    }
+}
+
+void applyHideArea(Mesh& mesh, const HideArea& command, std::optional<PartId> part, ModelChange& change)
+{
+    const auto isIn = verticesIn(command.area, mesh, part);
+    if (!isIn)
+        change.refusal = ModelRefusal::NoOutline;
+    for (const Slot v : mesh.vertices()) {
+        if (isIn && (*isIn)[v])
+            mesh.setHidden(v, true);
     }
 }
 } // namespace core

@@ -10,4 +10,8 @@ void applyMaskOperation(Mesh& mesh, const MaskOperation& command);
 /// Hides vertices of the part, or of all parts, and nothing else; shows all of all parts for Hide::What::Nothing. Hides
 /// nothing if nothing is masked. Precondition and cost as above.
 void applyHide(Mesh& mesh, const Hide& command, std::optional<PartId> part);
+/// Masks, or unmasks, the part's vertices in an area of the view, and nothing else; or hides them. Refuses with
+/// NoOutline if the curve has no area. Precondition as above. Cost: verticesIn().
+void applyMaskArea(Mesh& mesh, const MaskArea& command, std::optional<PartId> part, ModelChange& change);
+void applyHideArea(Mesh& mesh, const HideArea& command, std::optional<PartId> part, ModelChange& change);
 } // namespace core

@@ -59,7 +59,7 @@ template <class... Commands> bool isAnyOf(const ModelCommand& command)
 /// Returns whether the command adds, removes or regroups parts.
 bool isOnParts(const ModelCommand& command)
 {
-    return isAnyOf<DuplicatePart, DeletePart, SeparatePart, CombineParts>(command);
+    return isAnyOf<DuplicatePart, DeletePart, SeparatePart, CombineParts, SplitPart>(command);
 }
 
 /// Applies a command to one part of several.
@@ -127,6 +127,10 @@ ModelChange applyToCopy(Mesh copy, const ModelCommand& command, const JobControl
     copy.beginStroke();
     if (const auto* const hide = std::get_if<Hide>(&command))
         applyHide(copy, *hide, part);
+    else if (const auto* const maskArea = std::get_if<MaskArea>(&command))
+        applyMaskArea(copy, *maskArea, part, change);
+    else if (const auto* const hideArea = std::get_if<HideArea>(&command))
+        applyHideArea(copy, *hideArea, part, change);
     else if (isOnParts(command))
         applyToParts(copy, command, part, change, control);
     else if (part && copy.frame().parts.size() > 1 && !isOnAllParts(command))

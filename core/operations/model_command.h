@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/analysis/mesh_check.h"
+#include "core/area/view_area.h"
 #include "core/boolean/mesh_boolean.h"
 #include "core/mesh/mesh_delta.h"
 #include "core/parts/part_transform.h"
@@ -102,21 +103,25 @@ struct Symmetrize
     Half keep = Half::Positive;   ///< sign of the coordinate in the half that is kept
 };
 
-/// Cuts away what lies within a closed curve, or beside it, through the whole depth of the model. Each corner of the
-/// curve is swept along a straight line: away from the eye, or, without one, along the direction of the view. Where the
-/// curve crosses or overlaps itself, every point that it goes around counts as inside (non-zero winding rule). What
-/// lies behind the eye stays. The mask does not protect from the cut.
+/// Cuts away what lies in an area of the view, through the whole depth of the model. The mask does not protect from the
+/// cut. ViewArea::isFrontOnly: of the pieces into which the area cuts the model, only those go that are seen first; see
+/// CutPieces.
 struct Trim
 {
-    enum class Remove { Inside, Outside };
-    static constexpr std::size_t mostCorners = 10'000; ///< that stroke files may have
+    ViewArea area;
+    std::optional<Rgb> color = std::nullopt; ///< of the cut; without it, that of the model, if it has only one
+};
 
-    std::vector<Vec3> outline;       ///< corners; all in front of the eye, if there is one
-    Vec3 direction = -Vec3::UnitZ(); ///< direction of the view, any length but zero
-    std::optional<Vec3> eye;         ///< set if the view is a perspective one
-    Remove remove = Remove::Inside;
-    Symmetry symmetry = Symmetry::None; ///< also cuts along the curve's mirror image about this plane
-    std::optional<Rgb> color;           ///< of the cut; without it, that of the model, if it has only one
+/// Masks what lies in an area of the view, or removes the mask there; see verticesIn().
+struct MaskArea
+{
+    ViewArea area;
+    bool isErasing = false;
+};
+/// Hides what lies in an area of the view; see verticesIn().
+struct HideArea
+{
+    ViewArea area;
 };
 
 /// Copy of a mesh without the data needed for editing: 40 bytes per vertex.
@@ -167,9 +172,19 @@ struct CombineParts
     std::vector<PartId> others; ///< at least one; without the part itself
 };
 
-using ModelCommand = std::variant<Move, Rotate, Scale, Mirror, Recentre, Insert, Fill, RemeshUniformly, Symmetrize,
-                                  Reset, PlaceOnBed, FlattenBase, MaskOperation, EditPart, ShowParts, DuplicatePart,
-                                  DeletePart, SeparatePart, CombineParts, Hide, Trim, Transform>;
+/// Makes a part of its own of what Trim would cut away. Both parts are closed, and their cuts coincide to a few lattice
+/// units.
+struct SplitPart
+{
+    ViewArea area;
+    std::string name;                        ///< name of the new part
+    std::optional<Rgb> color = std::nullopt; ///< of the cut; see Trim
+};
+
+using ModelCommand =
+    std::variant<Move, Rotate, Scale, Mirror, Recentre, Insert, Fill, RemeshUniformly, Symmetrize, Reset, PlaceOnBed,
+                 FlattenBase, MaskOperation, EditPart, ShowParts, DuplicatePart, DeletePart, SeparatePart, CombineParts,
+                 Hide, Trim, MaskArea, HideArea, SplitPart, Transform>;
 
 /// Reasons why a command left the model unchanged.
 enum class ModelRefusal {

@@ -2,6 +2,7 @@
 
 #include "core/analysis/nesting.h"
 #include "core/operations/detached_part.h"
+#include "core/operations/trim.h"
 #include "core/util/overloaded.h"
 
 #include <algorithm>
@@ -54,6 +55,7 @@ public:
     void remove();
     void separate();
     void combineWith(const CombineParts& command);
+    void split(const SplitPart& command);
 
 private:
     const PartList& list() const { return m_mesh.frame().parts; }
@@ -155,6 +157,28 @@ void PartOperations::combineWith(const CombineParts& command)
         replacePart(m_mesh, other, {});
     setParts(m_mesh, list().without(command.others));
 }
+
+void PartOperations::split(const SplitPart& command)
+{
+    if (list().size() == PartList::maxParts)
+        return refuse(ModelRefusal::TooManyParts);
+    DetachedPart detached(m_mesh, m_part);
+    detached.mesh().beginStroke();
+    auto taken = core::split(detached.mesh(), {command.area, command.color}, m_change, m_control);
+    detached.mesh().endStroke();
+    if (!taken || m_change.refusal != ModelRefusal::None)
+        return;
+    Part added = *list().find(m_part);
+    added.id = list().freeId();
+    added.name = shortened(command.name);
+    detached.putBack(m_mesh, m_change, m_control);
+    if (m_change.refusal != ModelRefusal::None || !fitSurface(*taken, m_mesh.lattice(), m_change, m_control))
+        return;
+    replacePart(m_mesh, added.id, *taken);
+    std::vector<Part> parts = list().all();
+    parts.insert(std::ranges::find(parts, m_part, &Part::id) + 1, added);
+    setParts(m_mesh, PartList(std::move(parts)));
+}
 } // namespace
 
 ModelRefusal editParts(PartList& parts, const ModelCommand& command, PartId part)
@@ -191,6 +215,7 @@ void applyToParts(Mesh& mesh, const ModelCommand& command, std::optional<PartId>
         [&](const DeletePart&) { operations.remove(); },
         [&](const SeparatePart&) { operations.separate(); },
         [&](const CombineParts& combination) { operations.combineWith(combination); },
+        [&](const SplitPart& splitting) { operations.split(splitting); },
         [](const auto&) {},
     };
     std::visit(apply, command);

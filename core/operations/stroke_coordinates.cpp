@@ -20,14 +20,14 @@ Vec3 snapped(const Lattice& lattice, const Vec3& p)
 }
 
 /// Converts to the document's coordinates. Drops the symmetry if its plane is not the document's.
-void shift(Trim& trim, const Vec3& by)
+void shift(ViewArea& area, const Vec3& by)
 {
-    for (Vec3& p : trim.outline)
+    for (Vec3& p : area.outline)
         p -= by;
-    if (trim.eye)
-        *trim.eye -= by;
-    if (trim.symmetry != Symmetry::None && by[axisOf(trim.symmetry)] != 0)
-        trim.symmetry = Symmetry::None;
+    if (area.eye)
+        *area.eye -= by;
+    if (area.symmetry != Symmetry::None && by[axisOf(area.symmetry)] != 0)
+        area.symmetry = Symmetry::None;
 }
 } // namespace
 
@@ -57,10 +57,13 @@ ModelChange StrokeCoordinates::apply(const Mesh& mesh, ModelCommand command, Par
     const Vec3 by = offset(mesh);
     if (auto* const insert = std::get_if<Insert>(&command))
         insert->centre -= by;
-    if (auto* const trim = std::get_if<Trim>(&command))
-        shift(*trim, by);
     if (auto* const transform = std::get_if<Transform>(&command))
         transform->centre -= by;
+    const auto shiftArea = [&](auto& any) {
+        if constexpr (requires { any.area; })
+            shift(any.area, by);
+    };
+    std::visit(shiftArea, command);
     if (const auto* const half = std::get_if<Symmetrize>(&command); half && by[axisOf(half->plane)] != 0)
         return symmetrizedBeside(mesh, *half, by);
     const bool isWhole = mesh.frame().parts.size() == 1;

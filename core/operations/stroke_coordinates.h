@@ -26,7 +26,7 @@ public:
     /// Applies the command to a copy of the mesh, as applyToCopy() does, with planes, axes and places in these
     /// coordinates. A Symmetrize whose plane is not the document's is refused with EmptyHalf or TooFar. A part of
     /// several is moved, turned and mirrored in the document's coordinates.
-    /// A Trim loses a symmetry whose plane is not the document's.
+    /// An area of the view loses a symmetry whose plane is not the document's.
     ModelChange apply(const Mesh& mesh, ModelCommand command, PartId part = 0);
 
     /// Returns the change that moves the model so that coordinate planes near it coincide with those of the document,

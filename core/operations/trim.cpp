@@ -2,123 +2,36 @@
 //   1. sweep      the curve through the model's depth                                            swept_outline
 //   2. combine    model and solid, and its mirror image: difference or intersection              core/boolean
 //   3. fit        the result to the mesh's lattice
-//   4. exchange   the faces that differ; everything else keeps its slots                         surgery
-//   5. mirror     one half of the result, if the model was exactly symmetric                     symmetrize
+//   4. exchange   the faces that differ; everything else keeps its slots               surface_exchange, surgery
+//   5. choose     the pieces that are seen first, if only these are to go                        cut_pieces
+//   6. mirror     one half of the result, if the model was exactly symmetric                     symmetrize
 
 #include "core/operations/trim.h"
 
+#include "core/analysis/nesting.h"
+#include "core/area/swept_outline.h"
 #include "core/boolean/mesh_boolean.h"
 #include "core/mesh/lattice_fit.h"
 #include "core/mesh/mesh_builder.h"
-#include "core/operations/swept_outline.h"
+#include "core/operations/cut_pieces.h"
+#include "core/operations/surface_exchange.h"
 #include "core/operations/symmetrize.h"
 #include "core/operations/transform.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace core
 {
 namespace
 {
 /// Progress after the boolean and after the exchange, 0 to 1.
-constexpr double afterCombining = 0.7, afterExchanging = 0.8;
-
-/// Largest distance, in lattice units along an axis, by which combine() moves the corners of faces that it cuts: its
-/// lattice has to reach around the swept solid and may be four times coarser.
-constexpr int farthestMoved = 2;
-
-using Place = std::array<int, 3>;
-
-Place placeOf(const LatticePoint& p)
-{
-    return {p.x(), p.y(), p.z()};
-}
-
-/// Finds vertices by their places and faces by their corners.
-class SurfaceIndex
-{
-public:
-    explicit SurfaceIndex(const Mesh& mesh);
-
-    Slot vertexAt(const Place& place) const { return found(m_vertices, place); }
-    /// Returns the nearest vertex whose coordinates differ by at most `farthestMoved`, or noSlot.
-    Slot vertexNear(const Place& place) const;
-    /// Returns the face with these corners in this cyclic order, or noSlot.
-    Slot faceOf(const Triangle& corners) const { return found(m_faces, turned(corners)); }
-
-private:
-    template <class Key> using Table = std::vector<std::pair<Key, Slot>>;
-
-    template <class Key> static Slot found(const Table<Key>& table, const Key& key)
-    {
-        const auto at = std::ranges::lower_bound(table, key, {}, &std::pair<Key, Slot>::first);
-        return at != table.end() && at->first == key ? at->second : noSlot;
-    }
-    static Triangle turned(Triangle corners)
-    {
-        std::ranges::rotate(corners, std::ranges::min_element(corners));
-        return corners;
-    }
-
-    Table<Place> m_vertices;
-    Table<Triangle> m_faces;
-};
-
-SurfaceIndex::SurfaceIndex(const Mesh& mesh)
-{
-    for (const Slot v : mesh.vertices())
-        m_vertices.emplace_back(placeOf(mesh.latticePoint(v)), v);
-    for (const Slot f : mesh.faces())
-        m_faces.emplace_back(turned(mesh.corners(f)), f);
-    std::ranges::sort(m_vertices);
-    std::ranges::sort(m_faces);
-}
-
-Slot SurfaceIndex::vertexNear(const Place& place) const
-{
-    Slot nearest = noSlot;
-    int least = std::numeric_limits<int>::max();
-    for (int x = -farthestMoved; x <= farthestMoved; ++x) {
-        for (int y = -farthestMoved; y <= farthestMoved; ++y) {
-            for (int z = -farthestMoved; z <= farthestMoved; ++z) {
-                const int away = x * x + y * y + z * z;
-                if (away >= least)
-                    continue;
-                if (const Slot v = vertexAt({place[0] + x, place[1] + y, place[2] + z}); v != noSlot) {
-                    nearest = v;
-                    least = away;
-                }
-            }
-        }
-    }
-    return nearest;
-}
-
-int mirrorAxis(Symmetry plane)
-{
-    return static_cast<int>(plane) - static_cast<int>(Symmetry::X);
-}
-
-/// Returns whether each face has a mirror image, bit for bit.
-bool isSymmetric(const Mesh& mesh, Symmetry plane)
-{
-    const SurfaceIndex index(mesh);
-    const auto imageOf = [&](Slot v) {
-        Place place = placeOf(mesh.latticePoint(v));
-        place[static_cast<std::size_t>(mirrorAxis(plane))] *= -1;
-        return index.vertexAt(place);
-    };
-    return std::ranges::all_of(mesh.faces(), [&](Slot f) {
-        const auto [a, b, c] = mesh.corners(f);
-        return index.faceOf({imageOf(a), imageOf(c), imageOf(b)}) != noSlot;
-    });
-}
+constexpr double afterCutting = 0.7, afterExchanging = 0.8;
 
 TriangleMesh mirrored(TriangleMesh mesh, Symmetry plane)
 {
+    const int axis = static_cast<int>(plane) - static_cast<int>(Symmetry::X);
     for (Vec3f& p : mesh.points)
-        p[mirrorAxis(plane)] = 0 - p[mirrorAxis(plane)];
+        p[axis] = 0 - p[axis];
     for (Triangle& t : mesh.triangles)
         std::swap(t[1], t[2]);
     return mesh;
@@ -141,9 +54,9 @@ BooleanResult cut(const Mesh& mesh, TriangleMesh solid, const Trim& command, con
     TriangleMesh model = extractMesh(mesh);
     model.masks.clear();
     std::vector<TriangleMesh> solids{std::move(model), std::move(solid)};
-    if (command.symmetry != Symmetry::None)
-        solids.push_back(mirrored(solids.back(), command.symmetry));
-    if (command.remove == Trim::Remove::Inside)
+    if (command.area.symmetry != Symmetry::None)
+        solids.push_back(mirrored(solids.back(), command.area.symmetry));
+    if (command.area.side == ViewArea::Side::Inside)
         return combine(SetOperation::Difference, solids, control);
     if (solids.size() > 2) {
         BooleanResult both = combine(SetOperation::Union, std::span(solids).subspan(1), {control.stop, {}});
@@ -170,35 +83,6 @@ std::optional<std::vector<LatticePoint>> latticePlaces(const TriangleMesh& model
     return fit.unsnappable == 0 ? std::optional(std::move(fit.points)) : std::nullopt;
 }
 
-/// Returns the exchange of faces that turns the mesh into `after`.
-Surgery exchange(const Mesh& mesh, const TriangleMesh& after, std::span<const LatticePoint> places)
-{
-    const SurfaceIndex index(mesh);
-    Surgery surgery;
-    surgery.near = *mesh.vertices().begin();
-    std::vector<Slot> corners;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        corners.push_back(index.vertexAt(placeOf(places[i])));
-        if (corners.back() != noSlot)
-            continue;
-        corners.back() = Surgery::newVertex(surgery.vertices.size());
-        const Rgb color = after.colors.empty() ? Rgb() : after.colors[i];
-        const Slot moved = index.vertexNear(placeOf(places[i]));
-        const std::uint8_t mask = moved == noSlot ? std::uint8_t(0) : mesh.mask(moved);
-        surgery.vertices.push_back({mesh.lattice().toPoint(places[i]), color, noSlot, mask});
-    }
-    std::vector<bool> isKept(mesh.slots().faces, false);
-    for (const auto& [a, b, c] : after.triangles) {
-        const Triangle face = {corners[a], corners[b], corners[c]};
-        if (const Slot same = index.faceOf(face); same != noSlot)
-            isKept[same] = true;
-        else
-            surgery.faces.push_back(face);
-    }
-    std::ranges::copy_if(mesh.faces(), std::back_inserter(surgery.removed), [&](Slot f) { return !isKept[f]; });
-    return surgery;
-}
-
 /// Makes the result of a cut exactly symmetric again.
 void mirrorHalf(Mesh& mesh, Symmetry plane, ModelChange& change, const JobControl& control)
 {
@@ -210,43 +94,129 @@ void mirrorHalf(Mesh& mesh, Symmetry plane, ModelChange& change, const JobContro
     }
     change.refusal = ModelRefusal::NoCut;
 }
+
+/// Returns the pieces of a solid that are no longer in the mesh. `before`: the mesh before they were taken. A piece has
+/// gone if a vertex that it has from `before` has; without such vertices, if its vertices are now corners of the cut.
+TriangleMesh withoutKept(const TriangleMesh& solid, const SurfaceIndex& before, const Mesh& mesh)
+{
+    const SurfaceIndex now(mesh);
+    const Components pieces = solidPiecesOf(solid.points, solid.triangles);
+    struct Piece
+    {
+        bool hasOld = false, hasLostOld = false, hasNew = false;
+    };
+    std::vector<Piece> found(pieces.count);
+    for (std::size_t f = 0; f < solid.triangles.size(); ++f) {
+        Piece& piece = found[pieces.ofFace[f]];
+        for (const Slot v : solid.triangles[f]) {
+            const SurfaceIndex::Place place = SurfaceIndex::placeOf(mesh.lattice().toLattice(solid.points[v]));
+            const bool isOld = before.vertexAt(place) != noSlot, isThere = now.vertexAt(place) != noSlot;
+            piece.hasOld = piece.hasOld || isOld;
+            piece.hasLostOld = piece.hasLostOld || (isOld && !isThere);
+            piece.hasNew = piece.hasNew || (!isOld && isThere);
+        }
+    }
+    TriangleMesh gone = solid;
+    gone.triangles.clear();
+    for (std::size_t f = 0; f < solid.triangles.size(); ++f) {
+        const Piece& piece = found[pieces.ofFace[f]];
+        if (piece.hasOld ? piece.hasLostOld : piece.hasNew)
+            gone.triangles.push_back(solid.triangles[f]);
+    }
+    return withoutUnusedVertices(gone);
+}
+
+/// Returns the exchange of faces that makes the cut; empty if it changes nothing. Sets change.refusal if there is no
+/// sound one.
+Surgery surgeryOf(const Trim& command, const Mesh& mesh, ModelChange& change, const JobControl& control)
+{
+    SweptOutline swept = sweptOutline(command.area, mesh);
+    const bool isBeside = swept.solid.triangles.empty();
+    const bool takesAll = command.area.side == ViewArea::Side::Outside;
+    if (!swept.hasArea || (isBeside && takesAll && !command.area.isFrontOnly))
+        change.refusal = swept.hasArea ? ModelRefusal::NothingLeft : ModelRefusal::NoOutline;
+    if (change.refusal != ModelRefusal::None || (isBeside && !takesAll))
+        return {};
+    TriangleMesh after;
+    if (!isBeside) {
+        BooleanResult result = cut(mesh, std::move(swept.solid), command, control);
+        const bool isEmpty = result.refusal == BooleanRefusal::LeavesNothing;
+        if (control.isCancelled())
+            return {};
+        if (!result.mesh && !(isEmpty && command.area.isFrontOnly))
+            change.refusal = isEmpty ? ModelRefusal::NothingLeft : ModelRefusal::NoCut;
+        if (change.refusal != ModelRefusal::None)
+            return {};
+        if (result.mesh)
+            after = withoutUnusedVertices(*result.mesh);
+    }
+    const auto places = latticePlaces(after, mesh.lattice(), {control.stop, {}});
+    if (control.isCancelled())
+        return {};
+    Surgery surgery = places ? exchangeWith(after, *places, mesh) : Surgery();
+    if (!places || !isSurgeryOk(mesh, surgery))
+        change.refusal = ModelRefusal::NoCut;
+    return surgery;
+}
+
+/// Restricts the exchange to the pieces that are seen first.
+void keepFirst(Surgery& surgery, const Trim& command, const Mesh& mesh, ModelChange& change)
+{
+    const CutPieces pieces(mesh, surgery);
+    Surgery first = pieces.taking(pieces.seenFirst(command.area));
+    if (first.faces.empty() && first.removed.size() == mesh.live().faces)
+        change.refusal = ModelRefusal::NothingLeft;
+    else if (!isSurgeryOk(mesh, first))
+        change.refusal = ModelRefusal::NoCut;
+    surgery = std::move(first);
+}
+/// Does what trim() does. Returns whether that changes the mesh.
+bool cutAway(Mesh& mesh, const Trim& command, ModelChange& change, const JobControl& control)
+{
+    Surgery surgery = surgeryOf(command, mesh, change, control.part(0, afterCutting));
+    if (control.isCancelled() || change.refusal != ModelRefusal::None)
+        return false;
+    if (surgery.removed.empty() && surgery.faces.empty())
+        return false;
+    if (command.area.isFrontOnly)
+        keepFirst(surgery, command, mesh, change);
+    if (change.refusal != ModelRefusal::None)
+        return false;
+    const Symmetry plane = command.area.symmetry;
+    const bool wasSymmetric = plane != Symmetry::None && isSymmetric(mesh, plane);
+    const Mesh::Mark mark = mesh.mark();
+    mesh.replaceFaces(surgery);
+    control.reportProgress(afterExchanging);
+    if (wasSymmetric && !isSymmetric(mesh, plane))
+        mirrorHalf(mesh, plane, change, control.part(afterExchanging, 1));
+    if (change.refusal != ModelRefusal::None)
+        mesh.rollback(mark);
+    return change.refusal == ModelRefusal::None && !control.isCancelled();
+}
 } // namespace
 
 void trim(Mesh& mesh, const Trim& command, ModelChange& change, const JobControl& control)
 {
-    SweptOutline swept = sweptOutline(command, mesh);
-    const bool isBeside = swept.solid.triangles.empty();
-    if (!swept.hasArea || (isBeside && command.remove == Trim::Remove::Outside))
-        change.refusal = swept.hasArea ? ModelRefusal::NothingLeft : ModelRefusal::NoOutline;
-    if (isBeside || !swept.hasArea)
-        return;
-    const BooleanResult result = cut(mesh, std::move(swept.solid), command, control.part(0, afterCombining));
-    if (control.isCancelled())
-        return;
-    if (!result.mesh) {
-        change.refusal =
-            result.refusal == BooleanRefusal::LeavesNothing ? ModelRefusal::NothingLeft : ModelRefusal::NoCut;
-        return;
-    }
-    const TriangleMesh after = withoutUnusedVertices(*result.mesh);
-    const auto places = latticePlaces(after, mesh.lattice(), {control.stop, {}});
-    if (control.isCancelled())
-        return;
-    const Surgery surgery = places ? exchange(mesh, after, *places) : Surgery();
-    if (!places || !isSurgeryOk(mesh, surgery)) {
-        change.refusal = ModelRefusal::NoCut;
-        return;
-    }
-    if (surgery.removed.empty() && surgery.faces.empty())
-        return;
-    const bool wasSymmetric = command.symmetry != Symmetry::None && isSymmetric(mesh, command.symmetry);
-    const Mesh::Mark mark = mesh.mark();
-    mesh.replaceFaces(surgery);
-    control.reportProgress(afterExchanging);
-    if (wasSymmetric && !isSymmetric(mesh, command.symmetry))
-        mirrorHalf(mesh, command.symmetry, change, control.part(afterExchanging, 1));
-    if (change.refusal != ModelRefusal::None)
-        mesh.rollback(mark);
+    cutAway(mesh, command, change, control);
+}
+
+std::optional<TriangleMesh> split(Mesh& mesh, const Trim& command, ModelChange& change, const JobControl& control)
+{
+    const SurfaceIndex before(mesh);
+    Mesh other = mesh;
+    const bool isDivided = cutAway(mesh, command, change, control.part(0, 0.5));
+    if (change.refusal == ModelRefusal::NothingLeft)
+        change.refusal = ModelRefusal::None;
+    if (!isDivided)
+        return std::nullopt;
+    Trim opposite = command;
+    opposite.area.side = command.area.side == ViewArea::Side::Inside ? ViewArea::Side::Outside : ViewArea::Side::Inside;
+    opposite.area.isFrontOnly = false;
+    trim(other, opposite, change, control.part(0.5, 1));
+    if (change.refusal != ModelRefusal::None || control.isCancelled())
+        return std::nullopt;
+    TriangleMesh taken = extractMesh(other);
+    return command.area.isFrontOnly ? withoutKept(taken, before, mesh) : taken;
 }
 
 /// Sweeps a rectangle along the plane. One of its sides is on the plane.
@@ -257,9 +227,9 @@ Trim trimBeyond(const Vec3& point, const Vec3& normal, const Box& box)
     const double reach = 2 * (box.diagonal().norm() + std::abs(away));
     const Vec3 center = box.center() - away * up;
     Trim trim;
-    trim.direction = along;
-    trim.outline = {center - reach * aside, center + reach * aside, center + reach * (aside + up),
-                    center + reach * (up - aside)};
+    trim.area.direction = along;
+    trim.area.outline = {center - reach * aside, center + reach * aside, center + reach * (aside + up),
+                         center + reach * (up - aside)};
     return trim;
 }
 } // namespace core

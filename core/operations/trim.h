@@ -10,6 +10,10 @@ namespace core
 /// replaced by the image of the other. Precondition: a stroke of the mesh is open.
 void trim(Mesh& mesh, const Trim& command, ModelChange& change, const JobControl& control);
 
+/// Cuts the mesh as trim() does, and returns the solid that was cut away, on the mesh's lattice. Nothing, and leaves
+/// the mesh with what it has, if the curve does not divide the model or on refusal. Precondition as above.
+std::optional<TriangleMesh> split(Mesh& mesh, const Trim& command, ModelChange& change, const JobControl& control);
+
 /// Returns the command that cuts away everything on the positive side of a plane. The cut is flat to a few lattice
 /// units, because its points are rounded one by one. Precondition: `normal` is not zero, of any length; `box` contains
 /// the model and is not empty.

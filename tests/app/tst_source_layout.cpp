@@ -47,8 +47,9 @@ const FolderRule folderRules[] = {
                     "core/sculpt/edit core/sculpt/verify core/sculpt/remesh core/sculpt/deform core/sculpt/fuse "
                     "core/sculpt/copy"},
     {"core/primitives", "core/geometry core/analysis core/stroke"},
+    {"core/area", "core/util core/geometry core/stroke core/mesh"},
     {"core/operations", "core/util core/geometry core/parts core/analysis core/boolean core/stroke core/mesh "
-                        "core/sculpt/edit core/sculpt/verify core/sculpt/remesh core/primitives"},
+                        "core/sculpt/edit core/sculpt/verify core/sculpt/remesh core/primitives core/area"},
     {"core/io/stroke", "core/util core/geometry core/stroke core/sculpt/deform core/operations"},
     {"core/io/mesh", "core/util core/geometry core/parts core/sculpt/deform core/io/stroke core/io"},
     {"core/io", "core/util core/geometry core/parts core/analysis core/stroke core/mesh core/io/mesh"},

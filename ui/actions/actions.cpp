@@ -156,7 +156,7 @@ QString Actions::menuTitle(MenuId menu) const
 {
     const QString titles[] = {
         tr("&File"),  tr("&New"),           tr("Files &Panel"), tr("&Edit"),       tr("&Sculpt"),
-        tr("Tool&s"), tr("M&ask"),          tr("Mo&del"),       tr("Pa&rts"),      tr("Trim &Away"),
+        tr("Tool&s"), tr("M&ask"),          tr("Mo&del"),       tr("Pa&rts"),      tr("&Area in the View"),
         tr("&View"),  tr("T&urn and Zoom"), tr("Mat&erial"),    tr("Ba&ckground"), tr("Refere&nce Image"),
         tr("V&R"),    tr("&Help")};
     static_assert(std::size(titles) == static_cast<std::size_t>(MenuId::Help) + 1);

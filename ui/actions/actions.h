@@ -15,7 +15,7 @@ class QWidget;
 
 namespace ui
 {
-/// Menus. New is a submenu of File, Tool of Sculpt, and Trim of Model. Turn, Material, Background and Reference are
+/// Menus. New is a submenu of File, Tool of Sculpt, and Area of Model. Turn, Material, Background and Reference are
 /// submenus of View. Files is the menu of the Files panel.
 enum class MenuId {
     File,
@@ -27,7 +27,7 @@ enum class MenuId {
     Mask,
     Model,
     Parts,
-    Trim,
+    Area,
     View,
     Turn,
     Material,

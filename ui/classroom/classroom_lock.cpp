@@ -109,7 +109,7 @@ bool isAllowed(const ActionInfo& row, const Classroom& classroom)
     case MenuId::Sculpt:
     case MenuId::Model:
     case MenuId::Parts:
-    case MenuId::Trim:
+    case MenuId::Area:
     case MenuId::View:
     case MenuId::Turn:
     case MenuId::Material:

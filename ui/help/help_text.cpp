@@ -83,7 +83,7 @@ QString menuPathText(const ActionInfo& row, const Actions& actions)
         way.prepend(MenuId::File);
     if (row.menu == MenuId::Tool || row.menu == MenuId::Mask)
         way.prepend(MenuId::Sculpt);
-    if (row.menu == MenuId::Trim)
+    if (row.menu == MenuId::Area)
         way.prepend(MenuId::Model);
     if (row.menu == MenuId::Turn || row.menu == MenuId::Material || row.menu == MenuId::Background)
         way.prepend(MenuId::View);

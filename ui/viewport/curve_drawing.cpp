@@ -1,5 +1,6 @@
 #include "ui/viewport/curve_drawing.h"
 
+#include "ui/viewport/area_bar.h"
 #include "ui/viewport/viewport.h"
 
 #include <QKeyEvent>
@@ -18,10 +19,40 @@ namespace
 constexpr double closingDistance = 8; ///< pixels from a polygon's first corner at which a click closes it
 constexpr double leastSize = 3;       ///< pixels; a smaller curve is begun again
 constexpr int hintMargin = 12;        ///< pixels from the view's top
+constexpr int barMargin = 6;          ///< pixels from the hint to the bar
 constexpr double cornerRadius = 3;    ///< pixels
+constexpr QColor warning(215, 60, 45, 80), selecting(60, 120, 215, 80);
+
+/// Returns how to draw, and what will happen.
+QString hintFor(AreaUse areaUse, const AreaBar& bar, bool isOutside)
+{
+    const QString gestures[] = {CurveDrawing::tr("Draw around an area."), CurveDrawing::tr("Drag a box over an area."),
+                                CurveDrawing::tr("Drag a line; the area is on its right."),
+                                CurveDrawing::tr("Click the corners of an area; a double click ends.")};
+    static_assert(std::size(gestures) == static_cast<std::size_t>(CurveShape::Polygon) + 1);
+    const QString inside[] = {
+        CurveDrawing::tr("What is inside is masked."), CurveDrawing::tr("The mask inside is removed."),
+        CurveDrawing::tr("What is inside is hidden."), CurveDrawing::tr("What is inside is cut away."),
+        CurveDrawing::tr("What is inside becomes a part of its own.")};
+    const QString outside[] = {
+        CurveDrawing::tr("What is outside is masked."), CurveDrawing::tr("The mask outside is removed."),
+        CurveDrawing::tr("What is outside is hidden."), CurveDrawing::tr("What is outside is cut away."),
+        CurveDrawing::tr("What is outside becomes a part of its own.")};
+    static_assert(std::size(inside) == static_cast<std::size_t>(AreaUse::Split) + 1);
+    static_assert(std::size(outside) == std::size(inside));
+    const auto use = static_cast<std::size_t>(areaUse);
+    QStringList sentences{gestures[static_cast<std::size_t>(bar.shape())], isOutside ? outside[use] : inside[use]};
+    if (bar.isFrontOnly())
+        sentences << CurveDrawing::tr("Only what is in front counts.");
+    return (sentences << CurveDrawing::tr("Shift: the other side. Esc cancels.")).join(QLatin1Char(' '));
+}
 } // namespace
 
-CurveDrawing::CurveDrawing(Viewport* viewport) : QWidget(viewport), m_viewport(viewport), m_hint(new QLabel(this))
+CurveDrawing::CurveDrawing(Viewport* viewport)
+    : QWidget(viewport)
+    , m_viewport(viewport)
+    , m_hint(new QLabel(this))
+    , m_bar(new AreaBar(viewport))
 {
     setObjectName(QStringLiteral("curveDrawing"));
     setAttribute(Qt::WA_TransparentForMouseEvents);
@@ -30,15 +61,19 @@ CurveDrawing::CurveDrawing(Viewport* viewport) : QWidget(viewport), m_viewport(v
         QStringLiteral("background: rgba(28, 30, 33, 225); color: white; border-radius: 4px; padding: 4px 8px;"));
     hide();
     viewport->installEventFilter(this);
+    connect(m_bar, &AreaBar::changed, this, [this] {
+        if (isActive())
+            begin(*m_use);
+    });
 }
 
-void CurveDrawing::begin(CurveShape shape)
+void CurveDrawing::begin(AreaUse use)
 {
     if (!m_viewport->isVisible() || m_viewport->input()->strokeOpen() || m_viewport->input()->isPressPending())
         return;
-    m_shape = shape;
+    m_use = use;
     m_points.clear();
-    m_isOutside = false;
+    m_isShiftHeld = false;
     m_releaseFollows = false;
     m_viewport->input()->pointerLeft();
     m_viewport->setFocus();
@@ -47,14 +82,17 @@ void CurveDrawing::begin(CurveShape shape)
     showHint();
     show();
     raise();
+    m_bar->show();
+    m_bar->raise();
     update();
 }
 
 void CurveDrawing::cancel()
 {
-    m_shape.reset();
+    m_use.reset();
     m_points.clear();
     m_viewport->setCursor(Qt::ArrowCursor);
+    m_bar->hide();
     hide();
 }
 
@@ -104,7 +142,7 @@ bool CurveDrawing::handleKey(const QKeyEvent& event)
     switch (event.key()) {
     case Qt::Key_Shift:
         if (event.type() != QEvent::ShortcutOverride)
-            setOutside(isPress);
+            setShift(isPress);
         return true;
     case Qt::Key_Escape:
         if (isPress)
@@ -112,16 +150,16 @@ bool CurveDrawing::handleKey(const QKeyEvent& event)
         return true;
     case Qt::Key_Return:
     case Qt::Key_Enter:
-        if (isPress && m_shape == CurveShape::Polygon)
+        if (isPress && m_bar->shape() == CurveShape::Polygon)
             close();
         return true;
     case Qt::Key_Backspace:
-        if (isPress && m_shape == CurveShape::Polygon && !m_points.isEmpty())
+        if (isPress && m_bar->shape() == CurveShape::Polygon && !m_points.isEmpty())
             m_points.removeLast();
         update();
         return true;
     default:
-        return false;
+        return m_bar->handleKey(event.key(), isPress);
     }
 }
 
@@ -137,13 +175,13 @@ bool CurveDrawing::handlePointer(const QSinglePointEvent& event)
     const bool isMovingView = m_points.isEmpty() && event.isUpdateEvent() && event.buttons() & Qt::MiddleButton;
     if (movesView || isMovingView)
         return false;
-    setOutside(event.modifiers() & Qt::ShiftModifier);
+    setShift(event.modifiers() & Qt::ShiftModifier);
     if (event.isBeginEvent() || event.type() == QEvent::MouseButtonDblClick) // Qt calls a double click an update
         press(event);
     else if (event.isUpdateEvent())
         moveTo(event.position());
-    else if (event.button() == Qt::LeftButton)
-        release();
+    else if (event.button() == Qt::LeftButton && m_bar->shape() != CurveShape::Polygon && !m_points.isEmpty())
+        close();
     return true;
 }
 
@@ -156,7 +194,7 @@ void CurveDrawing::press(const QSinglePointEvent& event)
     if (event.button() != Qt::LeftButton)
         return;
     m_pointer = event.position();
-    if (m_shape != CurveShape::Polygon) {
+    if (m_bar->shape() != CurveShape::Polygon) {
         m_points = QPolygonF({event.position()});
         update();
     } else if (event.type() == QEvent::MouseButtonDblClick) {
@@ -182,15 +220,9 @@ void CurveDrawing::moveTo(const QPointF& position)
     m_pointer = position;
     if (m_points.isEmpty())
         return;
-    if (m_shape == CurveShape::Lasso && position != m_points.back())
+    if (m_bar->shape() == CurveShape::Lasso && position != m_points.back())
         m_points << position;
     update();
-}
-
-void CurveDrawing::release()
-{
-    if (m_shape != CurveShape::Polygon && !m_points.isEmpty())
-        close();
 }
 
 /// Returns the curve as it would be closed now.
@@ -198,8 +230,8 @@ QPolygonF CurveDrawing::curve() const
 {
     if (m_points.isEmpty())
         return {};
-    if (m_shape == CurveShape::Box || m_shape == CurveShape::Line)
-        return curveBetween(*m_shape, m_points.front(), m_pointer, size());
+    if (m_bar->shape() == CurveShape::Box || m_bar->shape() == CurveShape::Line)
+        return curveBetween(m_bar->shape(), m_points.front(), m_pointer, size());
     return m_points;
 }
 
@@ -209,41 +241,44 @@ void CurveDrawing::close()
     const QPolygonF closed = simplified(curve());
     const QRectF around = closed.boundingRect();
     if (closed.size() < 3 || std::max(around.width(), around.height()) < leastSize) {
-        if (m_shape != CurveShape::Polygon)
+        if (m_bar->shape() != CurveShape::Polygon)
             m_points.clear();
         return update();
     }
-    const bool isOutside = m_isOutside;
+    const DrawnArea area{*m_use, closed, isOutside(), m_bar->isFrontOnly()};
     cancel();
-    Q_EMIT drawn(closed, isOutside);
+    Q_EMIT drawn(area);
 }
 
-void CurveDrawing::setOutside(bool isOutside)
+bool CurveDrawing::isOutside() const
 {
-    if (std::exchange(m_isOutside, isOutside) != isOutside)
-        update();
+    return m_bar->isOutside() != m_isShiftHeld;
+}
+
+void CurveDrawing::setShift(bool isHeld)
+{
+    if (std::exchange(m_isShiftHeld, isHeld) == isHeld)
+        return;
+    showHint();
+    update();
 }
 
 void CurveDrawing::showHint()
 {
-    const QString hints[] = {
-        tr("Draw around what is to go. Shift: what is around it goes. Esc cancels."),
-        tr("Drag a box over what is to go. Shift: what is around it goes. Esc cancels."),
-        tr("Drag a line: what is tinted goes. Shift: the other side goes. Esc cancels."),
-        tr("Click corners around what is to go; double click ends. Shift: what is around it goes. Esc cancels.")};
-    static_assert(std::size(hints) == static_cast<std::size_t>(CurveShape::Polygon) + 1);
-    m_hint->setText(hints[static_cast<std::size_t>(*m_shape)]);
+    m_hint->setText(hintFor(*m_use, *m_bar, isOutside()));
     m_hint->setMaximumWidth(width());
     m_hint->setWordWrap(m_hint->sizeHint().width() > width());
     m_hint->adjustSize();
     m_hint->move((width() - m_hint->width()) / 2, hintMargin);
+    m_bar->adjustSize();
+    m_bar->move((width() - m_bar->width()) / 2, m_hint->geometry().bottom() + barMargin);
 }
 
-/// Tints what goes. Draws a light line with dark edges, to be visible on every material.
+/// Tints the area; in red what will be cut away. Draws a light line with dark edges, to be visible on every material.
 void CurveDrawing::paintEvent(QPaintEvent*)
 {
     QPolygonF closed = curve();
-    if (m_shape == CurveShape::Polygon && !closed.isEmpty())
+    if (m_bar->shape() == CurveShape::Polygon && !closed.isEmpty())
         closed << m_pointer;
     if (closed.size() < 2)
         return;
@@ -252,17 +287,17 @@ void CurveDrawing::paintEvent(QPaintEvent*)
     path.closeSubpath();
     path.setFillRule(Qt::WindingFill);
     QPainterPath tinted = path;
-    if (m_isOutside) {
+    if (isOutside()) {
         QPainterPath whole;
         whole.addRect(rect());
         tinted = whole.subtracted(path);
     }
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.fillPath(tinted, QColor(215, 60, 45, 80));
+    painter.fillPath(tinted, m_use == AreaUse::Trim ? warning : selecting);
     painter.strokePath(path, QPen(QColor(0, 0, 0, 110), 3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.strokePath(path, QPen(QColor(255, 246, 232), 1.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    if (m_shape != CurveShape::Polygon)
+    if (m_bar->shape() != CurveShape::Polygon)
         return;
     painter.setBrush(QColor(255, 246, 232));
     for (const QPointF& corner : std::as_const(m_points))

@@ -12,12 +12,14 @@ class QSinglePointEvent;
 
 namespace ui
 {
+class AreaBar;
 class Viewport;
 
-/// Lets the user draw a closed curve over the view, and tints the side of it that counts: inside, or outside while
-/// Shift is held. Esc or the right button cancels. A polygon ends with a double click, Return, or a click on its first
-/// corner; Backspace takes back the last corner. Until the curve is begun, the middle button and the wheel still move
-/// the view. Drawn over its parent and transparent for the mouse. Thread: gui.
+/// Lets the user draw a closed curve over the view, and tints the side of it that counts: inside or outside, as chosen;
+/// the other one while Shift is held. A bar offers the shapes, also by the keys 1 to 4, and the sides (O, F); a hint
+/// says what will happen. Esc or the right button cancels. A polygon ends with a double click, Return, or a click on
+/// its first corner; Backspace takes back the last corner. Until the curve is begun, the middle button and the wheel
+/// still move the view. Drawn over its parent and transparent for the mouse. Thread: gui.
 class CurveDrawing : public QWidget
 {
     Q_OBJECT
@@ -25,15 +27,15 @@ class CurveDrawing : public QWidget
 public:
     explicit CurveDrawing(Viewport* viewport);
 
-    /// Waits for a curve of this shape; instead of the one that was being drawn, if any. No effect while the view is
-    /// hidden, a stroke is open or a press is pending.
-    void begin(CurveShape shape);
-    bool isActive() const { return m_shape.has_value(); }
+    /// Waits for a curve of the shape that was used last; instead of the one that was being drawn, if any. No effect
+    /// while the view is hidden, a stroke is open or a press is pending.
+    void begin(AreaUse use);
+    bool isActive() const { return m_use.has_value(); }
     void cancel();
 
 Q_SIGNALS:
-    /// The user has closed the curve: its corners in the view, logical pixels. `isOutside`: the outside counts.
-    void drawn(const QPolygonF& curve, bool isOutside);
+    /// The user has closed the curve.
+    void drawn(const ui::DrawnArea& area);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -44,19 +46,20 @@ private:
     bool handlePointer(const QSinglePointEvent& event);
     void press(const QSinglePointEvent& event);
     void moveTo(const QPointF& position);
-    void release();
     void addCorner(const QPointF& position);
     void close();
     QPolygonF curve() const;
-    void setOutside(bool isOutside);
+    bool isOutside() const;
+    void setShift(bool isHeld);
     void showHint();
 
     Viewport* m_viewport;
     QLabel* m_hint;
-    std::optional<CurveShape> m_shape; ///< shape that is awaited or drawn; nullopt: none
-    QPolygonF m_points;                ///< of the pointer, or the corners of a polygon
+    AreaBar* m_bar;
+    std::optional<AreaUse> m_use; ///< use of the area that is awaited or drawn; nullopt: none
+    QPolygonF m_points;           ///< of the pointer, or the corners of a polygon
     QPointF m_pointer;
-    bool m_isOutside = false;
+    bool m_isShiftHeld = false;
     /// the release of the mouse press that ended the curve is still to come, and must be swallowed
     bool m_releaseFollows = false;
 };

@@ -12,6 +12,18 @@ enum class CurveShape {
     Polygon ///< straight lines between clicks
 };
 
+/// What happens to an area of the view.
+enum class AreaUse { Mask, Unmask, Hide, Trim, Split };
+
+/// An area that was drawn over the view.
+struct DrawnArea
+{
+    AreaUse use = AreaUse::Mask;
+    QPolygonF curve;          ///< closed; corners in the view, logical pixels
+    bool isOutside = false;   ///< what is beside the curve counts
+    bool isFrontOnly = false; ///< only what is seen first counts
+};
+
 /// Returns the closed curve between two places of the pointer. Precondition: the shape is Box or Line. `view`: the size
 /// of the view; a line's curve reaches far beyond it. Empty if it has no area. Units: logical pixels.
 QPolygonF curveBetween(CurveShape shape, const QPointF& from, const QPointF& to, const QSizeF& view);

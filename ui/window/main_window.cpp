@@ -20,9 +20,9 @@
 #include "ui/history/history_panel.h"
 #include "ui/lesson/lesson_editor.h"
 #include "ui/lesson/lesson_panel.h"
+#include "ui/model/area_actions.h"
 #include "ui/model/model_actions.h"
 #include "ui/model/model_panel.h"
-#include "ui/model/trim_actions.h"
 #include "ui/parts/parts_panel.h"
 #include "ui/preferences/preferences_actions.h"
 #include "ui/print/print_panel.h"
@@ -151,7 +151,7 @@ void MainWindow::State::buildBars()
         }
         actions.fill(menu, id);
         if (id == MenuId::Model) {
-            for (const MenuId sub : {MenuId::Parts, MenuId::Trim})
+            for (const MenuId sub : {MenuId::Parts, MenuId::Area})
                 actions.fill(menu->addMenu(actions.menuTitle(sub)), sub);
         }
         if (id == MenuId::File)
@@ -251,7 +251,7 @@ void MainWindow::State::connectActions()
     const auto request = [this](const core::ModelCommand& command) { Q_EMIT q->commandRequested(command); };
     connectModel(
         actions, q, [this]() -> const ModelInfo& { return model; }, &brush, request);
-    connectTrim(actions, viewport, &brush, request);
+    connectAreas(actions, viewport, &brush, request);
     connect(new TransformTool(actions, viewport), &TransformTool::requested, q, request);
     connectTools();
     headset = new HeadsetActions({&actions, viewport, new PartnerBar({&actions, &brush, viewport}, q)}, q);
@@ -284,7 +284,7 @@ void MainWindow::State::connectTools()
 void MainWindow::State::setBusy(bool isBusy)
 {
     for (const ActionInfo& row : actionTable())
-        if (row.menu == MenuId::Model || row.menu == MenuId::Parts || row.menu == MenuId::Trim ||
+        if (row.menu == MenuId::Model || row.menu == MenuId::Parts || row.menu == MenuId::Area ||
             row.menu == MenuId::Mask)
             actions.get(QLatin1StringView(row.id))->setEnabled(!isBusy);
     for (const char* id : {"file.save", "file.saveAs", "file.saveCopy", "file.exportAs", "file.exportFor",

@@ -16,6 +16,23 @@ struct CommandRow
     KeySet required, optional;
     ModelCommand (*make)(Draft, Settings);
 };
+constexpr KeySet areaKeys = bit(OutlineKey) | bit(AlongKey);
+constexpr KeySet optionalAreaKeys = bit(EyeKey) | bit(SymmetryKey) | bit(FrontKey);
+
+ViewArea areaOf(Draft draft, Settings settings)
+{
+    ViewArea area = draft.area;
+    area.symmetry = settings.symmetry;
+    if (draft.hasEye)
+        area.eye = draft.eye;
+    return area;
+}
+
+std::optional<Rgb> colorOf(Draft draft, Settings settings)
+{
+    return draft.hasColor ? std::optional(settings.color) : std::nullopt;
+}
+
 constexpr CommandRow commandTable[] = {
     {"move", bit(ByKey), 0, [](Draft d, Settings) -> ModelCommand { return Move{d.by}; }},
     {"rotate", bit(TurnKey), 0, [](Draft d, Settings) -> ModelCommand { return Rotate{d.rotation}; }},
@@ -64,10 +81,19 @@ constexpr CommandRow commandTable[] = {
          return CombineParts{d.operation, d.parts};
      }},
     {"hide", bit(WhatKey), 0, [](Draft d, Settings) -> ModelCommand { return Hide{d.hides}; }},
-    {"trim", bit(OutlineKey) | bit(AlongKey), bit(EyeKey) | bit(RemoveKey) | bit(SymmetryKey) | bit(ColorKey),
+    {"trim", areaKeys, optionalAreaKeys | bit(RemoveKey) | bit(ColorKey),
      [](Draft d, Settings s) -> ModelCommand {
-         return Trim{d.outline, d.along,    d.hasEye ? std::optional(d.eye) : std::nullopt,
-                     d.remove,  s.symmetry, d.hasColor ? std::optional(s.color) : std::nullopt};
+         return Trim{areaOf(d, s), colorOf(d, s)};
+     }},
+    {"mask_area", areaKeys, optionalAreaKeys | bit(SideKey) | bit(InvertKey),
+     [](Draft d, Settings s) -> ModelCommand {
+         return MaskArea{areaOf(d, s), s.inverted};
+     }},
+    {"hide_area", areaKeys, optionalAreaKeys | bit(SideKey),
+     [](Draft d, Settings s) -> ModelCommand { return HideArea{areaOf(d, s)}; }},
+    {"split_part", areaKeys, optionalAreaKeys | bit(SideKey) | bit(NameKey) | bit(ColorKey),
+     [](Draft d, Settings s) -> ModelCommand {
+         return SplitPart{areaOf(d, s), d.partName, colorOf(d, s)};
      }},
 };
 constexpr auto commandNames = [] {
@@ -78,7 +104,7 @@ constexpr auto commandNames = [] {
 constexpr std::array<std::string_view, 2> keepTable{"positive", "negative"};
 constexpr std::array<std::string_view, 3> hideTable{"masked", "unmasked", "none"};
 constexpr std::array<std::string_view, 3> operationTable{"union", "subtract", "intersect"};
-constexpr std::array<std::string_view, 2> removeTable{"inside", "outside"};
+constexpr std::array<std::string_view, 2> sideTable{"inside", "outside"};
 const auto primitiveNames = [] {
     std::array<std::string_view, Primitive::kinds> names;
     for (std::size_t i = 0; i < names.size(); ++i)
@@ -114,7 +140,8 @@ bool StrokeJsonReader::commandWord(const std::string& typed)
     case KeepKey:
         return take(keepTable, m_command.keep);
     case RemoveKey:
-        return take(removeTable, m_command.remove);
+    case SideKey:
+        return take(sideTable, m_command.area.side);
     case WhereKey:
         return take(placeNames, m_command.where);
     case CombineKey:

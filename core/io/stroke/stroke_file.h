@@ -50,7 +50,10 @@ namespace core
 ///     {"command":"combine_parts","part":0,"operation":"union","parts":[1]}
 ///     {"command":"hide","what":"masked"}
 ///     {"command":"trim","outline":[[0,0,5],[9,0,5],[0,9,5]],"along":[0,0,-1],"eye":[0,0,99],"remove":"inside",
-///      "symmetry":"none"}
+///      "symmetry":"none","front":false}
+///     {"command":"mask_area","outline":[[0,0,5],[9,0,5],[0,9,5]],"along":[0,0,-1],"side":"inside","invert":false}
+///     {"command":"hide_area","outline":[[0,0,5],[9,0,5],[0,9,5]],"along":[0,0,-1],"side":"inside"}
+///     {"command":"split_part","outline":[[0,0,5],[9,0,5],[0,9,5]],"along":[0,0,-1],"side":"inside","name":"Arm"}
 ///
 /// Each stroke and command may have "part", the id of the part that it changes (PartId; default 0). "operation" is
 /// union, subtract or intersect; "what" is masked, unmasked or none; "parts" are the parts to show, or to combine
@@ -62,8 +65,9 @@ namespace core
 /// or intersect. An insertion has either "file" or "primitive", a name of a Primitive::Kind. A primitive needs the keys
 /// of its measures, which measuresOf() lists; a lathe needs "profile", a list of pairs [radius, height]. "edge_length"
 /// and "axis" (x, y or z; default y) are optional. "recenter" and "center" are accepted, too.
-/// A trim has "eye" if the view along "along" is a perspective one; "remove" is inside (the default) or outside;
-/// "color" is the colour of the cut.
+/// An area (ViewArea) has "eye" if the view along "along" is a perspective one. The side that is meant is inside (the
+/// default) or outside: "remove" of a trim, "side" of the others. "front": only what is seen first (default false).
+/// "color" is the colour of the cut. A mask_area with "invert" removes the mask.
 struct StrokeFileError : std::runtime_error
 {
     enum class Kind {

@@ -129,16 +129,42 @@ void write(std::ostream& out, const Stroke& stroke)
     out << "]}";
 }
 
+/// Returns the keys of an area, each after a comma. `sideKey`: the key that tells the side.
+std::string keysOf(const ViewArea& area, std::string_view sideKey)
+{
+    std::string text = R"(,"outline":[)";
+    for (std::size_t i = 0; i < area.outline.size(); ++i)
+        text += (i == 0 ? "" : ",") + list(area.outline[i]);
+    text += R"(],"along":)" + list(area.direction);
+    text += area.eye ? R"(,"eye":)" + list(*area.eye) : "";
+    text += ",\"" + std::string(sideKey) + (area.side == ViewArea::Side::Inside ? R"(":"inside")" : R"(":"outside")");
+    text += R"(,"symmetry":")" + std::string(name(area.symmetry)) + '"';
+    return area.isFrontOnly ? text + R"(,"front":true)" : text;
+}
+
+std::string colorKey(const std::optional<Rgb>& color)
+{
+    return color ? R"(,"color":)" + list(*color) : std::string();
+}
+
 std::string keysOf(const Trim& trim)
 {
-    std::string text = R"("trim","outline":[)";
-    for (std::size_t i = 0; i < trim.outline.size(); ++i)
-        text += (i == 0 ? "" : ",") + list(trim.outline[i]);
-    text += R"(],"along":)" + list(trim.direction);
-    text += trim.eye ? R"(,"eye":)" + list(*trim.eye) : "";
-    text += trim.remove == Trim::Remove::Inside ? R"(,"remove":"inside")" : R"(,"remove":"outside")";
-    text += R"(,"symmetry":")" + std::string(name(trim.symmetry)) + '"';
-    return trim.color ? text + R"(,"color":)" + list(*trim.color) : text;
+    return R"("trim")" + keysOf(trim.area, "remove") + colorKey(trim.color);
+}
+
+std::string keysOf(const MaskArea& mask)
+{
+    return R"("mask_area")" + keysOf(mask.area, "side") + (mask.isErasing ? R"(,"invert":true)" : "");
+}
+
+std::string keysOf(const HideArea& hide)
+{
+    return R"("hide_area")" + keysOf(hide.area, "side");
+}
+
+std::string keysOf(const SplitPart& split)
+{
+    return R"("split_part")" + keysOf(split.area, "side") + R"(,"name":)" + quoted(split.name) + colorKey(split.color);
 }
 
 std::string keysOf(const Primitive& primitive)
@@ -228,8 +254,7 @@ std::string keysOf(const FileCommand& entry)
             constexpr std::string_view words[] = {"masked", "unmasked", "none"};
             return R"("hide","what":")" + Text(words[static_cast<std::size_t>(hide.what)]) + '"';
         },
-        [](const Trim& trim) { return keysOf(trim); },
-        [](const Transform& transform) { return keysOf(transform); },
+        [](const auto& command) { return keysOf(command); },
     };
     return std::visit(keys, entry.command);
 }

@@ -31,9 +31,8 @@ struct CommandDraft
     SetOperation operation = SetOperation::Union;
     Hide::What hides = Hide::What::Masked;
     std::size_t position = std::numeric_limits<std::size_t>::max(); ///< in the list of parts
-    std::vector<Vec3> outline;
-    Vec3 eye = Vec3::Zero(), along = Vec3::Zero();
-    Trim::Remove remove = Trim::Remove::Inside;
+    ViewArea area;                                                  ///< without its eye and symmetry
+    Vec3 eye = Vec3::Zero();
     bool hasEye = false, hasColor = false; ///< the object has the keys "eye" and "color"
 };
 

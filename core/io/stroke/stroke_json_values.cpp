@@ -106,9 +106,9 @@ void StrokeJsonReader::strokeVector(const Vec3& vector)
         m_command.scaleAxes = unitRotation();
         break;
     case OutlineKey:
-        if (m_command.outline.size() == Trim::mostCorners)
+        if (m_command.area.outline.size() == ViewArea::mostCorners)
             refuse(Kind::OutOfRange);
-        m_command.outline.push_back(vector);
+        m_command.area.outline.push_back(vector);
         break;
     case EyeKey:
         m_command.eye = vector;
@@ -116,7 +116,7 @@ void StrokeJsonReader::strokeVector(const Vec3& vector)
     case AlongKey:
         if (vector.cwiseAbs().maxCoeff() < minDirection)
             refuse(Kind::OutOfRange);
-        m_command.along = vector;
+        m_command.area.direction = vector;
         break;
     case ProfileKey:
         if (m_command.primitive.profile.size() == PrimitiveLimits::maxProfile)
@@ -288,7 +288,7 @@ bool StrokeJsonReader::boolean(bool value)
         refuse(Kind::NotStrokes);
     if (m_level != Level::Stroke || m_inVector || m_inOutline ||
         (m_key != FusionKey && m_key != SymmetryKey && m_key != AddKey && m_key != JoinKey && m_key != InvertKey &&
-         m_key != AlphaFollowsKey && m_key != AnchoredKey && m_key != LockedKey))
+         m_key != AlphaFollowsKey && m_key != AnchoredKey && m_key != LockedKey && m_key != FrontKey))
         refuse(Kind::WrongType);
     if (m_key == SymmetryKey)
         stroke().settings.symmetry = value ? paperPlane : Symmetry::None;
@@ -296,6 +296,8 @@ bool StrokeJsonReader::boolean(bool value)
         stroke().settings.add = value;
     else if (m_key == LockedKey)
         m_command.isLocked = value;
+    else if (m_key == FrontKey)
+        m_command.area.isFrontOnly = value;
     else if (m_key == JoinKey)
         stroke().settings.join = value;
     else if (m_key == AlphaFollowsKey)

@@ -92,9 +92,11 @@ enum StrokeKey {
     EdgeLengthKey,
     AxisKey,
     StretchKey,
-    StretchAxesKey // the keys from CommandKey to here are keys of commands only
+    StretchAxesKey,
+    SideKey,
+    FrontKey // the keys from CommandKey to here are keys of commands only
 };
-inline constexpr Keys<60> strokeKeys{{"tool",
+inline constexpr Keys<62> strokeKeys{{"tool",
                                       "radius",
                                       "samples",
                                       "brush",
@@ -153,7 +155,9 @@ inline constexpr Keys<60> strokeKeys{{"tool",
                                       "edge_length",
                                       "axis",
                                       "scale",
-                                      "scale_axes"},
+                                      "scale_axes",
+                                      "side",
+                                      "front"},
                                      3};
 
 /// The keys that only commands have.

@@ -357,13 +357,13 @@ void TestTranslations::mnemonics_areUniqueInAMenu()
     QStringList titles;
     for (const ui::MenuId id :
          {ui::MenuId::File, ui::MenuId::Edit, ui::MenuId::Sculpt, ui::MenuId::Tool, ui::MenuId::Mask, ui::MenuId::Model,
-          ui::MenuId::Trim, ui::MenuId::View, ui::MenuId::Vr, ui::MenuId::Help}) {
+          ui::MenuId::Area, ui::MenuId::View, ui::MenuId::Vr, ui::MenuId::Help}) {
         QStringList keys;
         if (id == ui::MenuId::Sculpt)
             keys += mnemonics(actions.menuTitle(ui::MenuId::Tool)) + mnemonics(actions.menuTitle(ui::MenuId::Mask));
         if (id == ui::MenuId::Model)
-            keys += mnemonics(actions.menuTitle(ui::MenuId::Trim));
-        if (id != ui::MenuId::Tool && id != ui::MenuId::Mask && id != ui::MenuId::Trim)
+            keys += mnemonics(actions.menuTitle(ui::MenuId::Area));
+        if (id != ui::MenuId::Tool && id != ui::MenuId::Mask && id != ui::MenuId::Area)
             titles += mnemonics(actions.menuTitle(id));
         QMenu menu;
         actions.fill(&menu, id);

@@ -435,6 +435,12 @@ void TestStrokeFile::refuses_data()
     command(R"("command":"trim","outline":[],"along":[0,0,1],"remove":"left")", Kind::UnknownValue, "remove: \"left\"");
     command(R"("command":"trim","outline":[],"along":[0,0,1],"symmetry":"w")", Kind::UnknownValue, "symmetry: \"w\"");
     command(R"("command":"trim","outline":[],"along":[0,0,1],"plane":"x")", Kind::UnknownKey, "plane");
+    command(R"("command":"trim","outline":[],"along":[0,0,1],"side":"inside")", Kind::UnknownKey, "side");
+    command(R"("command":"hide_area","outline":[],"along":[0,0,1],"remove":"inside")", Kind::UnknownKey, "remove");
+    command(R"("command":"hide_area","outline":[],"along":[0,0,1],"side":"left")", Kind::UnknownValue,
+            "side: \"left\"");
+    command(R"("command":"mask_area","outline":[],"along":[0,0,1],"front":1)", Kind::WrongType, "front");
+    command(R"("command":"split_part","along":[0,0,1])", Kind::MissingKey, "outline");
     command(R"("command":"move","by":[1,0,0],"eye":[0,0,9])", Kind::UnknownKey, "eye");
     command(R"("command":"insert")", Kind::MissingKey, "file");
     command(R"("command":"insert","file":"")", Kind::UnknownValue, "file: \"\"");
@@ -621,8 +627,8 @@ void TestStrokeFile::commands_roundTrip()
     QCOMPARE(std::get<core::FlattenBase>(commandAt(22).command).height, 0.5);
     QCOMPARE(std::get<core::MaskOperation>(commandAt(23).command).how, core::MaskOperation::Kind::Shrink);
     const auto trim = std::get<core::Trim>(commandAt(25).command);
-    QVERIFY(trim.eye == Vec3(0, 0, 99) && trim.outline.at(1) == Vec3(9, 0.1, 5) && !trim.color);
-    QVERIFY(std::get<core::Trim>(commandAt(26).command).direction == Vec3(0, -1, 0));
+    QVERIFY(trim.area.eye == Vec3(0, 0, 99) && trim.area.outline.at(1) == Vec3(9, 0.1, 5) && !trim.color);
+    QVERIFY(std::get<core::Trim>(commandAt(26).command).area.direction == Vec3(0, -1, 0));
 
     const auto swapped =
         parseStrokes(R"({"format":"fettle-strokes","version":1,"strokes":[{"by":[1,0,0],"command":"move"}]})");
@@ -642,7 +648,12 @@ void TestStrokeFile::partCommands_roundTrip()
 {"command":"separate_part"},
 {"command":"combine_parts","operation":"subtract","parts":[2,4],"part":1},
 {"command":"hide","what":"unmasked"},
-{"command":"hide","what":"none"}]}
+{"command":"hide","what":"none"},
+{"command":"mask_area","outline":[[0,0,5]],"along":[0,0,-1],"side":"inside","symmetry":"none","invert":true},
+{"command":"mask_area","outline":[[0,0,5]],"along":[0,0,-1],"side":"outside","symmetry":"y"},
+{"command":"hide_area","outline":[],"along":[0,0,-1],"eye":[0,0,9],"side":"inside","symmetry":"none","front":true},
+{"command":"split_part","outline":[],"along":[0,0,-1],"side":"outside","symmetry":"none","name":"Arm","color":[1,2,3]},
+{"command":"trim","outline":[],"along":[0,0,-1],"remove":"inside","symmetry":"none","front":true,"part":2}]}
 )";
     const std::vector<FileEntry> entries = parseStrokes(text);
     std::ostringstream out;
@@ -654,6 +665,11 @@ void TestStrokeFile::partCommands_roundTrip()
     QVERIFY(!std::get<core::EditPart>(commandAt(2).command).tag);
     QCOMPARE(std::get<core::ShowParts>(commandAt(3).command).visible.back(), core::PartId(32767));
     QCOMPARE(std::get<core::CombineParts>(commandAt(8).command).others.size(), std::size_t(2));
+    QVERIFY(std::get<core::MaskArea>(commandAt(11).command).isErasing);
+    QVERIFY(std::get<core::MaskArea>(commandAt(12).command).area.side == core::ViewArea::Side::Outside);
+    QVERIFY(std::get<core::HideArea>(commandAt(13).command).area.isFrontOnly);
+    QCOMPARE(std::get<core::SplitPart>(commandAt(14).command).name, std::string("Arm"));
+    QVERIFY(std::get<core::Trim>(commandAt(15).command).area.isFrontOnly);
     const std::string stroke = R"("tool":"pull","radius":1,"part":7)";
     QCOMPARE(std::get<Stroke>(parseStrokes(file(stroke)).at(0)).settings.part, core::PartId(7));
 }

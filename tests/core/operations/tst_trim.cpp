@@ -1,9 +1,9 @@
 // Tests cuts along curves: both parts are sound by CGAL's verdict, their volumes add up, and the cut is on the curve.
 
+#include "core/area/winding_outline.h"
 #include "core/mesh/mesh_builder.h"
 #include "core/operations/model_command.h"
 #include "core/operations/trim.h"
-#include "core/operations/winding_outline.h"
 #include "tests/support/clay.h"
 #include "tests/support/effort.h"
 #include "tests/support/mirror_asserts.h"
@@ -79,10 +79,10 @@ Trim trimOf(const View& view, const std::vector<Eigen::Vector2d>& curve)
 {
     Trim trim;
     for (const Eigen::Vector2d& p : curve)
-        trim.outline.push_back(view.at(p.x(), p.y()));
-    trim.direction = 3 * view.along;
+        trim.area.outline.push_back(view.at(p.x(), p.y()));
+    trim.area.direction = 3 * view.along;
     if (view.isPerspective)
-        trim.eye = view.eye;
+        trim.area.eye = view.eye;
     return trim;
 }
 
@@ -185,7 +185,7 @@ QString faultOfParts(const TriangleMesh& shape, const View& view, const std::vec
     Trim trim = trimOf(view, curve);
     QString fault;
     const double without = volumeAfter(*mesh, trim, view, curve, tolerance, fault);
-    trim.remove = Trim::Remove::Outside;
+    trim.area.side = ViewArea::Side::Outside;
     const double within = volumeAfter(*mesh, trim, view, curve, tolerance, fault);
     const double error = std::abs(without + within - whole);
     // rounding moves the surface by at most half a unit of a lattice that may be four times coarser than the mesh's
@@ -308,8 +308,8 @@ void TestTrim::symmetricModel_remainsSymmetric()
         QVERIFY(change.refusal == ModelRefusal::None);
         mesh->swap(change.delta);
         Trim trim = trimOf(randomView(random, 5), randomStar(random, 0.6));
-        trim.symmetry = plane;
-        trim.remove = i % 3 ? Trim::Remove::Inside : Trim::Remove::Outside;
+        trim.area.symmetry = plane;
+        trim.area.side = i % 3 ? ViewArea::Side::Inside : ViewArea::Side::Outside;
         change = applyToCopy(*mesh, trim);
         if (change.refusal != ModelRefusal::None)
             continue;
@@ -329,7 +329,7 @@ void TestTrim::curveBeside_changesNothing()
         Trim trim = trimOf(frontView, curve);
         ModelChange change = applyToCopy(*mesh, trim);
         QVERIFY(change.refusal == ModelRefusal::None && !change.changes);
-        trim.remove = Trim::Remove::Outside;
+        trim.area.side = ViewArea::Side::Outside;
         change = applyToCopy(*mesh, trim);
         QVERIFY(change.refusal == ModelRefusal::NothingLeft && !change.changes);
     }
@@ -340,7 +340,7 @@ void TestTrim::everything_isNotCutAway()
     const auto mesh = sculptable(icosphere(3, 1));
     Trim trim = trimOf(frontView, circle(2, 20));
     QVERIFY(applyToCopy(*mesh, trim).refusal == ModelRefusal::NothingLeft);
-    trim.remove = Trim::Remove::Outside;
+    trim.area.side = ViewArea::Side::Outside;
     const ModelChange change = applyToCopy(*mesh, trim);
     QVERIFY(change.refusal == ModelRefusal::None && !change.changes);
 }
@@ -361,7 +361,7 @@ void TestTrim::badCurves_areRefused()
             QVERIFY(applyToCopy(*mesh, trimOf(view, curve)).refusal == ModelRefusal::NoOutline);
         }
     Trim around = trimOf(frontView, circle(1, 8));
-    around.eye = Vec3::Zero();
+    around.area.eye = Vec3::Zero();
     QVERIFY(applyToCopy(*mesh, around).refusal == ModelRefusal::NoOutline);
     around = trimOf(frontView, {{0, 0}, {1, 0}, {0, std::nan("")}});
     QVERIFY(applyToCopy(*mesh, around).refusal == ModelRefusal::NoOutline);
@@ -372,16 +372,16 @@ void TestTrim::eyeWithinTheModel_cutsWhatIsBefore()
 {
     const auto mesh = sculptable(icosphere(4, 1));
     Trim trim = trimOf(frontView, circle(0.5, 40));
-    for (Vec3& p : trim.outline)
+    for (Vec3& p : trim.area.outline)
         p.z() = -1;
-    trim.eye = Vec3::Zero();
+    trim.area.eye = Vec3::Zero();
     const double removed = removedBy(*mesh, trim);
     QVERIFY2(removed > 0.1 && removed < 0.3, qPrintable(QString::number(removed)));
     for (const Slot v : mesh->vertices())
         QVERIFY(mesh->point(v).z() < 0.01F || mesh->point(v).norm() > 0.99F);
     const ModelChange change = applyToCopy(*mesh, [&] {
-        trim.eye = Vec3(0, 0, -5);
-        for (Vec3& p : trim.outline)
+        trim.area.eye = Vec3(0, 0, -5);
+        for (Vec3& p : trim.area.outline)
             p.z() = -6;
         return trim;
     }());

@@ -1,6 +1,6 @@
-// Draws curves over a ball in the view, and looks at what the requested cuts leave of it.
+// Draws areas over a ball in the view, and looks at what the requested commands do to it.
 
-#include "ui/model/trim_actions.h"
+#include "ui/model/area_actions.h"
 
 #include "core/analysis/mesh_check.h"
 #include "core/mesh/dirty_slots.h"
@@ -8,11 +8,13 @@
 #include "tests/support/test_main.h"
 #include "tests/ui/ui_test.h"
 #include "ui/actions/actions.h"
+#include "ui/viewport/area_bar.h"
 #include "ui/viewport/curve_drawing.h"
 
 #include <QAction>
 #include <QLabel>
 #include <QMainWindow>
+#include <QToolButton>
 
 #include <cmath>
 #include <numbers>
@@ -21,15 +23,14 @@ using Projection = ui::OrbitCamera::Projection;
 
 namespace
 {
-/// A window with a ball seen from the front, and the last cut that was requested.
+/// A window with a ball seen from the front, and the last command that was requested.
 struct Stage
 {
     explicit Stage(Projection projection = Projection::Perspective)
     {
         window.setCentralWidget(viewport);
         window.resize(600, 450);
-        ui::connectTrim(actions, viewport, &brush,
-                        [this](const core::ModelCommand& command) { requested = std::get<core::Trim>(command); });
+        ui::connectAreas(actions, viewport, &brush, [this](const core::ModelCommand& command) { requested = command; });
         viewport->setPatchSource([this] { return std::exchange(next, std::nullopt); });
         viewport->setReducesMotion(true);
         viewport->showModel({core::Vec3::Constant(-30), core::Vec3::Constant(30)});
@@ -50,10 +51,17 @@ struct Stage
         return QPointF(p.x(), p.y()).toPoint();
     }
 
-    void start(const char* id)
+    QToolButton* button(const char* name) const { return viewport->findChild<QToolButton*>(QLatin1StringView(name)); }
+    QString hint() const { return viewport->findChild<QLabel*>(QStringLiteral("curveHint"))->text(); }
+
+    /// Starts a command, and chooses the shape in the bar.
+    void start(const char* id, const char* shape)
     {
         actions.get(QLatin1StringView(id))->trigger();
         QVERIFY(drawing()->isActive() && drawing()->isVisible());
+        QVERIFY(button(shape)->isVisible());
+        QTest::mouseClick(button(shape), Qt::LeftButton);
+        QVERIFY(button(shape)->isChecked() && drawing()->isActive());
     }
 
     void press(const QPoint& p, Qt::MouseButton button = Qt::LeftButton)
@@ -118,8 +126,13 @@ struct Stage
     ui::Viewport* viewport = new ui::Viewport(&brush);
     std::unique_ptr<core::Mesh> mesh = core::buildMesh(core::icosphere(4, 30)).mesh;
     std::optional<core::MeshPatch> next;
-    std::optional<core::Trim> requested;
+    std::optional<core::ModelCommand> requested;
 };
+
+const std::vector<core::Vec3>& outlineOf(const core::ModelCommand& command)
+{
+    return std::get<core::Trim>(command).area.outline;
+}
 
 void addProjections()
 {
@@ -129,7 +142,7 @@ void addProjections()
 }
 } // namespace
 
-class TestTrimActions : public QObject
+class TestAreaActions : public QObject
 {
     Q_OBJECT
 
@@ -147,14 +160,15 @@ private Q_SLOTS:
             const double angle = 2 * std::numbers::pi * i / samples;
             return s.at(radius * std::cos(angle), radius * std::sin(angle));
         };
-        s.start("trim.lasso");
+        s.start("area.trim", "areaLasso");
         s.press(sample(0));
         for (int i = 1; i < samples; ++i)
             s.move(sample(i));
         const QImage before = s.window.grab().toImage();
         s.release(sample(samples - 1));
         QVERIFY(s.requested);
-        QVERIFY2(s.requested->outline.size() < samples / 2, qPrintable(QString::number(s.requested->outline.size())));
+        QVERIFY2(outlineOf(*s.requested).size() < samples / 2,
+                 qPrintable(QString::number(outlineOf(*s.requested).size())));
         const double left = s.shareLeft();
         if (projection == Projection::Orthographic) {
             // a cylinder through a ball leaves (1 - radius^2)^1.5 of it
@@ -171,7 +185,7 @@ private Q_SLOTS:
     void box_isCutOut()
     {
         Stage s(Projection::Orthographic);
-        s.start("trim.box");
+        s.start("area.trim", "areaBox");
         s.drag(s.at(-0.5, 1.2), s.at(1.2, -1.2));
         const double left = s.shareLeft(); // a cap of half the radius has 5/32
         QVERIFY2(std::abs(left - 5.0 / 32) < 0.02, qPrintable(QString::number(left)));
@@ -180,7 +194,7 @@ private Q_SLOTS:
     void line_takesItsRightSide()
     {
         Stage s;
-        s.start("trim.line");
+        s.start("area.trim", "areaLine");
         s.drag(s.at(-0.3, 0), s.at(0.4, 0));
         const double left = s.shareLeft();
         QVERIFY2(std::abs(left - 0.5) < 0.02, qPrintable(QString::number(left)));
@@ -191,7 +205,7 @@ private Q_SLOTS:
     void polygon_endsWithADoubleClick()
     {
         Stage s;
-        s.start("trim.polygon");
+        s.start("area.trim", "areaPolygon");
         for (const QPoint& corner : {s.at(-1.2, 0), s.at(1.2, 0), s.at(0.1, 0.1)})
             s.click(corner);
         QTest::keyClick(s.viewport, Qt::Key_Backspace);
@@ -208,25 +222,25 @@ private Q_SLOTS:
     {
         Stage s;
         const QPoint corners[] = {s.at(-1.2, 0), s.at(1.2, 0), s.at(1.2, 1.2), s.at(-1.2, 1.2)};
-        s.start("trim.polygon");
+        s.start("area.trim", "areaPolygon");
         for (const QPoint& corner : corners)
             s.click(corner);
         QTest::keyClick(s.viewport, Qt::Key_Return);
         QVERIFY(!s.drawing()->isActive() && s.requested);
-        const std::size_t size = s.requested->outline.size();
+        const std::size_t size = outlineOf(*s.requested).size();
         s.requested.reset();
-        s.start("trim.polygon");
+        s.start("area.trim", "areaPolygon");
         for (const QPoint& corner : corners)
             s.click(corner);
         s.click(corners[0] + QPoint(2, 1));
         QVERIFY(!s.drawing()->isActive() && s.requested);
-        QCOMPARE(s.requested->outline.size(), size);
+        QCOMPARE(outlineOf(*s.requested).size(), size);
     }
 
     void shift_takesTheOutside()
     {
         Stage s(Projection::Orthographic);
-        s.start("trim.box");
+        s.start("area.trim", "areaBox");
         s.drag(s.at(-0.5, 1.2), s.at(1.2, -1.2), Qt::ShiftModifier);
         const double left = s.shareLeft();
         QVERIFY2(std::abs(left - 27.0 / 32) < 0.02, qPrintable(QString::number(left)));
@@ -236,23 +250,71 @@ private Q_SLOTS:
     {
         Stage s(Projection::Orthographic);
         s.brush.setSymmetric(true);
-        s.start("trim.box");
+        s.start("area.trim", "areaBox");
         s.drag(s.at(0.5, 1.2), s.at(1.2, -1.2));
         const double left = s.shareLeft();
         QVERIFY2(std::abs(left - 22.0 / 32) < 0.03, qPrintable(QString::number(left)));
     }
 
+    /// Each command asks for what its hint says, with the choices of the bar.
+    void commands_areAsked()
+    {
+        Stage s;
+        const auto draw = [&](const char* id) {
+            s.requested.reset();
+            s.start(id, "areaBox");
+            s.drag(s.at(-0.5, 0.5), s.at(0.5, -0.5));
+            return s.requested.value();
+        };
+        const auto mask = std::get<core::MaskArea>(draw("area.mask"));
+        QVERIFY(!mask.isErasing && mask.area.side == core::ViewArea::Side::Inside && !mask.area.isFrontOnly);
+        QVERIFY(std::get<core::MaskArea>(draw("area.unmask")).isErasing);
+        QCOMPARE(std::get<core::HideArea>(draw("area.hide")).area.outline.size(), std::size_t(4));
+        QTest::mouseClick(s.button("areaOutside"), Qt::LeftButton);
+        QTest::mouseClick(s.button("areaFront"), Qt::LeftButton);
+        const auto split = std::get<core::SplitPart>(draw("area.split"));
+        QVERIFY(split.area.isFrontOnly && split.area.side == core::ViewArea::Side::Outside);
+        // Shift means the other side than the bar
+        s.start("area.trim", "areaBox");
+        s.drag(s.at(-0.5, 0.5), s.at(0.5, -0.5), Qt::ShiftModifier);
+        QVERIFY(std::get<core::Trim>(*s.requested).area.side == core::ViewArea::Side::Inside);
+        QVERIFY(!s.button("areaBox")->isVisible());
+    }
+
+    void keys_chooseInTheBar()
+    {
+        Stage s;
+        s.start("area.hide", "areaLasso");
+        const QString hint = s.hint();
+        QTest::keyClick(s.viewport, Qt::Key_3);
+        QVERIFY(s.button("areaLine")->isChecked() && s.hint() != hint);
+        const QString inside = s.hint();
+        QTest::keyClick(s.viewport, Qt::Key_O);
+        QVERIFY(s.button("areaOutside")->isChecked() && s.hint() != inside);
+        QTest::keyPress(s.viewport, Qt::Key_Shift, Qt::ShiftModifier);
+        QCOMPARE(s.hint(), inside);
+        QTest::keyRelease(s.viewport, Qt::Key_Shift);
+        QTest::keyClick(s.viewport, Qt::Key_F);
+        QVERIFY(s.button("areaFront")->isChecked() && s.drawing()->isActive());
+        // the next command begins with the same shape
+        QTest::keyClick(s.viewport, Qt::Key_Escape);
+        s.actions.get(QStringLiteral("area.trim"))->trigger();
+        QVERIFY(s.button("areaLine")->isChecked());
+        s.drag(s.at(-0.3, 0), s.at(0.4, 0));
+        QVERIFY(std::holds_alternative<core::Trim>(s.requested.value()));
+    }
+
     void curve_canBeGivenUp()
     {
         Stage s;
-        s.start("trim.lasso");
+        s.start("area.trim", "areaLasso");
         s.press(s.at(-0.3, 0));
         s.move(s.at(0.3, 0.2));
         QTest::keyClick(s.viewport, Qt::Key_Escape);
         QVERIFY(!s.drawing()->isActive() && !s.drawing()->isVisible());
         s.release(s.at(0.3, 0.2));
 
-        s.start("trim.polygon");
+        s.start("area.trim", "areaPolygon");
         s.click(s.at(0, 0));
         s.click(s.at(0.3, 0));
         QTest::keyClick(s.viewport, Qt::Key_Return); // two corners have no area
@@ -260,10 +322,10 @@ private Q_SLOTS:
         s.click(s.at(0.3, 0.3), Qt::RightButton);
         QVERIFY(!s.drawing()->isActive());
 
-        s.start("trim.box");
+        s.start("area.trim", "areaBox");
         s.click(s.at(0, 0)); // a click is no box
         QVERIFY(s.drawing()->isActive());
-        s.start("trim.line");
+        s.start("area.trim", "areaLine");
         s.window.resize(500, 400); // the curve would no longer be where it was drawn
         QTRY_VERIFY(!s.drawing()->isActive());
         QVERIFY(!s.requested);
@@ -274,7 +336,7 @@ private Q_SLOTS:
     {
         Stage s;
         const core::Vec3 before = s.viewport->camera().viewDirection();
-        s.start("trim.lasso");
+        s.start("area.trim", "areaLasso");
         s.press({100, 100}, Qt::MiddleButton);
         for (int i = 1; i <= 5; ++i)
             s.move({100 + 20 * i, 100}, {}, Qt::MiddleButton);
@@ -286,5 +348,5 @@ private Q_SLOTS:
     }
 };
 
-FETTLE_TEST(TestTrimActions, ui::TestApplication)
-#include "tst_trim_actions.moc"
+FETTLE_TEST(TestAreaActions, ui::TestApplication)
+#include "tst_area_actions.moc"

@@ -1,10 +1,13 @@
 #pragma once
 
-#include "core/operations/model_command.h"
+#include "core/area/view_area.h"
+#include "core/geometry/triangle_mesh.h"
 
 namespace core
 {
-/// The solid that a Trim's curve sweeps through a model.
+class Mesh;
+
+/// The solid that a curve in the view sweeps through a model.
 struct SweptOutline
 {
     bool hasArea = false; ///< false: the curve has no area or is too tangled, or a corner is beside or behind the eye
@@ -14,6 +17,7 @@ struct SweptOutline
     TriangleMesh solid;
 };
 
-/// Returns the solid that the curve sweeps. Cost: the mesh's vertices, and quadratic in the corners. Thread: any.
-SweptOutline sweptOutline(const Trim& command, const Mesh& mesh);
+/// Returns the solid that the area's curve sweeps, without its mirror image. Cost: the mesh's vertices, and quadratic
+/// in the corners. Thread: any.
+SweptOutline sweptOutline(const ViewArea& area, const Mesh& mesh);
 } // namespace core

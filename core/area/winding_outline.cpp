@@ -5,7 +5,7 @@
 //   4. part     loops that touch in a point
 //   5. drop     loops that are too thin
 
-#include "core/operations/winding_outline.h"
+#include "core/area/winding_outline.h"
 
 #include <algorithm>
 #include <array>

@@ -5,11 +5,11 @@
 //   4. cap       in front of the model and behind it                                           polygon_triangulation
 //   5. wall      between the caps, in rows of triangles about as large as the model's
 
-#include "core/operations/swept_outline.h"
+#include "core/area/swept_outline.h"
 
+#include "core/area/fitted_loops.h"
+#include "core/area/sight.h"
 #include "core/mesh/mesh.h"
-#include "core/operations/transform.h"
-#include "core/operations/winding_outline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,49 +25,8 @@ using FlatBox = Eigen::AlignedBox2d;
 constexpr double margin = 0.03;
 /// Least depth of the front cap in perspective, as a share of the greatest depth of the model.
 constexpr double leastDepth = 1e-3;
-/// Least ratio of a corner's depth to its distance from the eye: corners farther aside are refused.
-constexpr double leastCosine = 0.02;
-/// Half the side of the square on the plane lattice into which the curve is fitted.
-constexpr double latticeReach = 1 << 20;
 /// Largest number of wall faces; above it they are made larger than the model's.
 constexpr double mostWallFaces = 60'000;
-
-/// The lines of sight, and the coordinates that they give: where a line meets a plane, and the depth along the view.
-class Sight
-{
-public:
-    explicit Sight(const Trim& command);
-
-    /// Returns x and y on the plane, and the depth. In perspective x and y are at depth 1; meaningless if the depth is
-    /// not above 0.
-    Vec3 seen(const Vec3& p) const
-    {
-        const Vec3 at = m_axes.transpose() * (p - m_eye);
-        return m_isPerspective ? Vec3(at.x() / at.z(), at.y() / at.z(), at.z()) : at;
-    }
-    Vec3 placed(const Flat& at, double depth) const { return m_eye + m_axes * placedAlong(at, depth); }
-    bool isPerspective() const { return m_isPerspective; }
-    double scaleAt(double depth) const { return m_isPerspective ? depth : 1; }
-
-private:
-    Vec3 placedAlong(const Flat& at, double depth) const
-    {
-        return {at.x() * scaleAt(depth), at.y() * scaleAt(depth), depth};
-    }
-
-    bool m_isPerspective;
-    Vec3 m_eye = Vec3::Zero();
-    Eigen::Matrix3d m_axes; ///< right-handed; the last one is along the view
-};
-
-Sight::Sight(const Trim& command) : m_isPerspective(command.eye.has_value())
-{
-    m_eye = command.eye.value_or(Vec3::Zero());
-    Vec3 along = command.direction;
-    along.stableNormalize();
-    const Vec3 right = along.unitOrthogonal();
-    m_axes << right, along.cross(right), along;
-}
 
 /// The model as seen: its range of depths, and the rectangle around it if all of it is in front of the eye.
 struct SeenModel
@@ -79,7 +38,10 @@ struct SeenModel
 
 SeenModel seenModel(const Sight& sight, const Mesh& mesh)
 {
-    const double size = boxOf(mesh).diagonal().norm();
+    Box box;
+    for (const Slot v : mesh.vertices())
+        box.extend(mesh.point(v).cast<double>());
+    const double size = box.diagonal().norm();
     SeenModel model{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), {}, 0};
     for (const Slot v : mesh.vertices()) {
         const Vec3 at = sight.seen(mesh.point(v).cast<double>());
@@ -133,34 +95,6 @@ std::vector<Flat> clipped(std::vector<Flat> curve, const FlatBox& box)
     }
     return curve;
 }
-
-/// The loops around the area of a curve, on a plane lattice that is fitted to it.
-class FittedLoops
-{
-public:
-    explicit FittedLoops(const std::vector<Flat>& curve)
-    {
-        FlatBox box;
-        for (const Flat& p : curve)
-            box.extend(p);
-        if (curve.size() < 3 || box.sizes().maxCoeff() <= 0)
-            return;
-        m_center = box.center();
-        m_unit = box.sizes().maxCoeff() / 2 / latticeReach;
-        std::vector<FlatPoint> points;
-        for (const Flat& p : curve)
-            points.emplace_back(((p - m_center) / m_unit).array().round().cast<int>());
-        m_loops = windingOutline(points);
-    }
-
-    const std::vector<FlatLoop>& loops() const { return m_loops; }
-    Flat placeOf(const FlatPoint& p) const { return m_center + m_unit * p.cast<double>(); }
-
-private:
-    std::vector<FlatLoop> m_loops;
-    Flat m_center = Flat::Zero();
-    double m_unit = 1;
-};
 
 /// Builds the solid between the two caps.
 class Sweeper
@@ -276,25 +210,12 @@ TriangleMesh Sweeper::solid()
         addWall(side, columns[side.from], columns[side.to]);
     return std::move(m_mesh);
 }
-
-/// Returns the corners as seen; empty if one is beside or behind the eye.
-std::vector<Flat> seenCurve(const Sight& sight, const Trim& command)
-{
-    std::vector<Flat> curve;
-    for (const Vec3& p : command.outline) {
-        const Vec3 at = sight.seen(p);
-        if (!at.allFinite() || (sight.isPerspective() && !(at.z() > leastCosine * (p - *command.eye).norm())))
-            return {};
-        curve.emplace_back(at.head<2>());
-    }
-    return curve;
-}
 } // namespace
 
-SweptOutline sweptOutline(const Trim& command, const Mesh& mesh)
+SweptOutline sweptOutline(const ViewArea& area, const Mesh& mesh)
 {
-    const Sight sight(command);
-    const std::vector<Flat> curve = seenCurve(sight, command);
+    const Sight sight(area);
+    const std::vector<Flat> curve = sight.seenCurve(area.outline);
     SweptOutline swept;
     const FittedLoops whole(curve);
     swept.hasArea = !whole.loops().empty();

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/operations/model_command.h"
+
+#include <functional>
+
+namespace ui
+{
+class Actions;
+class BrushSettings;
+class Viewport;
+
+/// Connects the actions of the menu Area in the View. Each lets the user draw an area over the view, and then calls
+/// `request` with what happens to it, mirrored as the brush's strokes are. Precondition: all arguments outlive the
+/// actions. Thread: gui.
+void connectAreas(const Actions& actions, Viewport* viewport, const BrushSettings* brush,
+                  const std::function<void(const core::ModelCommand&)>& request);
+} // namespace ui

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "ui/viewport/drawn_curve.h"
+
+#include <QFrame>
+
+class QBoxLayout;
+class QToolButton;
+
+namespace ui
+{
+/// Buttons over the view for the area that is about to be drawn: its shape, which side of the curve counts, and whether
+/// only what is in front does. Remembers the choices. Takes no keyboard focus. Thread: gui.
+class AreaBar : public QFrame
+{
+    Q_OBJECT
+
+public:
+    explicit AreaBar(QWidget* view);
+
+    CurveShape shape() const { return m_shape; }
+    bool isOutside() const;
+    bool isFrontOnly() const;
+
+    void setShape(CurveShape shape);
+    /// Handles the keys of the buttons: 1 to 4, O and F. Returns false for other keys.
+    bool handleKey(int key, bool isPress);
+
+Q_SIGNALS:
+    void changed();
+
+private:
+    QToolButton* addButton(const char* name, const QString& text, const QString& tip, const QString& icon);
+
+    CurveShape m_shape = CurveShape::Lasso;
+    QBoxLayout* m_row;
+    QList<QToolButton*> m_shapes;
+    QToolButton *m_outside, *m_front;
+};
+} // namespace ui
