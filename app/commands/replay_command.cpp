@@ -160,6 +160,8 @@ void readInserted(Entries& entries, const QString& strokes)
         try {
             insertion->model = core::readMesh(toPath(strokes).parent_path() / command->file);
             insertion->model.parts.clear(); // it becomes one part
+            if (insertion->name.empty())
+                insertion->name = core::shortened(std::filesystem::path(command->file).stem().string());
         } catch (const core::FileError& error) {
             core::StrokeFileError place(core::StrokeFileError::Kind::CannotRead);
             place.stroke = i;

@@ -30,6 +30,13 @@ core::PartId partOf(const core::FileEntry& entry)
         return stroke->settings.part;
     return std::get<core::FileCommand>(entry).part;
 }
+
+bool addsPart(const core::FileEntry& entry)
+{
+    const auto* const command = std::get_if<core::FileCommand>(&entry);
+    const auto* const insert = command ? std::get_if<core::Insert>(&command->command) : nullptr;
+    return insert && insert->combination == core::Insert::Combination::Part;
+}
 } // namespace
 
 DocumentParts::DocumentParts(Document* document) : m_document(document)
@@ -57,6 +64,16 @@ void DocumentParts::activate(core::PartId part)
     m_active = part;
     m_document->worker().activate(part);
     Q_EMIT changed();
+}
+
+void DocumentParts::activateLast()
+{
+    m_document->worker().post([this](core::Sculptor& sculptor) {
+        m_mailbox.post([this, list = sculptor.mesh().frame().parts] {
+            setList(list);
+            activate(list.all().back().id);
+        });
+    });
 }
 
 void DocumentParts::pick(const core::Ray& ray)
@@ -122,7 +139,11 @@ void DocumentParts::followHistory()
     if (step < 0 || step >= stack.count() || before == stack.index())
         return;
     const auto& entry = static_cast<const StrokeCommand*>(stack.command(step))->marks().recordedStep;
-    if (entry)
+    if (!entry)
+        return;
+    if (stack.index() == before + 1 && addsPart(*entry))
+        activateLast();
+    else
         activate(partOf(*entry));
 }
 } // namespace app

@@ -27,6 +27,8 @@ public:
     core::PartId active() const { return m_active; }
     /// Returns the part that the request changes; nothing if there is only one part or the request concerns all.
     std::optional<core::Part> named(const ModelChangeRequest& request) const;
+    /// Makes the last part active, which was just added to the mesh.
+    void activateLast();
 
 public Q_SLOTS:
     /// Makes a part active. Has no effect if there is no such part.

@@ -14,6 +14,17 @@
 
 namespace app
 {
+namespace
+{
+/// Returns the name of the part that the insertion adds; empty if it adds none.
+std::string partNameOf(const ui::InsertRequest& insertion)
+{
+    if (insertion.combination != core::Insert::Combination::Part)
+        return {};
+    return core::shortened(QFileInfo(insertion.path).completeBaseName().toStdString());
+}
+} // namespace
+
 void ModelChanger::apply(const core::ModelCommand& command)
 {
     applyTo(m_document->parts().active(), command);
@@ -29,8 +40,9 @@ void ModelChanger::insert(const ui::InsertRequest& insertion)
 {
     if (!m_document->job().isBusy())
         m_document->queue().enqueue([this, insertion] {
-            start({core::Insert{{}, insertion.place, insertion.centre, insertion.combination}, insertion,
-                   m_document->parts().active()});
+            start(
+                {core::Insert{{}, insertion.place, insertion.centre, insertion.combination, {}, partNameOf(insertion)},
+                 insertion, m_document->parts().active()});
         });
 }
 
@@ -90,6 +102,8 @@ void ModelChanger::finish(const ModelChangeRequest& request, ModelChangeOutcome 
     m_document->queue().whenRecorded([this, request, outcome = std::move(outcome), delta, step] {
         m_document->history().push(step, delta);
         Q_EMIT m_document->stepped(*step.marks.recordedStep);
+        if (outcome.change.addedPart)
+            m_document->parts().activateLast();
         end(request, outcome);
     });
 }

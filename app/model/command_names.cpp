@@ -58,6 +58,7 @@ QString nameOf(const core::Insert& insertion)
 {
     switch (insertion.combination) {
     case core::Insert::Combination::Apart:
+    case core::Insert::Combination::Part:
         break;
     case core::Insert::Combination::Join:
         return CommandNames::tr("Join", "undo step");

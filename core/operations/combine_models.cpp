@@ -167,7 +167,7 @@ void noteRefusal(const BooleanResult& result, ModelChange& change)
 void combineModels(Mesh& mesh, Insert::Combination how, const PlacedModel& added, ModelChange& change,
                    const JobControl& control)
 {
-    assert(how != Insert::Combination::Apart);
+    assert(how != Insert::Combination::Apart && how != Insert::Combination::Part);
     const Lattice lattice = latticeOf(how, added.whole, mesh.lattice());
     const bool isSameLattice = lattice == mesh.lattice();
     std::array<TriangleMesh, 2> solids = {extractMesh(mesh), added.model};

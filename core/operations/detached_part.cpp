@@ -26,8 +26,9 @@ std::vector<Slot> facesOf(const Mesh& mesh, PartId part)
     return faces;
 }
 
-/// Moves all faces of the mesh to another lattice.
-void relocate(Mesh& mesh, const Lattice& lattice, ModelChange& change, const JobControl& control)
+} // namespace
+
+void relocateParts(Mesh& mesh, const Lattice& lattice, ModelChange& change, const JobControl& control)
 {
     const std::vector<Vec3> places = placesOf(mesh);
     const LatticeFit fit = fitPartsToLattice(lattice, places, liveFaces(mesh), partsOf(mesh), control);
@@ -41,7 +42,6 @@ void relocate(Mesh& mesh, const Lattice& lattice, ModelChange& change, const Job
         points.push_back(lattice.toPoint(p));
     mesh.relocate(lattice, points);
 }
-} // namespace
 
 DetachedPart::DetachedPart(const Mesh& whole, PartId part) : m_part(part), m_vertices(verticesOf(whole, part))
 {
@@ -86,7 +86,7 @@ void DetachedPart::putBack(Mesh& whole, ModelChange& change, const JobControl& c
             return;
         if (whole.lattice() != lattice) {
             replacePart(whole, m_part, {});
-            relocate(whole, lattice, change, control);
+            relocateParts(whole, lattice, change, control);
             if (change.refusal != ModelRefusal::None)
                 return;
         }

@@ -38,6 +38,9 @@ TriangleMesh surfaceOf(const Mesh& mesh, PartId part);
 /// stroke is open; the surface is closed, manifold and oriented, and its points are on the mesh's lattice; the mesh
 /// has a face of another part, or the surface is not empty. Cost: O(mesh).
 void replacePart(Mesh& mesh, PartId part, const TriangleMesh& surface);
+/// Moves all faces of the mesh, whose stroke is open, to another lattice. Sets change.refusal, and does nothing, if a
+/// part would not be sound there. Cost: O(mesh).
+void relocateParts(Mesh& mesh, const Lattice& lattice, ModelChange& change, const JobControl& control);
 /// Returns the lattice for all faces if the part had this surface, which may be on another lattice.
 Lattice latticeWith(const Mesh& mesh, PartId part, const TriangleMesh& surface);
 /// Snaps a print-ready surface to the lattice. Returns false, and sets `change`, if it does not fit.

@@ -1,7 +1,8 @@
 // Inserts another model, as free topology adds a sphere (paper, section 3.5.1), for any solid:
 //   1. check     the inserted model alone: it must bound a solid                                    mesh_check
 //   2. place     beside the present model, where its own file puts it, or at a requested point
-// If it is combined with the present model, combine_models does the rest. Else:
+// If it is combined with the present model, combine_models does the rest. If it becomes a part, it need only fit on the
+// lattice. Else:
 //   3. touch     no face of one model may meet a face of the other, on a common lattice             self_intersection
 //   4. fit       the combined mesh must be sound on the lattice; neither model inside the other's material  lattice_fit
 //   5. write     through the mesh's gate
@@ -15,6 +16,7 @@
 #include "core/mesh/lattice_fit.h"
 #include "core/mesh/mesh_builder.h"
 #include "core/operations/combine_models.h"
+#include "core/operations/detached_part.h"
 #include "core/operations/transform.h"
 
 #include <algorithm>
@@ -135,10 +137,43 @@ void insertApart(Mesh& mesh, const TriangleMesh& added, const Vec3& offset, cons
     if (change.refusal == ModelRefusal::None && !control.isCancelled())
         write(mesh, lattice, fit, added);
 }
+
+/// Adds the inserted model as a part, and moves all parts to another lattice if it needs one.
+void insertAsPart(Mesh& mesh, const std::string& name, const PlacedModel& placed, ModelChange& change,
+                  const JobControl& control)
+{
+    const Lattice lattice = latticeFor(placed.whole, mesh.lattice());
+    std::vector<Vec3> places;
+    for (const Vec3f& p : placed.model.points)
+        places.push_back(p.cast<double>() + placed.offset);
+    const LatticeFit fit = fitToLattice(lattice, places, placed.model.triangles, control);
+    change.faces = fit.unsnappable;
+    if (fit.unsnappable > 0)
+        change.refusal = ModelRefusal::FacesMeet;
+    control.reportProgress(afterTouching);
+    if (change.refusal == ModelRefusal::None && !control.isCancelled() && lattice != mesh.lattice())
+        relocateParts(mesh, lattice, change, control);
+    if (change.refusal != ModelRefusal::None || control.isCancelled())
+        return;
+    TriangleMesh surface = placed.model;
+    for (std::size_t i = 0; i < surface.points.size(); ++i)
+        surface.points[i] = lattice.toPoint(fit.points[i]);
+    MeshFrame frame = mesh.frame();
+    const PartId id = frame.parts.freeId();
+    replacePart(mesh, id, surface);
+    frame.parts = frame.parts.with({id, frame.parts.freeName(name), true, false, std::nullopt});
+    mesh.setFrame(frame);
+    change.addedPart = id;
+}
 } // namespace
 
 void insertModel(Mesh& mesh, const Insert& command, ModelChange& change, const JobControl& control)
 {
+    const bool becomesPart = command.combination == Insert::Combination::Part;
+    if (becomesPart && mesh.frame().parts.size() == PartList::maxParts) {
+        change.refusal = ModelRefusal::TooManyParts;
+        return;
+    }
     const auto made = modelOf(command, change);
     if (!made)
         return;
@@ -164,6 +199,8 @@ void insertModel(Mesh& mesh, const Insert& command, ModelChange& change, const J
         return;
     if (command.combination == Insert::Combination::Apart)
         insertApart(mesh, added, offset, whole, change, control);
+    else if (becomesPart)
+        insertAsPart(mesh, command.name, {added, offset, whole}, change, control);
     else
         combineModels(mesh, command.combination, {added, offset, whole}, change, control.part(afterJudging, 1));
 }

@@ -59,18 +59,22 @@ struct Insert
         Centre, ///< centre of its bounding box at `centre`
         Floor   ///< centre of the bottom of its bounding box at `centre`
     };
-    /// How the solids are combined. All but Apart are exact (mesh_boolean.h) and allow any overlap.
+    /// How the solids are combined. Join, Subtract and Intersect are exact (mesh_boolean.h). All but Apart allow any
+    /// overlap.
     enum class Combination {
-        Apart,    ///< the inserted solid must be outside this one or wholly in one of its voids, without touching it
-        Join,     ///< space in either solid
-        Subtract, ///< space in this solid and not in the inserted one
-        Intersect ///< space in both solids
+        Apart,     ///< the inserted solid must be outside this one or wholly in one of its voids, without touching it
+        Join,      ///< space in either solid
+        Subtract,  ///< space in this solid and not in the inserted one
+        Intersect, ///< space in both solids
+        Part       ///< the inserted solid becomes a part of its own, the last one of the list
     };
     TriangleMesh model; ///< ignored if there is a primitive
     Place place = Place::Beside;
     Vec3 centre = Vec3::Zero(); ///< used by Place::Centre and Place::Floor only
     Combination combination = Combination::Apart;
     std::optional<Primitive> primitive = std::nullopt; ///< inserted in place of `model`
+    /// Name of the part, UTF-8; used by Combination::Part only. If another part has it, a number is appended.
+    std::string name = {};
 };
 struct Fill
 {
@@ -148,7 +152,8 @@ struct EditPart
     std::string name; ///< UTF-8, at most PartList::maxNameBytes
     bool isLocked = false;
     std::optional<Rgb> tag;
-    std::size_t position = 0; ///< index in the list, from 0; a larger one than the last means the last
+    /// Index in the list, from 0; a larger one than the last means the last. Missing: the part stays in its place.
+    std::optional<std::size_t> position = {};
 };
 /// Shows these parts and hides all others. Ids that no part has are ignored.
 struct ShowParts
@@ -217,20 +222,21 @@ enum class ModelRefusal {
 struct ModelChange
 {
     ModelRefusal refusal = ModelRefusal::None;
-    std::size_t faces = 0;     ///< number of faces at fault, for refusals that mention `faces`
-    MeshReport report;         ///< check of the inserted model; Insert only
-    PrimitiveResult primitive; ///< reason why a primitive was not made, without its mesh; Insert only
-    MeshDelta delta;           ///< the change; Mesh::swap applies it, and swaps it back
-    bool changes = false;      ///< true if the command was neither refused nor cancelled and the delta alters anything
+    std::size_t faces = 0;           ///< number of faces at fault, for refusals that mention `faces`
+    MeshReport report;               ///< check of the inserted model; Insert only
+    PrimitiveResult primitive;       ///< reason why a primitive was not made, without its mesh; Insert only
+    std::optional<PartId> addedPart; ///< the part that an Insert added
+    MeshDelta delta;                 ///< the change; Mesh::swap applies it, and swaps it back
+    bool changes = false; ///< true if the command was neither refused nor cancelled and the delta alters anything
 };
 
 /// Applies the command to a copy of the mesh and checks the result completely and exactly. Swapping the returned delta
 /// into the original mesh makes the change; until then the original must not change. Thread: any. Cost: whole mesh, on
 /// all cores.
 ///
-/// `part`: the part that the command changes; nothing: all parts. Scale, Recentre, PlaceOnBed, Reset and ShowParts
-/// always concern all parts. Precondition: a document of several parts is given a part unless the command is one of
-/// these or moves all parts (Move, Rotate, Mirror, Transform).
+/// `part`: the part that the command changes; nothing: all parts. Scale, Recentre, PlaceOnBed, Reset, ShowParts and an
+/// Insert that adds a part always concern all parts. Precondition: a document of several parts is given a part unless
+/// the command is one of these or moves all parts (Move, Rotate, Mirror, Transform).
 ModelChange applyToCopy(Mesh copy, const ModelCommand& command, const JobControl& control = {},
                         std::optional<PartId> part = {});
 

@@ -34,8 +34,9 @@ PartList edited(const PartList& list, PartId id, const EditPart& edit)
     part.name = shortened(edit.name);
     part.isLocked = edit.isLocked;
     part.tag = edit.tag;
+    const auto place = static_cast<std::size_t>(found - parts.begin());
     parts.erase(found);
-    const std::size_t position = std::min(edit.position, parts.size());
+    const std::size_t position = std::min(edit.position.value_or(place), parts.size());
     parts.insert(parts.begin() + static_cast<std::ptrdiff_t>(position), part);
     return PartList(std::move(parts));
 }

@@ -54,6 +54,22 @@ PartId PartList::freeId() const
     return id;
 }
 
+std::string PartList::freeName(const std::string& name) const
+{
+    constexpr std::size_t numberBytes = 5; // a space and up to four digits, because there are at most 1000 names
+    const auto isTaken = [this](const std::string& tried) {
+        return std::ranges::find(all(), tried, &Part::name) != all().end();
+    };
+    const std::string plain = shortened(name);
+    if (plain.empty() || !isTaken(plain))
+        return plain;
+    const std::string start = shortened(plain, maxNameBytes - numberBytes) + ' ';
+    std::size_t number = 2;
+    while (isTaken(start + std::to_string(number)))
+        ++number;
+    return start + std::to_string(number);
+}
+
 PartList PartList::with(Part part) const
 {
     std::vector<Part> parts = all();
@@ -72,11 +88,11 @@ PartList PartList::without(const std::vector<PartId>& ids) const
     return PartList(std::move(parts));
 }
 
-std::string shortened(std::string name)
+std::string shortened(std::string name, std::size_t maxBytes)
 {
-    if (name.size() <= PartList::maxNameBytes)
+    if (name.size() <= maxBytes)
         return name;
-    std::size_t end = PartList::maxNameBytes;
+    std::size_t end = maxBytes;
     while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xc0) == 0x80) // inside a character
         --end;
     name.resize(end);

@@ -48,6 +48,9 @@ public:
     bool isEditable(PartId id) const;
     /// Returns the smallest id that no part has.
     PartId freeId() const;
+    /// Returns the name, shortened, or the name with the smallest number from 2 that makes it differ from all names in
+    /// the list ("Ball 2"). An empty name stays empty.
+    std::string freeName(const std::string& name) const;
 
     /// Returns the list with this part, which replaces a part with the same id or else becomes the last one.
     PartList with(Part part) const;
@@ -63,6 +66,6 @@ private:
     std::shared_ptr<const std::vector<Part>> m_parts; ///< null: the list of a new document
 };
 
-/// Returns the name cut to PartList::maxNameBytes, at the end of a character.
-std::string shortened(std::string name);
+/// Returns the name cut to at most `maxBytes` bytes, at the end of a character.
+std::string shortened(std::string name, std::size_t maxBytes = PartList::maxNameBytes);
 } // namespace core

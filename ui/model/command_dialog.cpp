@@ -1,5 +1,6 @@
 #include "ui/model/command_dialog.h"
 
+#include "ui/settings/settings.h"
 #include "ui/widgets/dialog_helpers.h"
 #include "ui/widgets/named.h"
 
@@ -14,7 +15,13 @@ namespace ui
 {
 namespace
 {
+using Combination = core::Insert::Combination;
+
 constexpr int explanationWidth = 320; ///< pixels
+
+/// Combinations in the order of InsertUse.
+constexpr Combination combinations[] = {Combination::Part, Combination::Join, Combination::Subtract,
+                                        Combination::Intersect, Combination::Apart};
 } // namespace
 
 Number millimetreField(double value, double min, double max)
@@ -101,8 +108,24 @@ Coordinates addCoordinates(CommandDialog* dialog)
 
 QComboBox* addCombinations(CommandDialog* dialog)
 {
-    return dialog->addList("combine", ModelDialogs::tr("Combine"),
-                           {ModelDialogs::tr("Keep apart"), ModelDialogs::tr("Join"), ModelDialogs::tr("Subtract"),
-                            ModelDialogs::tr("Intersect")});
+    QComboBox* list = dialog->addList("combine", ModelDialogs::tr("Combine"),
+                                      {ModelDialogs::tr("As a part of its own"), ModelDialogs::tr("Join"),
+                                       ModelDialogs::tr("Subtract"), ModelDialogs::tr("Intersect"),
+                                       ModelDialogs::tr("In the same part, without touching")});
+    static_assert(insertUses.size() == std::size(combinations));
+    list->setCurrentIndex(static_cast<int>(Settings().get(&Setting::insertUse)));
+    QObject::connect(dialog, &QDialog::accepted, list,
+                     [list] { Settings().set(&Setting::insertUse, static_cast<InsertUse>(list->currentIndex())); });
+    return list;
+}
+
+core::Insert::Combination combinationOf(const QComboBox* list)
+{
+    return combinations[list->currentIndex()];
+}
+
+bool needsOverlap(const QComboBox* list)
+{
+    return combinationOf(list) != Combination::Part && combinationOf(list) != Combination::Apart;
 }
 } // namespace ui

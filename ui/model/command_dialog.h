@@ -72,6 +72,11 @@ struct Coordinates
 
 Coordinates addCoordinates(CommandDialog* dialog);
 
-/// Adds a list of the values of core::Insert::Combination, in their order.
+/// Adds a list of the ways to combine an inserted model with the present one. The last accepted choice is stored in the
+/// settings.
 QComboBox* addCombinations(CommandDialog* dialog);
+/// Returns the choice in a list of addCombinations().
+core::Insert::Combination combinationOf(const QComboBox* list);
+/// Returns whether the choice only has an effect where the two models overlap.
+bool needsOverlap(const QComboBox* list);
 } // namespace ui

@@ -135,10 +135,12 @@ void askForPlace(QWidget* parent, const QString& path,
     QObject::connect(places, &QButtonGroup::idToggled, dialog,
                      [centre, places] { centre.setEnabled(places->checkedId() == 2); });
     const auto* combinations = addCombinations(dialog);
-    QObject::connect(combinations, &QComboBox::currentIndexChanged, places, [places](int combination) {
-        if (combination > 0 && places->checkedId() == 0)
+    const auto leaveSide = [places, combinations] {
+        if (needsOverlap(combinations) && places->checkedId() == 0)
             places->button(1)->setChecked(true); // beside the model there is nothing to combine
-    });
+    };
+    QObject::connect(combinations, &QComboBox::currentIndexChanged, places, leaveSide);
+    leaveSide();
     const auto* units =
         dialog->addList("unit", ModelDialogs::tr("Its unit"),
                         {ModelDialogs::tr("As stated in the file, otherwise mm"), ModelDialogs::tr("Centimetres"),
@@ -149,7 +151,7 @@ void askForPlace(QWidget* parent, const QString& path,
         constexpr double millimetresOf[] = {1, 10, 1000, 25.4};
         InsertRequest insertion{
             path, all[places->checkedId()], centre.value(), millimetresOf[units->currentIndex()], {}};
-        insertion.combination = static_cast<core::Insert::Combination>(combinations->currentIndex());
+        insertion.combination = combinationOf(combinations);
         return insertion;
     });
 }

@@ -113,10 +113,15 @@ private:
         m_at.setEnabled(false);
         m_combination = addCombinations(this);
         connect(m_place, &QComboBox::currentIndexChanged, this, [this](int place) { m_at.setEnabled(place > 0); });
-        connect(m_combination, &QComboBox::currentIndexChanged, this, [this](int combination) {
-            if (combination > 0 && m_place->currentIndex() == 0)
-                m_place->setCurrentIndex(1); // beside the model there is nothing to combine
-        });
+        connect(m_combination, &QComboBox::currentIndexChanged, this, [this] { leaveSide(); });
+        leaveSide();
+    }
+
+    /// Chooses another place than beside the model if there would be nothing to combine there.
+    void leaveSide()
+    {
+        if (needsOverlap(m_combination) && m_place->currentIndex() == 0)
+            m_place->setCurrentIndex(1);
     }
 
     Primitive::Kind kind() const { return static_cast<Primitive::Kind>(m_kind->currentIndex()); }
@@ -181,8 +186,10 @@ private:
         core::Insert insert;
         insert.place = placeChoices[m_place->currentIndex()];
         insert.centre = m_at.value();
-        insert.combination = static_cast<core::Insert::Combination>(m_combination->currentIndex());
+        insert.combination = combinationOf(m_combination);
         insert.primitive = primitive();
+        if (insert.combination == core::Insert::Combination::Part)
+            insert.name = PrimitiveMessages::kind(kind()).toStdString();
         return insert;
     }
 

@@ -223,10 +223,7 @@ void PartsPanel::toggleShown(const core::Part& part)
 /// Requests the properties of the part. `position`: its new index in the list; nothing: the present one.
 void PartsPanel::edit(core::Part part, std::optional<std::size_t> position)
 {
-    const auto found = std::ranges::find(m_parts.all(), part.id, &core::Part::id);
-    const auto present = static_cast<std::size_t>(found - m_parts.all().begin());
-    Q_EMIT requested(part.id,
-                     core::EditPart{std::move(part.name), part.isLocked, part.tag, position.value_or(present)});
+    Q_EMIT requested(part.id, core::EditPart{std::move(part.name), part.isLocked, part.tag, position});
 }
 
 void PartsPanel::move(int by)

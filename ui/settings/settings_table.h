@@ -4,6 +4,7 @@
 #include "ui/settings/drawing_settings.h"
 #include "ui/settings/export_settings.h"
 #include "ui/settings/file_browser_settings.h"
+#include "ui/settings/insert_settings.h"
 #include "ui/settings/preferences.h"
 #include "ui/settings/printer_presets.h"
 #include "ui/settings/stored_values.h"
@@ -48,6 +49,7 @@ struct Setting
     double turnSpeed = defaultTurn;                    ///< speed of the turntable, degrees per second
     bool turnsClockwise = false;                       ///< direction of the turntable, seen from above
     bool showsReferences = true;
+    InsertUse insertUse = InsertUse::Part; ///< the last choice of the dialogs that insert a model or a primitive
     QList<core::Rgb> swatches = firstSwatches();
     QList<PrinterPreset> printers = defaultPrinters(); ///< must not be empty
 };
@@ -159,6 +161,7 @@ inline constexpr auto rows<Setting> = std::tuple{
     row(&Setting::turnSpeed, "turntable/speed", {minTurn, maxTurn}),
     row(&Setting::turnsClockwise, "turntable/clockwise"),
     row(&Setting::showsReferences, "view/references"),
+    row(&Setting::insertUse, "insert/combine", insertUses),
     keptRow(&Setting::swatches, "color/swatches"),
     keptRow(&Setting::printers, "print/printers"),
 };

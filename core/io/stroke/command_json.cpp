@@ -46,9 +46,9 @@ constexpr CommandRow commandTable[] = {
          return Mirror{static_cast<int>(d.plane) - static_cast<int>(Symmetry::X)};
      }},
     {"recentre", 0, 0, [](Draft, Settings) -> ModelCommand { return Recentre{}; }},
-    {"insert", 0, bit(WhereKey) | bit(CombineKey), // and insertKeys()
+    {"insert", 0, bit(WhereKey) | bit(CombineKey) | bit(NameKey), // and insertKeys()
      [](Draft d, Settings) -> ModelCommand {
-         Insert insert{{}, d.where, d.centre, d.combination};
+         Insert insert{{}, d.where, d.centre, d.combination, {}, d.partName};
          if (d.file.empty())
              insert.primitive = d.primitive;
          return insert;
@@ -201,7 +201,8 @@ void StrokeJsonReader::endCommand()
     m_command.hasColor = m_seen & bit(ColorKey);
     const KeySet wanted = (row.name == "insert" ? insertKeys() : 0) | (wantsColor ? bit(ColorKey) : 0);
     const bool isPrimitive = row.name == "insert" && wanted & bit(PrimitiveKey);
-    const KeySet conditional = row.name == "mask" ? bit(ColorKey) : 0;
+    const bool isNamed = row.name != "insert" || m_command.combination == Insert::Combination::Part;
+    const KeySet conditional = (row.name == "mask" ? bit(ColorKey) : 0) | (isNamed ? 0 : bit(NameKey));
     const KeySet required = row.required | wanted;
     const KeySet known = bit(CommandKey) | bit(PartKey) | required | (row.optional & ~conditional) |
                          (isPrimitive ? bit(EdgeLengthKey) | bit(AxisKey) : 0);

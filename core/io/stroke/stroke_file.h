@@ -57,14 +57,15 @@ namespace core
 ///
 /// Each stroke and command may have "part", the id of the part that it changes (PartId; default 0). "operation" is
 /// union, subtract or intersect; "what" is masked, unmasked or none; "parts" are the parts to show, or to combine
-/// with the part. Only "name" of edit_part is required.
+/// with the part. Only "name" of edit_part is required; without "list_position" the part stays in its place.
 ///
 /// "keep" is positive (the default) or negative. "detail_length" defaults to the mesh's own, Mesh::uniformDetail().
 /// "how" is one of maskChangeNames (stroke_keys.h); only color needs the key "color". "where" is beside (the default),
-/// as_it_is, centre or floor; only the last two need the key "centre". "combine" is apart (the default), join, subtract
-/// or intersect. An insertion has either "file" or "primitive", a name of a Primitive::Kind. A primitive needs the keys
-/// of its measures, which measuresOf() lists; a lathe needs "profile", a list of pairs [radius, height]. "edge_length"
-/// and "axis" (x, y or z; default y) are optional. "recenter" and "center" are accepted, too.
+/// as_it_is, centre or floor; only the last two need the key "centre". "combine" is apart (the default), join,
+/// subtract, intersect or part; only part may have "name". An insertion has either "file" or "primitive", a name of a
+/// Primitive::Kind. A primitive needs the keys of its measures, which measuresOf() lists; a lathe needs "profile", a
+/// list of pairs [radius, height]. "edge_length" and "axis" (x, y or z; default y) are optional. "recenter" and
+/// "center" are accepted, too.
 /// An area (ViewArea) has "eye" if the view along "along" is a perspective one. The side that is meant is inside (the
 /// default) or outside: "remove" of a trim, "side" of the others. "front": only what is seen first (default false).
 /// "color" is the colour of the cut. A mask_area with "invert" removes the mask.

@@ -195,8 +195,23 @@ std::string keysOf(const Transform& transform)
     if (transform.scale == Vec3::Ones())
         return text;
     text += R"(,"scale":)" + list(transform.scale);
-    return transform.scaleAxes == Eigen::Quaterniond::Identity() ? text
-                                                                 : text + R"(,"scale_axes":)" + list(transform.scaleAxes);
+    return transform.scaleAxes == Eigen::Quaterniond::Identity()
+               ? text
+               : text + R"(,"scale_axes":)" + list(transform.scaleAxes);
+}
+
+std::string keysOf(const Insert& insert, const std::string& file)
+{
+    std::string text =
+        R"("insert",)" + (insert.primitive ? keysOf(*insert.primitive) : R"("file":)" + nlohmann::json(file).dump());
+    text += R"(,"where":")" + std::string(placeNames[static_cast<std::size_t>(insert.place)]) + '"';
+    if (insert.place == Insert::Place::Centre || insert.place == Insert::Place::Floor)
+        text += R"(,"centre":)" + list(insert.centre);
+    if (insert.combination != Insert::Combination::Apart)
+        text += R"(,"combine":")" + std::string(combinationNames[static_cast<std::size_t>(insert.combination)]) + '"';
+    if (insert.combination == Insert::Combination::Part && !insert.name.empty())
+        text += R"(,"name":)" + quoted(insert.name);
+    return text;
 }
 
 /// Returns the text that follows "command": in the file, up to the closing brace.
@@ -209,16 +224,7 @@ std::string keysOf(const FileCommand& entry)
         [](const Scale& scale) { return R"("scale","factor":)" + shortest(scale.factor); },
         [](const Mirror& mirror) { return Text(R"("mirror","plane":")") + "xyz"[mirror.axis] + '"'; },
         [](const Recentre&) { return Text(R"("recentre")"); },
-        [&](const Insert& insert) {
-            Text text = R"("insert",)" + (insert.primitive ? keysOf(*insert.primitive)
-                                                           : R"("file":)" + nlohmann::json(entry.file).dump());
-            text += R"(,"where":")" + Text(placeNames[static_cast<std::size_t>(insert.place)]) + '"';
-            if (insert.place == Insert::Place::Centre || insert.place == Insert::Place::Floor)
-                text += R"(,"centre":)" + list(insert.centre);
-            if (insert.combination != Insert::Combination::Apart)
-                text += R"(,"combine":")" + Text(combinationNames[static_cast<std::size_t>(insert.combination)]) + '"';
-            return text;
-        },
+        [&](const Insert& insert) { return keysOf(insert, entry.file); },
         [](const Fill& fill) { return R"("fill","color":)" + list(fill.color); },
         [](const MaskOperation& mask) {
             const Text text = R"("mask","how":")" + Text(maskChangeNames[static_cast<std::size_t>(mask.how)]) + '"';
@@ -237,8 +243,10 @@ std::string keysOf(const FileCommand& entry)
         [](const FlattenBase& flatten) { return R"("flatten_base","height":)" + shortest(flatten.height); },
         [](const EditPart& edit) {
             return R"("edit_part","name":)" + quoted(edit.name) + R"(,"locked":)" + (edit.isLocked ? "true" : "false") +
-                   (edit.tag ? R"(,"tag":)" + list(*edit.tag) : Text()) + R"(,"list_position":)" +
-                   std::to_string(std::min(edit.position, PartList::maxParts));
+                   (edit.tag ? R"(,"tag":)" + list(*edit.tag) : Text()) +
+                   (edit.position
+                        ? R"(,"list_position":)" + std::to_string(std::min(*edit.position, PartList::maxParts))
+                        : Text());
         },
         [](const ShowParts& show) { return R"("show_parts","parts":)" + list(show.visible); },
         [](const DuplicatePart& duplicate) { return R"("duplicate_part","name":)" + quoted(duplicate.name); },

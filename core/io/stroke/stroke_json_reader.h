@@ -30,8 +30,8 @@ struct CommandDraft
     std::optional<Rgb> tag;
     SetOperation operation = SetOperation::Union;
     Hide::What hides = Hide::What::Masked;
-    std::size_t position = std::numeric_limits<std::size_t>::max(); ///< in the list of parts
-    ViewArea area;                                                  ///< without its eye and symmetry
+    std::optional<std::size_t> position; ///< in the list of parts
+    ViewArea area;                       ///< without its eye and symmetry
     Vec3 eye = Vec3::Zero();
     bool hasEye = false, hasColor = false; ///< the object has the keys "eye" and "color"
 };

@@ -169,7 +169,7 @@ inline constexpr std::array<std::string_view, 9> maskChangeNames{"invert", "clea
 
 /// The values of the key "where", in the order of Insert::Place, and of "combine", in that of Insert::Combination.
 inline constexpr std::array<std::string_view, 4> placeNames{"beside", "as_it_is", "centre", "floor"};
-inline constexpr std::array<std::string_view, 4> combinationNames{"apart", "join", "subtract", "intersect"};
+inline constexpr std::array<std::string_view, 5> combinationNames{"apart", "join", "subtract", "intersect", "part"};
 /// The values of the key "axis".
 inline constexpr std::array<std::string_view, 3> axisNames{"x", "y", "z"};
 

@@ -448,6 +448,7 @@ void TestStrokeFile::refuses_data()
     command(R"("command":"insert","file":"a.stl","where":"centre")", Kind::MissingKey, "centre");
     command(R"("command":"insert","file":"a.stl","where":"floor")", Kind::MissingKey, "centre");
     command(R"("command":"insert","file":"a.stl","combine":"melt")", Kind::UnknownValue, "combine: \"melt\"");
+    command(R"("command":"insert","file":"a.stl","combine":"join","name":"a")", Kind::UnknownKey, "name");
     command(R"("command":"insert","file":"a.stl","primitive":"ball","radius":1)", Kind::UnknownKey, "file");
     command(R"("command":"insert","file":"a.stl","edge_length":1)", Kind::UnknownKey, "edge_length");
     command(R"("command":"insert","primitive":"blob")", Kind::UnknownValue, "primitive: \"blob\"");
@@ -640,7 +641,9 @@ void TestStrokeFile::partCommands_roundTrip()
     const std::string text = R"({"format":"fettle-strokes","version":1,"strokes":[
 {"command":"move","by":[1,-2,0.1],"part":3},
 {"command":"edit_part","name":"R\"ad ü","locked":true,"tag":[255,0,9],"list_position":2,"part":1},
-{"command":"edit_part","name":"","locked":false,"list_position":1000},
+{"command":"edit_part","name":"","locked":false},
+{"command":"insert","primitive":"ball","radius":1.5,"where":"beside","combine":"part","name":"B\"all ü"},
+{"command":"insert","file":"a.stl","where":"beside","combine":"part"},
 {"command":"show_parts","parts":[0,32767]},
 {"command":"show_parts","parts":[]},
 {"command":"duplicate_part","name":"a","part":1},
@@ -663,13 +666,15 @@ void TestStrokeFile::partCommands_roundTrip()
     QCOMPARE(commandAt(0).part, core::PartId(3));
     QCOMPARE(std::get<core::EditPart>(commandAt(1).command).name, std::string("R\"ad ü"));
     QVERIFY(!std::get<core::EditPart>(commandAt(2).command).tag);
-    QCOMPARE(std::get<core::ShowParts>(commandAt(3).command).visible.back(), core::PartId(32767));
-    QCOMPARE(std::get<core::CombineParts>(commandAt(8).command).others.size(), std::size_t(2));
-    QVERIFY(std::get<core::MaskArea>(commandAt(11).command).isErasing);
-    QVERIFY(std::get<core::MaskArea>(commandAt(12).command).area.side == core::ViewArea::Side::Outside);
-    QVERIFY(std::get<core::HideArea>(commandAt(13).command).area.isFrontOnly);
-    QCOMPARE(std::get<core::SplitPart>(commandAt(14).command).name, std::string("Arm"));
-    QVERIFY(std::get<core::Trim>(commandAt(15).command).area.isFrontOnly);
+    QCOMPARE(std::get<core::ShowParts>(commandAt(5).command).visible.back(), core::PartId(32767));
+    QCOMPARE(std::get<core::CombineParts>(commandAt(10).command).others.size(), std::size_t(2));
+    QVERIFY(std::get<core::MaskArea>(commandAt(13).command).isErasing);
+    QVERIFY(std::get<core::MaskArea>(commandAt(14).command).area.side == core::ViewArea::Side::Outside);
+    QVERIFY(std::get<core::HideArea>(commandAt(15).command).area.isFrontOnly);
+    QCOMPARE(std::get<core::SplitPart>(commandAt(16).command).name, std::string("Arm"));
+    QVERIFY(std::get<core::Trim>(commandAt(17).command).area.isFrontOnly);
+    QVERIFY(!std::get<core::EditPart>(commandAt(2).command).position);
+    QCOMPARE(std::get<core::Insert>(commandAt(3).command).name, std::string("B\"all ü"));
     const std::string stroke = R"("tool":"pull","radius":1,"part":7)";
     QCOMPARE(std::get<Stroke>(parseStrokes(file(stroke)).at(0)).settings.part, core::PartId(7));
 }

@@ -1,4 +1,5 @@
 #include "core/mesh/mesh_builder.h"
+#include "core/operations/detached_part.h"
 #include "core/operations/model_command.h"
 #include "tests/support/clay.h"
 #include "tests/support/shapes.h"
@@ -36,6 +37,10 @@ private Q_SLOTS:
     void largeModel_makesTheLatticeCoarser();
     void tinyModel_isRefusedWithTheNumberOfItsFaces();
     void stopped_changesNothing();
+    void part_mayOverlap();
+    void part_getsAFreeName();
+    void part_takesAllToItsLattice();
+    void part_isRefusedAsOthersAre();
 };
 
 void TestInsertModel::besides_standsClearOnTheSameFloor()
@@ -172,6 +177,107 @@ void TestInsertModel::stopped_changesNothing()
         const ModelChange change = applyToCopy(*mesh, Insert{icosphere(3, 20)}, control);
         QVERIFY(!change.changes && change.delta.empty());
     }
+}
+
+namespace
+{
+Insert asPart(const TriangleMesh& model, const std::string& name, const Vec3& centre = Vec3::Zero())
+{
+    Insert insert{model, Insert::Place::Centre, centre, Insert::Combination::Part};
+    insert.name = name;
+    return insert;
+}
+
+void insert(Mesh& mesh, const Insert& command)
+{
+    ModelChange change = applyToCopy(mesh, command);
+    mesh.swap(change.delta);
+}
+
+double volumeOf(const Mesh& mesh, PartId part)
+{
+    return checkMesh(surfaceOf(mesh, part)).volume.value_or(0);
+}
+} // namespace
+
+void TestInsertModel::part_mayOverlap()
+{
+    const TriangleMesh small = icosphere(2, 10);
+    for (const Vec3& centre : {Vec3(0, 0, 0), Vec3(50, 0, 0), Vec3(60, 0, 0), Vec3(100, 0, 0)}) {
+        const auto mesh = buildMesh(icosphere(3, 50)).mesh;
+        const double before = volumeOf(*mesh, 0);
+        const std::uint64_t start = mesh->stateHash();
+        ModelChange change = applyToCopy(*mesh, asPart(small, "Nose", centre), {}, PartId(0));
+        QVERIFY(change.refusal == ModelRefusal::None && change.changes);
+        QCOMPARE(change.addedPart.value_or(0), PartId(1));
+        mesh->swap(change.delta);
+        QCOMPARE(mesh->frame().parts.size(), std::size_t(2));
+        QCOMPARE(mesh->frame().parts.all().back().name, std::string("Nose"));
+        QCOMPARE(volumeOf(*mesh, 0), before);
+        QVERIFY(std::abs(volumeOf(*mesh, 1) / checkMesh(small).volume.value() - 1) < 1e-4);
+        QVERIFY(checkMesh(extractMesh(*mesh)).printReady());
+        const std::uint64_t after = mesh->stateHash();
+        mesh->swap(change.delta);
+        QCOMPARE(mesh->stateHash(), start);
+        mesh->swap(change.delta);
+        QCOMPARE(mesh->stateHash(), after);
+    }
+}
+
+void TestInsertModel::part_getsAFreeName()
+{
+    const auto mesh = buildMesh(icosphere(3, 50)).mesh;
+    const std::string longName(PartList::maxNameBytes, 'x');
+    for (const std::string& name : {std::string("Ball"), std::string("Ball"), std::string(), std::string("Ball"),
+                                    std::string(), longName, longName})
+        insert(*mesh, asPart(icosphere(1, 10), name));
+    std::vector<std::string> names;
+    for (const Part& part : mesh->frame().parts.all())
+        names.push_back(part.name);
+    const std::string numbered = std::string(PartList::maxNameBytes - 5, 'x') + " 2";
+    QVERIFY(names == std::vector<std::string>({"", "Ball", "Ball 2", "", "Ball 3", "", longName, numbered}));
+}
+
+void TestInsertModel::part_takesAllToItsLattice()
+{
+    const auto mesh = buildMesh(icosphere(3, 50)).mesh;
+    insert(*mesh, asPart(icosphere(2, 20), "Ball", {30, 0, 0}));
+    const Lattice lattice = mesh->lattice();
+    const std::uint64_t before = mesh->stateHash();
+    ModelChange change = applyToCopy(*mesh, asPart(icosphere(3, 5000), "World"), {}, PartId(1));
+    QVERIFY(change.changes);
+    mesh->swap(change.delta);
+    QVERIFY(mesh->lattice().exponent() < lattice.exponent());
+    QCOMPARE(mesh->frame().parts.size(), std::size_t(3));
+    QVERIFY(checkMesh(extractMesh(*mesh)).printReady());
+    mesh->swap(change.delta);
+    QCOMPARE(mesh->stateHash(), before);
+}
+
+void TestInsertModel::part_isRefusedAsOthersAre()
+{
+    const TriangleMesh present = icosphere(3, 50);
+    QVERIFY(tried(present, asPart(shapes::openCone(12), "a")).refusal == ModelRefusal::Unsound);
+    QVERIFY(tried(present, asPart(TriangleMesh(), "a")).refusal == ModelRefusal::Unsound);
+    QVERIFY(tried(present, asPart(icosphere(2, 10), "a", {0, 450, 0})).refusal == ModelRefusal::TooFar);
+    const double unit = buildMesh(present).mesh->lattice().unit();
+    QVERIFY(tried(present, asPart(icosphere(1, unit / 4), "a")).refusal == ModelRefusal::FacesMeet);
+    Insert impossible = asPart({}, "a");
+    impossible.primitive.emplace().kind = Primitive::Kind::Ball;
+    impossible.primitive->length(Primitive::Measure::Radius) = 0;
+    QVERIFY(tried(present, impossible).refusal == ModelRefusal::Primitive);
+
+    std::vector<Part> parts(PartList::maxParts);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        parts[i].id = static_cast<PartId>(i);
+    MeshFrame full;
+    full.parts = PartList(parts);
+    const auto mesh = buildMesh(present).mesh;
+    mesh->beginStroke();
+    full.lattice = mesh->lattice();
+    mesh->setFrame(full);
+    mesh->endStroke();
+    QVERIFY(applyToCopy(*mesh, asPart(icosphere(1, 10), "a")).refusal == ModelRefusal::TooManyParts);
 }
 
 FETTLE_TEST(TestInsertModel)

@@ -233,6 +233,10 @@ void TestParts::stroke_ofAHiddenOrLockedPartDoesNothing()
     applyChecked(*mesh, core::ShowParts{{1, 2}});
     applyChecked(*mesh, core::EditPart{"Wheel", true, core::Rgb{255, 0, 0}, 0}, 1);
     QCOMPARE(mesh->frame().parts.all().front().name, std::string("Wheel"));
+    const ModelChange added = core::applyToCopy(
+        *mesh, core::Insert{ballAt({0, 0, 0}, 3), core::Insert::Place::AsItIs, {}, core::Insert::Combination::Part}, {},
+        PartId(0));
+    QVERIFY(added.changes); // a new part changes none of the others
     for (const PartId part : {PartId(0), PartId(1)})
         QCOMPARE(core::applyToCopy(*mesh, core::Move{{1, 0, 0}}, {}, part).refusal, ModelRefusal::NotEditable);
     QCOMPARE(core::applyToCopy(*mesh, core::Fill{{1, 2, 3}}, {}, 7).refusal, ModelRefusal::NoSuchPart);
@@ -450,6 +454,9 @@ void TestParts::snapshot_restoresParts()
 {
     const std::unique_ptr<Mesh> mesh = threeBalls();
     applyChecked(*mesh, core::EditPart{"Nose", false, {}, 9}, 1);
+    applyChecked(*mesh, core::EditPart{"Ear", false, {}, {}}, 0);
+    QCOMPARE(mesh->frame().parts.all().front().name, std::string("Ear")); // it stays in its place
+    QCOMPARE(mesh->frame().parts.all().back().name, std::string("Nose"));
     const auto start = core::snapshotOf(*mesh);
     const auto before = hashes(*mesh);
     QVERIFY(applyChecked(*mesh, core::DeletePart{}, 1).changes);

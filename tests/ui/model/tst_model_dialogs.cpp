@@ -156,11 +156,21 @@ void TestModelDialogs::insert_givesTheCombination()
     ui::askForPlace(&asking.window, QStringLiteral("/models/part.stl"),
                     [&insertion](const ui::InsertRequest& given) { insertion = given; });
     auto* combine = asking.in<QComboBox>("insertDialog", "combine");
-    QCOMPARE(combine->currentText(), QStringLiteral("Keep apart"));
+    QCOMPARE(combine->currentText(), QStringLiteral("As a part of its own"));
+    QVERIFY(asking.in<QRadioButton>("insertDialog", "choice0")->isChecked());
     combine->setCurrentText(QStringLiteral("Subtract"));
     QVERIFY(asking.in<QRadioButton>("insertDialog", "choice1")->isChecked()); // beside it, it would have no effect
     asking.dialog("insertDialog")->accept();
     QVERIFY(insertion->combination == Insert::Combination::Subtract && insertion->place == Insert::Place::AsItIs);
+
+    Asking next; // the choice is remembered
+    ui::askForPlace(&next.window, QStringLiteral("/models/part.stl"),
+                    [&insertion](const ui::InsertRequest& given) { insertion = given; });
+    QCOMPARE(next.in<QComboBox>("insertDialog", "combine")->currentText(), QStringLiteral("Subtract"));
+    QVERIFY(next.in<QRadioButton>("insertDialog", "choice1")->isChecked());
+    next.in<QComboBox>("insertDialog", "combine")->setCurrentText(QStringLiteral("As a part of its own"));
+    next.dialog("insertDialog")->accept();
+    QVERIFY(insertion->combination == Insert::Combination::Part);
 }
 
 void TestModelDialogs::verb_isTheDefaultButton()

@@ -3,6 +3,7 @@
 #include "tests/support/test_main.h"
 #include "tests/ui/ui_test.h"
 #include "ui/model/primitive_messages.h"
+#include "ui/settings/settings.h"
 
 #include <QComboBox>
 #include <QDialog>
@@ -56,6 +57,7 @@ class TestPrimitiveDialog : public QObject
 
 private Q_SLOTS:
     void accepted_givesMeasuresPlaceAndCombination();
+    void parts_areNamedByTheirShape();
     void rows_areThoseOfTheShape();
     void everyShape_isPossibleAtFirst();
     void impossibleMeasures_cannotBeAccepted();
@@ -89,6 +91,19 @@ void TestPrimitiveDialog::accepted_givesMeasuresPlaceAndCombination()
     QCOMPARE(cylinder.length(Measure::Height), 80.0);
     QCOMPARE(cylinder.axis, 0);
     QCOMPARE(cylinder.edge, 0.8);
+    QVERIFY(asking.insertion->name.empty());
+    ui::Settings().set(&ui::Setting::insertUse, ui::InsertUse::Part);
+}
+
+void TestPrimitiveDialog::parts_areNamedByTheirShape()
+{
+    PrimitiveQuestion asking;
+    QCOMPARE(asking.in<QComboBox>("combine")->currentText(), QStringLiteral("As a part of its own"));
+    asking.choose("kind", "Cone");
+    asking.accepting()->click();
+    QVERIFY(asking.insertion->combination == Insert::Combination::Part);
+    QVERIFY(asking.insertion->place == Insert::Place::Beside);
+    QCOMPARE(asking.insertion->name, std::string("Cone"));
 }
 
 void TestPrimitiveDialog::rows_areThoseOfTheShape()

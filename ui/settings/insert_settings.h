@@ -1,0 +1,15 @@
+#pragma once
+
+#include "ui/settings/view_appearance.h"
+
+namespace ui
+{
+/// How an inserted model or primitive is combined with the present one, in the order of the list.
+enum class InsertUse { Part, Join, Subtract, Intersect, Apart };
+
+inline constexpr std::array<Named<InsertUse>, 5> insertUses{{{InsertUse::Part, "part"},
+                                                             {InsertUse::Join, "join"},
+                                                             {InsertUse::Subtract, "subtract"},
+                                                             {InsertUse::Intersect, "intersect"},
+                                                             {InsertUse::Apart, "apart"}}};
+} // namespace ui
