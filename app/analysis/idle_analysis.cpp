@@ -4,7 +4,10 @@
 #include "app/worker/sculpt_worker.h"
 
 #include "core/mesh/mesh_builder.h"
+#include "core/parts/part_split.h"
 #include "core/sculpt/sculptor.h"
+
+#include <algorithm>
 
 namespace app
 {
@@ -21,12 +24,34 @@ std::vector<core::Slot> liveVertices(const core::Mesh& mesh)
             slots.push_back(v);
     return slots;
 }
+
+ModelCopy copyOf(const core::Mesh& mesh, AnalysedParts parts, core::PartId active)
+{
+    ModelCopy all{core::extractMesh(mesh), liveVertices(mesh)};
+    const core::PartList& list = mesh.frame().parts;
+    const auto isLeftOut = [&](core::PartId id) {
+        return (parts == AnalysedParts::Active && id != active) ||
+               (parts == AnalysedParts::Visible && !list.isVisible(id));
+    };
+    if (std::ranges::none_of(list.all(), isLeftOut, &core::Part::id))
+        return all;
+    std::vector<core::PartPiece> pieces = core::splitByPart(all.mesh);
+    std::erase_if(pieces, [&](const core::PartPiece& piece) { return isLeftOut(piece.part); });
+    if (pieces.empty())
+        return all;
+    ModelCopy copy{core::joined(pieces), {}};
+    for (const core::PartPiece& piece : pieces)
+        std::ranges::transform(piece.points, std::back_inserter(copy.slots),
+                               [&](core::Slot v) { return all.slots[v]; });
+    return copy;
+}
 } // namespace
 
-IdleAnalysis::IdleAnalysis(Document* document, SculptWorker* worker)
+IdleAnalysis::IdleAnalysis(Document* document, SculptWorker* worker, AnalysedParts parts)
     : QObject(document)
     , m_document(document)
     , m_worker(worker)
+    , m_parts(parts)
 {
     m_idleTimer.setSingleShot(true);
     m_idleTimer.setInterval(idleMs);
@@ -36,6 +61,10 @@ IdleAnalysis::IdleAnalysis(Document* document, SculptWorker* worker)
             invalidate();
     });
     connect(document, &Document::opened, this, &IdleAnalysis::invalidate);
+    connect(&document->parts(), &DocumentParts::changed, this, [this] {
+        if (m_parts == AnalysedParts::Active && m_document->parts().active() != m_active)
+            invalidate();
+    });
 }
 
 void IdleAnalysis::setActive(bool active)
@@ -77,6 +106,7 @@ void IdleAnalysis::invalidate()
 {
     m_stop.request_stop();
     m_isFinished = false;
+    m_active = m_document->parts().active();
     Q_EMIT outdated();
     if (m_isActive)
         m_idleTimer.start();
@@ -88,10 +118,9 @@ void IdleAnalysis::run()
         return m_idleTimer.start();
     m_stop.request_stop();
     m_stop = {};
-    m_worker->post([this, stop = m_stop.get_token()](core::Sculptor& sculptor) {
+    m_worker->post([this, active = m_document->parts().active(), stop = m_stop.get_token()](core::Sculptor& sculptor) {
         if (!stop.stop_requested())
-            analyse(std::make_shared<ModelCopy>(core::extractMesh(sculptor.mesh()), liveVertices(sculptor.mesh())),
-                    stop);
+            analyse(std::make_shared<ModelCopy>(copyOf(sculptor.mesh(), m_parts, active)), stop);
     });
 }
 } // namespace app

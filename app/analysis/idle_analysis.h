@@ -13,11 +13,18 @@ namespace app
 class Document;
 class SculptWorker;
 
-/// A copy of the model's surface, with the slot of each point in the live mesh.
+/// A copy of parts of the model, with the slot of each point in the live mesh.
 struct ModelCopy
 {
     core::TriangleMesh mesh;
     std::vector<core::Slot> slots;
+};
+
+/// The parts of the model that an analysis concerns.
+enum class AnalysedParts {
+    All,    ///< hidden ones, too
+    Active, ///< the active part
+    Visible ///< the parts that an export for print has; if all are hidden, all parts
 };
 
 /// Base of analyses that run when the model has not changed for 0.7 s, while the analysis is active. The mesh thread
@@ -28,7 +35,7 @@ class IdleAnalysis : public QObject
     Q_OBJECT
 
 public:
-    IdleAnalysis(Document* document, SculptWorker* worker);
+    IdleAnalysis(Document* document, SculptWorker* worker, AnalysedParts parts);
 
     void setActive(bool active);
     /// Starts at once if the analysis is active, even after stop().
@@ -44,6 +51,7 @@ protected:
     /// Starts the analysis of the copy on another thread. Thread: mesh.
     virtual void analyse(const std::shared_ptr<ModelCopy>& copy, const std::stop_token& stop) = 0;
     void setFinished();
+    Document& document() { return *m_document; }
     /// Cancels the analysis. Must be called first in the destructor of a derived class.
     void cancel() { m_stop.request_stop(); }
 
@@ -54,6 +62,8 @@ private:
 
     Document* m_document;
     SculptWorker* m_worker;
+    AnalysedParts m_parts;
+    core::PartId m_active = 0; ///< the active part when the analysis was last invalidated
     QTimer m_idleTimer;
     bool m_isActive = false;
     bool m_isFinished = false;

@@ -1,5 +1,9 @@
 #include "app/analysis/model_analysis.h"
 
+#include "app/document/document.h"
+
+#include "ui/util/part_name.h"
+
 namespace app
 {
 void ModelAnalysis::analyse(const std::shared_ptr<ModelCopy>& copy, const std::stop_token& stop)
@@ -12,7 +16,9 @@ void ModelAnalysis::analyse(const std::shared_ptr<ModelCopy>& copy, const std::s
             if (stop.stop_requested())
                 return;
             setFinished();
-            Q_EMIT finished(report);
+            const DocumentParts& parts = document().parts();
+            const core::Part* const part = parts.list().size() > 1 ? parts.list().find(parts.active()) : nullptr;
+            Q_EMIT finished(report, part ? ui::partName(*part) : QString());
         });
 }
 } // namespace app

@@ -7,17 +7,18 @@
 
 namespace app
 {
-/// Measures and checks the whole model on a background thread.
+/// Measures and checks the active part on a background thread.
 class ModelAnalysis : public IdleAnalysis
 {
     Q_OBJECT
 
 public:
-    using IdleAnalysis::IdleAnalysis;
+    ModelAnalysis(Document* document, SculptWorker* worker) : IdleAnalysis(document, worker, AnalysedParts::Active) {}
     ~ModelAnalysis() override { cancel(); }
 
 Q_SIGNALS:
-    void finished(const core::MeshReport& report);
+    /// `part`: name of the part; empty if the model has only one.
+    void finished(const core::MeshReport& report, const QString& part);
 
 private:
     void analyse(const std::shared_ptr<ModelCopy>& copy, const std::stop_token& stop) override;

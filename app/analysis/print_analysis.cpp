@@ -6,7 +6,8 @@
 
 namespace app
 {
-PrintAnalysis::PrintAnalysis(Document* document, SculptWorker* worker) : IdleAnalysis(document, worker)
+PrintAnalysis::PrintAnalysis(Document* document, SculptWorker* worker)
+    : IdleAnalysis(document, worker, AnalysedParts::Visible)
 {
     connect(this, &IdleAnalysis::outdated, this, [this] {
         m_stopEvaluation.request_stop();

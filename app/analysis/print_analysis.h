@@ -10,8 +10,8 @@
 
 namespace app
 {
-/// Analyses whether the model can be printed. The slow measurements are made once per change of the model; changed
-/// limits and pictures are evaluated from them.
+/// Analyses whether the visible parts of the model can be printed. The slow measurements are made once per change of
+/// the model; changed limits and pictures are evaluated from them.
 class PrintAnalysis : public IdleAnalysis
 {
     Q_OBJECT

@@ -24,7 +24,9 @@ std::shared_ptr<const core::Footprint> shadesOf(std::vector<core::Slot> slots, c
 }
 } // namespace
 
-LessonChecker::LessonChecker(Document* document, SculptWorker* worker) : IdleAnalysis(document, worker) {}
+LessonChecker::LessonChecker(Document* document, SculptWorker* worker)
+    : IdleAnalysis(document, worker, AnalysedParts::All)
+{}
 
 LessonChecker::~LessonChecker()
 {

@@ -49,6 +49,7 @@ ModelPanel::ModelPanel(QWidget* parent)
     badge->addWidget(m_icon);
     badge->addWidget(m_word, 1);
     m_form->addRow(badge);
+    addRow("part", tr("Part"), tr("The active part, whose values these are."));
     addRow("vertices", tr("Vertices"), tr("Corners of the triangles."));
     addRow("faces", tr("Faces"), tr("Triangles of the surface."));
     addRow("components", tr("Components"), tr("Parts of the surface that are not connected, including hollows."));
@@ -57,6 +58,7 @@ ModelPanel::ModelPanel(QWidget* parent)
     addRow("volume", tr("Volume"), tr("Volume inside the surface."));
     addRow("area", tr("Area"), tr("Area of the whole surface."));
     addRow("edges", tr("Edges"), tr("The shortest and the longest edge of a triangle."));
+    m_form->setRowVisible(m_values.value(QStringLiteral("part")), false);
     setStale();
 }
 
@@ -73,12 +75,14 @@ void ModelPanel::addRow(const char* id, const QString& name, const QString& tip)
     m_form->labelForField(value)->setToolTip(tip);
 }
 
-void ModelPanel::setReport(const core::MeshReport& report)
+void ModelPanel::setReport(const core::MeshReport& report, const QString& part)
 {
     const auto set = [this](const char* id, const QString& text) {
         m_values.value(QLatin1StringView(id))->setText(text);
     };
     const QString none = QStringLiteral("–");
+    set("part", part);
+    m_form->setRowVisible(m_values.value(QStringLiteral("part")), !part.isEmpty());
     set("vertices", count(report.vertices));
     set("faces", count(report.faces));
     set("components", count(report.components));

@@ -21,7 +21,8 @@ class ModelPanel : public QWidget
 public:
     explicit ModelPanel(QWidget* parent = nullptr);
 
-    void setReport(const core::MeshReport& report);
+    /// `part`: name of the part that the report is of; empty: the whole model.
+    void setReport(const core::MeshReport& report, const QString& part = {});
     /// Marks the values as outdated, because the model has changed.
     void setStale();
 
