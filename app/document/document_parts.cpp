@@ -5,6 +5,9 @@
 #include "app/model/model_change_job.h"
 #include "app/worker/sculpt_worker.h"
 
+#include "core/analysis/part_overlap.h"
+#include "core/mesh/mesh_builder.h"
+#include "core/parts/part_split.h"
 #include "core/sculpt/sculptor.h"
 
 #include <algorithm>
@@ -106,6 +109,16 @@ void DocumentParts::findRegion()
 {
     m_document->worker().post([this, part = m_active](core::Sculptor& sculptor) {
         m_mailbox.post([this, region = core::transformRegionOf(sculptor.mesh(), part)] { Q_EMIT regionFound(region); });
+    });
+}
+
+void DocumentParts::findOverlap(const std::function<void(bool doOverlap)>& answer)
+{
+    m_document->worker().post([this, answer](core::Sculptor& sculptor) {
+        const core::PartList& list = sculptor.mesh().frame().parts;
+        const bool doOverlap =
+            list.size() > 1 && core::doPartsOverlap(core::visibleParts(core::extractMesh(sculptor.mesh()), list));
+        m_mailbox.post([answer, doOverlap] { answer(doOverlap); });
     });
 }
 

@@ -9,6 +9,8 @@
 
 #include <QObject>
 
+#include <functional>
+
 namespace app
 {
 class Document;
@@ -40,6 +42,9 @@ public Q_SLOTS:
     void showAll();
     /// Asks the mesh thread what a core::Transform of the active part moves. Emits regionFound().
     void findRegion();
+    /// Calls `answer` with whether visible parts overlap (core::doPartsOverlap()), if the document still exists then.
+    /// Occupies the mesh thread.
+    void findOverlap(const std::function<void(bool doOverlap)>& answer);
 
 Q_SIGNALS:
     /// The list or the active part has changed.

@@ -70,15 +70,15 @@ void ModelSaver::finishSaving(int index, const SavedFile& file)
         Q_EMIT m_document->noticed(file.notice);
 }
 
-void ModelSaver::exportTo(const QString& path, quint64 maxTriangles, bool slices)
+void ModelSaver::exportTo(const QString& path, const ui::ExportSettings& options)
 {
     BackgroundJob& job = m_document->job();
     if (job.isBusy())
         return;
     const core::JobControl control = job.beginCancellable(tr("Exporting %1").arg(QFileInfo(path).fileName()));
-    m_document->queue().enqueue([this, path, maxTriangles, slices, control] {
-        m_document->worker().post([this, request = ExportRequest{path, maxTriangles, slices, m_document->metadata()},
-                                   control](core::Sculptor& sculptor) mutable {
+    m_document->queue().enqueue([this, path, options, control] {
+        ExportRequest asked{path, options.maxTriangles, options.slices, m_document->metadata(), {}, options.joinsParts};
+        m_document->worker().post([this, request = std::move(asked), control](core::Sculptor& sculptor) mutable {
             BackgroundJob& work = m_document->job();
             request.mesh = ModelChangeJob::copyOf(sculptor.mesh());
             request.metadata.frame = sculptor.mesh().frame();

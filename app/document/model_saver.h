@@ -2,6 +2,7 @@
 
 #include "core/io/document_metadata.h"
 #include "core/io/stroke/stroke_file.h"
+#include "ui/settings/export_settings.h"
 
 #include <QObject>
 
@@ -52,9 +53,9 @@ public Q_SLOTS:
     /// Saves a GLB, which becomes the document's file, and an STL beside `path`. Their number follows all numbers in
     /// use, so nothing is overwritten.
     void saveNumbered(const QString& path);
-    /// Exports to another file, with at most `maxTriangles` triangles (0: no limit). The file is read back and
-    /// verified; with `slices` it is also tested by an installed slicer. Unsaved changes remain unsaved.
-    void exportTo(const QString& path, quint64 maxTriangles = 0, bool slices = false);
+    /// Exports to another file. It is read back and verified, and tested by an installed slicer if `options` say so.
+    /// Unsaved changes remain unsaved.
+    void exportTo(const QString& path, const ui::ExportSettings& options = {});
     /// Exports the model as a brush file and emits brushExported(). The document and its file do not change.
     void exportBrush();
 

@@ -3,6 +3,7 @@
 #include "app/model/model_loader.h"
 #include "app/model/slicer_check.h"
 
+#include "core/analysis/part_overlap.h"
 #include "core/boolean/mesh_boolean.h"
 #include "core/io/mesh_io.h"
 #include "core/io/placed_mesh.h"
@@ -24,7 +25,19 @@ namespace
 /// afterDecimating: progress when the model is decimated, 0 to 1. afterWriting: share of the remaining progress that is
 /// reached when the file is written.
 constexpr double afterDecimating = 0.85, afterWriting = 0.2;
+
+/// Returns whether the file has one surface, in which parts that overlap would intersect.
+bool holdsOneSurface(const QString& path)
+{
+    const auto format = core::meshFormatOf(toPath(path));
+    return format && !core::holdsObjects(*format);
+}
 } // namespace
+
+bool ModelExport::joinsPartsByDefault(const QString& path)
+{
+    return holdsOneSurface(path) || core::meshFormatOf(toPath(path)) == core::MeshFormat::ThreeMf;
+}
 
 ExportOutcome ModelExport::run(ExportRequest request, const OnStage& onStage, const core::JobControl& control)
 {
@@ -54,18 +67,13 @@ ExportOutcome ModelExport::run(ExportRequest request, const OnStage& onStage, co
     }
 }
 
-/// Unites the parts if the format is for print and their surfaces meet. Returns an empty string, or one sentence why
-/// this is not possible.
+/// Unites the parts if this is requested and they overlap. Returns an empty string, or one sentence why this is not
+/// possible.
 QString ModelExport::join(ExportRequest& request, core::TriangleMesh& mesh, const OnStage& onStage,
                           const core::JobControl& control)
 {
-    const auto format = core::meshFormatOf(toPath(request.path));
-    const bool isForPrint = format == core::MeshFormat::Stl || format == core::MeshFormat::ThreeMf;
-    if (!isForPrint || mesh.parts.empty() || !request.metadata.frame)
-        return {};
-    core::TriangleMesh whole = mesh;
-    whole.parts.clear();
-    if (core::checkMesh(whole, control.part(0, 0)).printReady())
+    if (!request.joinsParts || !joinsPartsByDefault(request.path) || !request.metadata.frame ||
+        !core::doPartsOverlap(mesh, control.part(0, 0)) || control.isCancelled())
         return {};
     onStage(tr("Joining the parts"));
     std::vector<core::TriangleMesh> solids;
@@ -132,13 +140,22 @@ ExportOutcome ModelExport::readBack(const ExportRequest& request, const core::Tr
                        "may be changing the file.")
                         .arg(QDir::toNativeSeparators(request.path)),
                     {}};
-        if (!verdict.report.printReady())
+        const bool areApart = holdsOneSurface(request.path) && core::doPartsOverlap(written, control.part(1, 1));
+        if (!verdict.report.printReady() && !areApart)
             return {ui::ErrorMessages::refusal(request.path, verdict.report), {}};
+        if (areApart)
+            return {{}, apartText(request.path)};
         return {{},
                 verdictText(request, verdict.report, !mesh.colors.empty() && !ModelLoader::holdsColors(request.path))};
     } catch (const core::FileError& error) {
         return {ui::ErrorMessages::sentence(error), {}};
     }
+}
+
+QString ModelExport::apartText(const QString& path)
+{
+    return tr("%1 was written with parts that overlap, as you wished: their surfaces intersect.")
+        .arg(QFileInfo(path).fileName());
 }
 
 QString ModelExport::verdictText(const ExportRequest& request, const core::MeshReport& report, bool losesColors)

@@ -27,6 +27,7 @@ struct ExportRequest
     core::DocumentMetadata metadata = {}; ///< metadata of the mesh; not written if the model is decimated
     /// a copy of the model, which is consumed; null: there was not enough memory for a copy
     std::shared_ptr<core::Mesh> mesh = {};
+    bool joinsParts = true; ///< unites parts that overlap, unless the format is for other programs than slicers
 };
 
 /// Result of an export.
@@ -37,9 +38,8 @@ struct ExportOutcome
 };
 
 /// Writes a copy of the model to a file, decimated if requested, and reads the file back to verify it. Hidden parts are
-/// written only to GLB. Visible parts that overlap are united in formats for print (STL, 3MF): slicers would otherwise
-/// find surfaces that intersect. The document's
-/// model does not change. Thread: any. Never throws.
+/// written only to GLB. Visible parts that overlap are united, unless the request keeps them: slicers would otherwise
+/// find surfaces that intersect. The document's model does not change. Thread: any. Never throws.
 class ModelExport
 {
     Q_DECLARE_TR_FUNCTIONS(app::ModelExport)
@@ -51,6 +51,9 @@ public:
     /// Exports the copy, which is consumed. Cancelling while parts are united or triangles are
     /// reduced leaves no file.
     static ExportOutcome run(ExportRequest request, const OnStage& onStage, const core::JobControl& control);
+    /// Returns whether overlapping parts are united in a file of this name: true for STL, PLY and OFF, which have one
+    /// surface, and for 3MF, which is for print.
+    static bool joinsPartsByDefault(const QString& path);
 
 private:
     static QString join(ExportRequest& request, core::TriangleMesh& mesh, const OnStage& onStage,
@@ -60,6 +63,7 @@ private:
                                const core::JobControl& control);
     static ExportOutcome readBack(const ExportRequest& request, const core::TriangleMesh& mesh,
                                   const core::JobControl& control);
+    static QString apartText(const QString& path);
     static QString verdictText(const ExportRequest& request, const core::MeshReport& report, bool losesColors);
 };
 } // namespace app

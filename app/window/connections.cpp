@@ -49,6 +49,7 @@ void connectDocument(ui::MainWindow& window, Document& document)
     QObject::connect(window.files(), &ui::ModelFiles::starterRequested, &document.opener(), &ModelOpener::openStarter);
     QObject::connect(window.files(), &ui::ModelFiles::saveRequested, &document.saver(), &ModelSaver::save);
     QObject::connect(window.files(), &ui::ModelFiles::exportRequested, &document.saver(), &ModelSaver::exportTo);
+    QObject::connect(window.files(), &ui::ModelFiles::overlapAsked, &document.parts(), &DocumentParts::findOverlap);
     QObject::connect(window.files(), &ui::ModelFiles::renamed, &document, &Document::setPath);
     QObject::connect(window.files(), &ui::ModelFiles::fileDeleted, &document.savedState(), &SavedState::onFileDeleted);
     QObject::connect(&document, &Document::opened, &window, &MainWindow::setModel);

@@ -324,6 +324,11 @@ bool holdsColors(MeshFormat format)
     return format != MeshFormat::Stl;
 }
 
+bool holdsObjects(MeshFormat format)
+{
+    return format != MeshFormat::Stl && format != MeshFormat::Ply && format != MeshFormat::Off;
+}
+
 bool holdsHiddenParts(MeshFormat format)
 {
     return format == MeshFormat::Glb;

@@ -33,6 +33,9 @@ enum class UpAxis { Y, Z };
 UpAxis usualUp(MeshFormat format);
 
 bool holdsColors(MeshFormat format);
+/// Returns whether files of the format can have several objects, which ReadOptions::keepsObjects makes parts of, and
+/// whether parts are written as objects to it.
+bool holdsObjects(MeshFormat format);
 /// Returns whether the format keeps the properties of parts, so that hidden parts can be written to it.
 bool holdsHiddenParts(MeshFormat format);
 

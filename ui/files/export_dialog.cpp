@@ -11,6 +11,7 @@
 #include <QDialog>
 #include <QLabel>
 #include <QLocale>
+#include <QPointer>
 #include <QRadioButton>
 #include <QSpinBox>
 #include <QVBoxLayout>
@@ -52,6 +53,7 @@ public:
             addPreset(column, presets[i], exportUses[i].key);
         column->addSpacing(dialogGap);
         addBudget(column, modelInfo);
+        addUnion(column);
         addSlicerCheck(column);
         column->addSpacing(dialogGap);
         addDialogButtons(this, tr("&Export…"));
@@ -64,7 +66,15 @@ public:
 
     ExportSettings options() const
     {
-        return {use(), m_limits->isChecked() ? static_cast<quint64>(m_max->value()) : 0, m_slices->isChecked()};
+        return {use(), m_limits->isChecked() ? static_cast<quint64>(m_max->value()) : 0, m_slices->isChecked(),
+                m_joins->isChecked()};
+    }
+    /// Says that parts overlap, and offers to unite them.
+    void offerUnion()
+    {
+        m_joins->show();
+        m_overlap->show();
+        adjustSize();
     }
     bool wantsSlicerCheck() const { return m_slices->isChecked() && prints() && !installedSlicer().isEmpty(); }
 
@@ -109,6 +119,22 @@ private:
         connect(m_limits, &QCheckBox::toggled, m_max, &QWidget::setEnabled);
     }
 
+    /// Adds the check box for uniting parts; it is visible only if parts overlap.
+    void addUnion(QVBoxLayout* column)
+    {
+        m_joins = named(new QCheckBox(tr("&Unite overlapping parts")), "joins",
+                        tr("Writes the exact union of the visible parts. The model in the window keeps its parts."));
+        m_overlap = named(dialogText(tr("Parts of the model overlap. Slicers expect surfaces that do not intersect; "
+                                        "GLB files keep parts."),
+                                     textWidth),
+                          "overlap");
+        m_overlap->setIndent(3 * dialogGap);
+        for (QWidget* widget : {static_cast<QWidget*>(m_joins), static_cast<QWidget*>(m_overlap)}) {
+            column->addWidget(widget);
+            widget->hide();
+        }
+    }
+
     /// Adds the check box for slicing; it is visible only if a slicer is installed.
     void addSlicerCheck(QVBoxLayout* column)
     {
@@ -126,13 +152,20 @@ private:
         m_presets->button(static_cast<int>(row))->setFocus();
         setTriangles(last.maxTriangles);
         m_slices->setChecked(last.slices);
-        m_slices->setEnabled(prints());
+        m_joins->setChecked(last.joinsParts);
+        enablePrintChoices();
     }
 
     void applyDefaults()
     {
         setTriangles(prints() ? 0 : gameTriangles);
+        enablePrintChoices();
+    }
+
+    void enablePrintChoices()
+    {
         m_slices->setEnabled(prints());
+        m_joins->setEnabled(prints());
     }
 
     /// Sets the limit of triangles; 0: no limit.
@@ -146,14 +179,20 @@ private:
     QButtonGroup* m_presets;
     QCheckBox* m_limits = nullptr;
     QSpinBox* m_max = nullptr;
-    QCheckBox* m_slices = nullptr;
+    QCheckBox *m_joins = nullptr, *m_slices = nullptr;
+    QLabel* m_overlap = nullptr;
 };
 } // namespace
 
-void askForExportChoice(QWidget* parent, const ModelInfo& modelInfo, Settings* settings,
+void askForExportChoice(QWidget* parent, const ExportContext& context,
                         const std::function<void(const ExportSettings&)>& callback)
 {
-    auto* dialog = new ExportDialog(parent, modelInfo, settings->get<ExportSettings>());
+    Settings* const settings = context.settings;
+    auto* dialog = new ExportDialog(parent, context.modelInfo, settings->get<ExportSettings>());
+    context.askOverlap([shown = QPointer<ExportDialog>(dialog)](bool doOverlap) {
+        if (shown && doOverlap)
+            shown->offerUnion();
+    });
     QObject::connect(dialog, &QDialog::accepted, dialog, [dialog, settings, callback] {
         ExportSettings options = dialog->options();
         settings->set(options);

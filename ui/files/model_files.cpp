@@ -243,12 +243,12 @@ void ModelFiles::report()
 
 void ModelFiles::exportFor(const ModelInfo& model)
 {
-    askForExportChoice(m_window, model, m_settings, [this](const ExportSettings& options) {
+    const auto askOverlap = [this](const auto& answer) { Q_EMIT overlapAsked(answer); };
+    askForExportChoice(m_window, {model, m_settings, askOverlap}, [this](const ExportSettings& options) {
         const QString ending =
             QLatin1StringView(std::ranges::find(exportUses, options.use, &Named<ExportUse>::value)->key);
-        askForExport(m_window, m_settings->lastFolder(), m_name, {ending}, [this, options](const QString& path) {
-            Q_EMIT exportRequested(path, options.maxTriangles, options.slices);
-        });
+        askForExport(m_window, m_settings->lastFolder(), m_name, {ending},
+                     [this, options](const QString& path) { Q_EMIT exportRequested(path, options); });
     });
 }
 

@@ -2,6 +2,7 @@
 
 #include "ui/files/file_entry.h"
 #include "ui/model/insert_request.h"
+#include "ui/settings/export_settings.h"
 
 #include "core/primitives/starter_models.h"
 
@@ -63,8 +64,9 @@ Q_SIGNALS:
     void starterRequested(core::Starter starter);
     /// The path is the model's own file, or the user has agreed to overwriting. Its suffix is the format.
     void saveRequested(const QString& path);
-    /// `maxTriangles`: 0 means all. `slices`: a slicer is to test the file.
-    void exportRequested(const QString& path, quint64 maxTriangles = 0, bool slices = false);
+    void exportRequested(const QString& path, const ui::ExportSettings& options = {});
+    /// `answer` is to be called with whether visible parts of the model overlap.
+    void overlapAsked(const std::function<void(bool doOverlap)>& answer);
     /// A report on the models in `folder` is to be written to `path`.
     void reportRequested(const QString& folder, const QString& path);
     /// A file with the suffix of an image was dropped. `path`: local path.

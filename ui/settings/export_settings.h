@@ -20,6 +20,7 @@ struct ExportSettings
     ExportUse use = ExportUse::Print;
     quint64 maxTriangles = 0; ///< largest number of triangles; 0: no limit
     bool slices = false;      ///< tries slicing models for print with an installed slicer
+    bool joinsParts = true;   ///< unites overlapping parts in files for print
 
     bool operator==(const ExportSettings&) const = default;
 };

@@ -186,7 +186,7 @@ void TestModelPlace::exported_liesWhereItLay()
     for (const quint64 triangles : {0, 500}) {
         for (const char* ending : {"stl", "glb"}) {
             const QString path = file(QStringLiteral("export%1.%2").arg(triangles).arg(QLatin1StringView(ending)));
-            session.document.saver().exportTo(path, triangles, false);
+            session.document.saver().exportTo(path, {.maxTriangles = triangles});
             session.wait();
             QVERIFY((boxIn(path).center() - place).norm() < 0.5);
             PlacedSession again(path);

@@ -318,7 +318,7 @@ void TestUnwritablePlaces::reducedExport_leavesTheOldFile()
     QSettings().clear();
     Spoilt s(*disk, fault);
     s.sculpt();
-    s.program.document.saver().exportTo(s.place.at("lion.ply"), 800);
+    s.program.document.saver().exportTo(s.place.at("lion.ply"), {.maxTriangles = 800});
     s.verifyRefused(QStringLiteral("lion.ply"));
     s.press("file.exportFor");
     auto* choice = s.program.window.findChild<QDialog*>(QStringLiteral("exportChoice"));

@@ -10,11 +10,14 @@
 #include "core/parts/part_split.h"
 #include "core/sculpt/sculptor.h"
 #include "tests/support/effort.h"
+#include "ui/files/slicer.h"
 
 #include <QAction>
 #include <QCheckBox>
 #include <QDialog>
+#include <QLabel>
 #include <QPointer>
+#include <QProcess>
 #include <QRadioButton>
 #include <QSettings>
 #include <QSignalSpy>
@@ -109,6 +112,10 @@ private Q_SLOTS:
     void slicer_thatHangsIsStopped();
     void parts_areJoinedForPrintIfTheyOverlap_data();
     void parts_areJoinedForPrintIfTheyOverlap();
+    void parts_stayApartIfWished_data();
+    void parts_stayApartIfWished();
+    void parts_areObjectsOfPrusaSlicer();
+    void dialog_offersToUniteOverlappingParts();
     void parts_eachKeepTheirShareOfTriangles();
     void hiddenParts_areInGlbOnly_data();
     void hiddenParts_areInGlbOnly();
@@ -208,7 +215,7 @@ void TestModelExport::fewerTriangles_leaveTheModelAlone()
     sculptBall(program);
     const quint64 faces = program.document.modelInfo().faces;
     QSignalSpy exported(&program.document.saver(), &ModelSaver::exported);
-    program.document.saver().exportTo(path("few.stl"), 500);
+    program.document.saver().exportTo(path("few.stl"), {.maxTriangles = 500});
     QTRY_COMPARE(exported.size(), 1);
     const core::TriangleMesh few = core::readMesh(path("few.stl").toStdString());
     QVERIFY(few.triangles.size() <= 500 && core::checkMesh(few).printReady());
@@ -335,7 +342,7 @@ void TestModelExport::fewerTriangles_carryNoNotes()
     Program program;
     sculptBall(program);
     QSignalSpy exported(&program.document.saver(), &ModelSaver::exported);
-    program.document.saver().exportTo(m_folder.filePath(name), most);
+    program.document.saver().exportTo(m_folder.filePath(name), {.maxTriangles = most});
     QTRY_COMPARE(exported.size(), 1);
     const std::filesystem::path file = m_folder.filePath(name).toStdString();
     const core::DocumentMetadata metadata = core::readMetadata(file);
@@ -361,7 +368,7 @@ void TestModelExport::stop_endsAnExport()
                              longestWait);
     QSignalSpy noticed(&program.document, &Document::noticed),
         progressed(&program.document.job(), &BackgroundJob::progressed);
-    program.document.saver().exportTo(path("never.stl"), 100);
+    program.document.saver().exportTo(path("never.stl"), {.maxTriangles = 100});
     QTRY_VERIFY_WITH_TIMEOUT(!progressed.isEmpty(), longestWait);
     program.window.action(QStringLiteral("edit.stop"))->trigger();
     QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), longestWait);
@@ -425,6 +432,8 @@ void TestModelExport::parts_areJoinedForPrintIfTheyOverlap_data()
     constexpr float across = 15, apart = 30;
     row("a.stl", across, 1);
     row("a.3mf", across, 1);
+    row("a.ply", across, 1);
+    row("a.off", across, 1);
     row("a.obj", across, 2);
     row("a.glb", across, 2);
     row("b.3mf", apart, 2);
@@ -449,6 +458,88 @@ void TestModelExport::parts_areJoinedForPrintIfTheyOverlap()
         QVERIFY(*report.volume<1.99 * one&& * report.volume> 1.5 * one);
     else
         QVERIFY(std::abs(*report.volume - 2 * one) < 1e-3 * one);
+}
+
+void TestModelExport::parts_stayApartIfWished_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<std::size_t>("objects");
+    QTest::newRow("one surface") << QStringLiteral("kept.stl") << std::size_t(1);
+    QTest::newRow("objects") << QStringLiteral("kept.3mf") << std::size_t(2);
+}
+
+void TestModelExport::parts_stayApartIfWished()
+{
+    QFETCH(QString, name);
+    QFETCH(std::size_t, objects);
+    ExportRequest request = requestOfTwo(path(qPrintable(name)), 15);
+    request.joinsParts = false;
+    const std::size_t faces = request.mesh->live().faces;
+    const ExportOutcome outcome = ModelExport::run(request, quiet, {});
+    QVERIFY2(outcome.problem.isEmpty(), qPrintable(outcome.problem));
+    QCOMPARE(outcome.verdict.contains(QStringLiteral("parts that overlap")), objects == 1);
+    const core::ReadResult read = core::readModel(request.path.toStdString(), {.keepsObjects = true});
+    QCOMPARE(read.parts.size(), objects);
+    QCOMPARE(read.mesh.triangles.size(), faces);
+}
+
+/// Tests that a real slicer reads parts of a 3MF as objects of their own, where they were placed.
+void TestModelExport::parts_areObjectsOfPrusaSlicer()
+{
+    if (ui::installedSlicer().isEmpty())
+        QSKIP("PrusaSlicer is not installed");
+    const ExportRequest request = requestOfTwo(path("placed.3mf"), 30);
+    QVERIFY(ModelExport::run(request, quiet, {}).problem.isEmpty());
+    QProcess slicer;
+    slicer.start(ui::installedSlicer(), {QStringLiteral("--info"), request.path});
+    QVERIFY(slicer.waitForFinished());
+    QList<double> starts;
+    for (const QByteArray& line : slicer.readAllStandardOutput().split('\n'))
+        if (line.startsWith("min_x = "))
+            starts << line.mid(8).toDouble();
+    QCOMPARE(starts.size(), 2);
+    QVERIFY(std::abs(std::abs(starts[1] - starts[0]) - 30) < 1e-3);
+}
+
+void TestModelExport::dialog_offersToUniteOverlappingParts()
+{
+    QSettings().clear();
+    Program program;
+    sculptBall(program);
+    const auto ask = [&program] {
+        program.window.action(QStringLiteral("file.exportFor"))->trigger();
+        return QPointer(program.window.findChild<QDialog*>(QStringLiteral("exportChoice")));
+    };
+    QPointer<QDialog> dialog = ask();
+    QTRY_VERIFY(dialog && dialog->isVisible());
+    QTest::qWait(200);
+    QVERIFY(!in<QCheckBox>(dialog, "joins")->isVisible()); // one part
+    QTest::keyClick(dialog, Qt::Key_Escape);
+    QTRY_VERIFY(!dialog);
+
+    program.window.action(QStringLiteral("parts.duplicate"))->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(program.document.parts().list().size(), std::size_t(2), longestWait);
+    dialog = ask();
+    QTRY_VERIFY(dialog && in<QCheckBox>(dialog, "joins")->isVisible());
+    QVERIFY(in<QLabel>(dialog, "overlap")->isVisible());
+    QVERIFY(in<QCheckBox>(dialog, "joins")->isEnabled() && in<QCheckBox>(dialog, "joins")->isChecked());
+    const QString picture = qEnvironmentVariable("FETTLE_PICTURE");
+    if (!picture.isEmpty())
+        dialog->grab().save(picture);
+    press(in<QRadioButton>(dialog, "glb"));
+    QVERIFY(!in<QCheckBox>(dialog, "joins")->isEnabled());
+    press(in<QRadioButton>(dialog, "stl"));
+    QTest::keyClick(in<QCheckBox>(dialog, "joins"), Qt::Key_Space);
+    QTest::keyClick(in<QSpinBox>(dialog, "most"), Qt::Key_Return);
+    chooseFile(program, "exportDialog", path("double"));
+    QTRY_VERIFY2(notice(program).contains(QStringLiteral("parts that overlap")), qPrintable(notice(program)));
+    QCOMPARE(core::readMesh(path("double.stl").toStdString()).triangles.size(), program.document.modelInfo().faces);
+
+    dialog = ask(); // the choice is remembered
+    QTRY_VERIFY(dialog && in<QCheckBox>(dialog, "joins")->isVisible());
+    QVERIFY(!in<QCheckBox>(dialog, "joins")->isChecked());
+    QTest::keyClick(dialog, Qt::Key_Escape);
+    QTRY_VERIFY(!dialog);
 }
 
 void TestModelExport::parts_eachKeepTheirShareOfTriangles()

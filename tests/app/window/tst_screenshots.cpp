@@ -398,7 +398,7 @@ void TestScreenshots::takeExport(Program& program)
     QTRY_VERIFY(QApplication::activeModalWidget());
     QApplication::activeModalWidget()->findChild<QAbstractButton*>(QStringLiteral("glb"))->click();
     takeDialog(QStringLiteral("export"));
-    program.document.saver().exportTo(m_models.filePath(QStringLiteral("vase.stl")), 2000);
+    program.document.saver().exportTo(m_models.filePath(QStringLiteral("vase.stl")), {.maxTriangles = 2000});
     const auto* banner = program.window.findChild<QLabel*>(QStringLiteral("banner"));
     QTRY_VERIFY_WITH_TIMEOUT(banner->isVisible() && banner->text().contains(QStringLiteral("vase.stl")), longestWait);
     const auto* scaleBar = program.window.findChild<QWidget*>(QStringLiteral("scaleBar"));
