@@ -3,14 +3,18 @@
 #include "app/commands/command_line.h"
 #include "app/commands/command_unit.h"
 #include "app/commands/standard_files.h"
+#include "app/model/model_export.h"
 #include "app/model/model_loader.h"
 
 #include "core/analysis/mesh_check.h"
+#include "core/analysis/part_overlap.h"
+#include "core/boolean/mesh_boolean.h"
 #include "core/geometry/face_geometry.h"
 #include "core/io/mesh_io.h"
 #include "core/io/placed_mesh.h"
 #include "core/mesh/mesh_builder.h"
 #include "core/operations/decimate.h"
+#include "core/parts/part_split.h"
 #include "core/repair/repair.h"
 #include "ui/util/error_messages.h"
 #include "ui/util/number_format.h"
@@ -30,7 +34,8 @@ class ConvertMessages
 constexpr double minSize = 0.001, maxSize = 1e6; ///< smallest and largest length allowed in options, mm
 constexpr unsigned fewestTriangles = 4;          ///< least number of triangles of a solid
 const QString repairOption = QStringLiteral("repair"), wrap = QStringLiteral("wrap"),
-              largeHoles = QStringLiteral("large-holes"), innerParts = QStringLiteral("inner-parts");
+              largeHoles = QStringLiteral("large-holes"), innerParts = QStringLiteral("inner-parts"),
+              partsOption = QStringLiteral("parts"), overlaps = QStringLiteral("overlaps");
 
 struct ConvertOptions
 {
@@ -40,6 +45,8 @@ struct ConvertOptions
     std::optional<UpAxis> up;   ///< up axis of IN
     std::size_t triangles = 0;  ///< largest number of triangles of OUT; 0: no limit
     std::optional<core::RepairOptions> repair;
+    bool keepsObjects = false; ///< makes a part of each object of IN
+    bool joinsParts = true;    ///< unites parts that overlap, if OUT has one surface or is for print
 };
 
 // Allowed words of options; the first word is the default.
@@ -51,6 +58,11 @@ QStringList holeWords()
 QStringList partWords()
 {
     return {QStringLiteral("fill"), QStringLiteral("hollow")};
+}
+
+QStringList overlapWords()
+{
+    return {QStringLiteral("unite"), QStringLiteral("keep")};
 }
 
 QStringList upWords()
@@ -87,7 +99,11 @@ void addConvertOptions(QCommandLineParser& parser)
          {innerParts,
           ConvertMessages::tr("With --repair: what to do with parts inside of others that face outwards (default: "
                               "fill)."),
-          partWords().join(u'|')}});
+          partWords().join(u'|')},
+         {partsOption, ConvertMessages::tr("Make a part of each object of IN; parts may overlap.")},
+         {overlaps,
+          ConvertMessages::tr("What to do with parts that overlap if OUT is STL, PLY, OFF or 3MF (default: unite)."),
+          overlapWords().join(u'|')}});
     StandardFiles::addFrom(parser);
     StandardFiles::addTo(parser);
     CommandOptions::addNoClobber(parser);
@@ -124,6 +140,9 @@ std::optional<ConvertOptions> parseConvertOptions(const QStringList& arguments)
         options.up = given.choice(up, upWords()) == 0 ? UpAxis::Y : UpAxis::Z;
     if (given.has(triangles))
         options.triangles = given.wholeNumber(triangles, fewestTriangles);
+    options.keepsObjects = given.has(partsOption);
+    if (given.has(overlaps))
+        options.joinsParts = given.choice(overlaps, overlapWords()) == 0;
     given.requireFree(files[1]);
     options.out = StandardFiles::output(given, files[1]);
     CommandLine::requireMeshEnding(options.out);
@@ -131,13 +150,47 @@ std::optional<ConvertOptions> parseConvertOptions(const QStringList& arguments)
     return options;
 }
 
-void requireSound(const QString& file, const core::TriangleMesh& mesh)
+/// Fails if the model is not sound. `hasObjects`: whether its file has several objects, which were read as one part.
+void requireSound(const QString& file, const core::TriangleMesh& mesh, bool hasObjects = false)
 {
     const core::MeshReport report = core::checkMesh(mesh);
-    if (!report.printReady())
-        throw CommandFailure{ui::ErrorMessages::refusal(file, report) + u' ' +
-                                 ConvertMessages::tr("--repair may make it watertight."),
+    if (report.printReady())
+        return;
+    const QString hint = hasObjects ? ConvertMessages::tr("--parts keeps its objects apart, which may overlap then; "
+                                                          "--repair may make it watertight.")
+                                    : ConvertMessages::tr("--repair may make it watertight.");
+    throw CommandFailure{ui::ErrorMessages::refusal(file, report) + u' ' + hint, AnswerIsNo};
+}
+
+/// Drops hidden parts if OUT cannot keep them hidden.
+void dropHidden(const ConvertOptions& options, core::TriangleMesh& mesh, const core::PartList& parts)
+{
+    if (core::holdsHiddenParts(*core::meshFormatOf(toPath(options.out))))
+        return;
+    mesh = core::visibleParts(mesh, parts);
+    if (mesh.triangles.empty())
+        throw CommandFailure{ConvertMessages::tr("%1: all its parts are hidden, and only GLB keeps hidden parts. "
+                                                 "Nothing was written.")
+                                 .arg(options.in),
                              AnswerIsNo};
+}
+
+/// Unites the parts if they overlap and OUT cannot keep them apart. Returns whether it did.
+bool joinParts(const ConvertOptions& options, core::TriangleMesh& mesh)
+{
+    if (!options.joinsParts || !ModelExport::joinsPartsByDefault(options.out) || !core::doPartsOverlap(mesh))
+        return false;
+    std::vector<core::TriangleMesh> solids;
+    for (core::PartPiece& piece : core::splitByPart(mesh))
+        solids.push_back(std::move(piece.mesh));
+    core::BooleanResult all = core::combine(core::SetOperation::Union, solids);
+    if (!all.mesh)
+        throw CommandFailure{ConvertMessages::tr("%1: its parts overlap and cannot be united. --overlaps keep writes "
+                                                 "them as they are.")
+                                 .arg(options.in),
+                             AnswerIsNo};
+    mesh = std::move(*all.mesh);
+    return true;
 }
 
 QString refusalText(const QString& file, const core::RepairResult& repaired, const core::RepairOptions& options)
@@ -236,9 +289,10 @@ ExitStatus convertCommand(const QStringList& arguments)
     if (!options)
         return Done;
     try {
-        auto [mesh, remarks, parts] = core::readModel(toPath(options->in), {options->up});
+        auto [mesh, remarks, parts] =
+            core::readModel(toPath(options->in), {.up = options->up, .keepsObjects = options->keepsObjects});
         if (!options->repair)
-            requireSound(options->in, mesh);
+            requireSound(options->in, mesh, remarks.objects > 1 && !options->keepsObjects);
         if (const double factor = scaleFor(*options, mesh); factor != 1) {
             CommandUnit::scale(options->in, mesh, factor);
             if (!options->repair)
@@ -247,6 +301,12 @@ ExitStatus convertCommand(const QStringList& arguments)
         std::optional<Repaired> repaired;
         if (options->repair)
             repaired = makeSound(*options, mesh);
+        if (repaired && parts.size() > 1)
+            parts = {}; // the repair made one part of all
+        dropHidden(*options, mesh, parts);
+        const bool areJoined = joinParts(*options, mesh);
+        if (areJoined)
+            parts = {};
         if (options->triangles > 0 && mesh.triangles.size() > options->triangles) {
             mesh = reduced(*options, mesh);
             if (repaired)
@@ -254,6 +314,8 @@ ExitStatus convertCommand(const QStringList& arguments)
         }
         if (repaired)
             printRepair(repaired->report);
+        if (areJoined)
+            CommandLine::printRemark(ConvertMessages::tr("The parts overlap, so they were united.") + u'\n');
         core::writeMesh(toPath(options->out), mesh, {.parts = parts});
         StandardFiles::flush();
         if (const QString left = ui::ErrorMessages::remarks(options->in, remarks); !left.isEmpty())

@@ -53,6 +53,7 @@ struct ReplayOptions
     QString frames; ///< folder for pictures; empty: none
     int every = 1;
     Verify verify = Verify::Local;
+    bool keepsObjects = false; ///< makes a part of each object of `in`
 };
 
 /// Fails if two options name the same file: the strokes or the model would be overwritten.
@@ -86,7 +87,7 @@ std::optional<ReplayOptions> parseReplayOptions(const QStringList& arguments)
 {
     const QString strokes = QStringLiteral("strokes"), in = QStringLiteral("in"), out = QStringLiteral("out"),
                   stats = QStringLiteral("stats"), frames = QStringLiteral("frames"), every = QStringLiteral("every"),
-                  verify = QStringLiteral("verify");
+                  verify = QStringLiteral("verify"), parts = QStringLiteral("parts");
     const QStringList verifications{QStringLiteral("local"), QStringLiteral("full"), QStringLiteral("none")};
     QCommandLineParser parser;
     parser.setApplicationDescription(
@@ -95,6 +96,7 @@ std::optional<ReplayOptions> parseReplayOptions(const QStringList& arguments)
         {{strokes, ReplayMessages::tr("The strokes, JSON; or -."), QStringLiteral("S.json")},
          {in, ReplayMessages::tr("The model; or - (default: a sphere of 2562 vertices, radius 1)."),
           QStringLiteral("FILE")},
+         {parts, ReplayMessages::tr("Make a part of each object of the model; parts may overlap.")},
          {{QStringLiteral("o"), out}, ReplayMessages::tr("File for the sculpted model; or -."), QStringLiteral("FILE")},
          {stats, ReplayMessages::tr("File for cost and outcome of each dab, JSON; or -."), QStringLiteral("T.json")},
          {frames, ReplayMessages::tr("Folder for pictures of the model, PNG, at the start and after each stroke."),
@@ -116,13 +118,15 @@ std::optional<ReplayOptions> parseReplayOptions(const QStringList& arguments)
                           given.text(stats),
                           given.text(frames),
                           static_cast<int>(std::min(given.wholeNumber(every, 1), maxEvery)),
-                          static_cast<Verify>(given.choice(verify, verifications))};
+                          static_cast<Verify>(given.choice(verify, verifications)),
+                          given.has(parts)};
     if (!given.files().isEmpty())
         CommandLine::fail(
             ReplayMessages::tr("replay: %1 is not an option; give the model with --in.").arg(given.files().first()));
     if (options.strokes.isEmpty())
         CommandLine::fail(ReplayMessages::tr("replay: --strokes is missing."));
     given.requireWith({every}, frames);
+    given.requireWith({parts}, in);
     if (options.verify == Verify::None && given.has(out))
         CommandLine::fail(ReplayMessages::tr("replay: --verify none and --out cannot be used together: what is not "
                                              "verified is not kept."));
@@ -325,8 +329,9 @@ void run(const ReplayOptions& options, Entries& entries)
             CommandLine::fail(obstacle);
     }
 
+    const auto objects = options.keepsObjects ? ModelLoader::Objects::AsParts : ModelLoader::Objects::AsOnePart;
     const LoadedModel model =
-        options.in.isEmpty() ? ModelLoader::sphere(paperRadius) : ModelLoader::loadInPlace(options.in);
+        options.in.isEmpty() ? ModelLoader::sphere(paperRadius) : ModelLoader::loadInPlace(options.in, objects);
     if (!model.sculptor)
         CommandLine::fail(model.problem);
     setStart(entries, model.start);

@@ -63,6 +63,7 @@ void Document::setModel(const LoadedModel& model)
     m_modelInfo.source = model.source;
     m_modelInfo.metadata = model.metadata;
     m_modelInfo.unitGuess = model.unitGuess;
+    m_modelInfo.objects = model.objects;
     m_workTimer = {};
 }
 

@@ -5,6 +5,8 @@
 #include "app/recovery/recovery_store.h"
 #include "app/worker/sculpt_worker.h"
 
+#include "ui/settings/settings.h"
+
 #include <QFileInfo>
 
 #include <utility>
@@ -46,8 +48,11 @@ bool ModelOpener::canDiscard(const std::function<void()>& proceed) const
 ModelOpener::Choice ModelOpener::choiceOf(const QString& path) const
 {
     const auto onStage = [&job = m_document->job()](const QString& next) { job.rename(next); };
-    Choice choice{tr("Opening %1").arg(QFileInfo(path).fileName()), [path, onStage](const core::JobControl& control) {
-                      return ModelLoader::load(path, onStage, control);
+    const auto objects = ui::Settings().get<ui::Preferences>().opensObjectsAsParts ? ModelLoader::Objects::AsParts
+                                                                                   : ModelLoader::Objects::AsOnePart;
+    Choice choice{tr("Opening %1").arg(QFileInfo(path).fileName()),
+                  [path, onStage, objects](const core::JobControl& control) {
+                      return ModelLoader::load(path, onStage, control, objects);
                   }};
     choice.path = path;
     return choice;

@@ -36,20 +36,37 @@ std::filesystem::path toPath(const QString& path)
     return std::filesystem::path(path.toStdU16String());
 }
 
-LoadedModel ModelLoader::load(const QString& path, const OnStage& onStage, const core::JobControl& control)
+LoadedModel ModelLoader::load(const QString& path, const OnStage& onStage, const core::JobControl& control,
+                              Objects objects)
 {
-    return read(path, onStage, control,
-                [](LoadedModel& loaded, const core::TriangleMesh& mesh, const core::JobControl& part) {
-                    build(loaded, mesh, {.isCentred = true}, part);
-                    loaded.isRepairable = !loaded.problem.isEmpty();
-                });
+    const auto process = [](LoadedModel& loaded, const core::TriangleMesh& mesh, const core::JobControl& part) {
+        build(loaded, mesh, {.isCentred = true}, part);
+        loaded.isRepairable = !loaded.problem.isEmpty();
+    };
+    LoadedModel loaded = read({path, objects, true}, onStage, control, process);
+    if (!loaded.isRepairable || loaded.objects.count == 1)
+        return loaded;
+    if (!loaded.objects.areParts) {
+        LoadedModel parts = read({path, Objects::AsParts, true}, onStage, control, process);
+        if (parts.sculptor) {
+            parts.objects = {}; // there is no choice
+            parts.notice = QStringList({tr("The objects of %1 overlap or touch, so each is a part.").arg(parts.name),
+                                        parts.notice})
+                               .join(QLatin1Char(' '))
+                               .trimmed();
+            return parts;
+        }
+    }
+    loaded.problem +=
+        u' ' + tr("A repair makes one part of its %Ln objects.", nullptr, static_cast<int>(loaded.objects.count));
+    return loaded;
 }
 
 LoadedModel ModelLoader::loadRepaired(const QString& path, const core::RepairOptions& options, const OnStage& onStage,
                                       const core::JobControl& control)
 {
     return read(
-        path, onStage, control, [&](LoadedModel& loaded, core::TriangleMesh& mesh, const core::JobControl& part) {
+        {path}, onStage, control, [&](LoadedModel& loaded, core::TriangleMesh& mesh, const core::JobControl& part) {
             core::RepairStepCallback onStep;
             if (onStage)
                 onStep = [&](core::RepairStep step) { onStage(ui::RepairMessages::progress(loaded.name, step)); };
@@ -70,29 +87,52 @@ LoadedModel ModelLoader::loadRepaired(const QString& path, const core::RepairOpt
         });
 }
 
-LoadedModel ModelLoader::loadInPlace(const QString& path)
+LoadedModel ModelLoader::loadInPlace(const QString& path, Objects objects)
 {
-    return read(path, {}, {}, [](LoadedModel& loaded, const core::TriangleMesh& mesh, const core::JobControl& control) {
-        const core::MeshReport report = build(loaded, mesh, {}, control);
-        if (loaded.sculptor && core::isTooFarForFloats(core::boxOf(mesh), report.area, report.faces)) {
-            loaded.problem = tr("%1 cannot be sculpted where it is: so far from the origin its coordinates are too "
-                                "coarse for its detail.")
-                                 .arg(loaded.path);
-            loaded.sculptor.reset();
-        }
-    });
+    return read({path, objects}, {}, {},
+                [](LoadedModel& loaded, const core::TriangleMesh& mesh, const core::JobControl& control) {
+                    const core::MeshReport report = build(loaded, mesh, {}, control);
+                    if (loaded.sculptor && core::isTooFarForFloats(core::boxOf(mesh), report.area, report.faces)) {
+                        loaded.problem = tr("%1 cannot be sculpted where it is: so far from the origin its coordinates "
+                                            "are too coarse for its detail.")
+                                             .arg(loaded.path);
+                        loaded.sculptor.reset();
+                    }
+                });
 }
 
-LoadedModel ModelLoader::read(const QString& path, const OnStage& onStage, const core::JobControl& control,
+/// Sets loaded.objects if the user can choose what becomes of the objects; a remark about them is then superfluous.
+void ModelLoader::noteObjects(LoadedModel& loaded, const Source& source, core::ReadRemarks& remarks)
+{
+    const auto format = core::meshFormatOf(toPath(source.path));
+    const bool holdsObjects = format && core::holdsObjects(*format);
+    if (!source.isChoice || !holdsObjects)
+        return;
+    if (source.objects == Objects::AsParts && loaded.parts.size() > 1 && !loaded.metadata.frame) {
+        loaded.objects = {loaded.parts.size(), true};
+    } else if (remarks.objects > core::PartList::maxParts) {
+        loaded.notice = tr("%1 has more objects than a model may have parts (%Ln), so they are one part.", nullptr,
+                           static_cast<int>(core::PartList::maxParts))
+                            .arg(loaded.name);
+    } else if (source.objects == Objects::AsOnePart && remarks.objects > 1) {
+        loaded.objects = {remarks.objects, false};
+        remarks.objects = 1;
+    }
+}
+
+LoadedModel ModelLoader::read(const Source& source, const OnStage& onStage, const core::JobControl& control,
                               const Process& process)
 {
+    const QString& path = source.path;
     LoadedModel loaded;
     loaded.path = loaded.source = path;
     loaded.name = QFileInfo(path).fileName();
     try {
-        auto [mesh, remarks, parts] = core::readModel(toPath(path), {.stop = control.stop});
+        auto [mesh, remarks, parts] =
+            core::readModel(toPath(path), {.stop = control.stop, .keepsObjects = source.objects == Objects::AsParts});
         loaded.metadata = core::readMetadata(toPath(path));
         loaded.parts = parts;
+        noteObjects(loaded, source, remarks);
         if (onStage)
             onStage(tr("Checking %1").arg(loaded.name));
         control.reportProgress(afterReading);

@@ -5,6 +5,7 @@
 #include "core/primitives/starter_models.h"
 #include "core/util/job_control.h"
 #include "ui/model/repair_doubt.h"
+#include "ui/settings/model_info.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -19,6 +20,7 @@ namespace core
 class Journal;
 class Mesh;
 class Sculptor;
+struct ReadRemarks;
 struct RepairOptions;
 struct RecoveredDocument;
 struct Snapshot;
@@ -42,6 +44,7 @@ struct LoadedModel
     bool isUnsaved = false;               ///< true if no file contains the model in this state
     QString notice;                       ///< if not refused: a remark for the user; may be empty
     core::UnitDoubt unitGuess = core::UnitDoubt::None; ///< the likelier unit of length, if the file states none
+    ui::FileObjects objects; ///< objects of the file, if the user can choose whether they become parts
     QString name;
     QString path;                           ///< path of the file that contains the model; empty: none
     QString source;                         ///< file from which the model was read; empty: none
@@ -62,16 +65,20 @@ class ModelLoader
 public:
     /// A callback that gets the name of each stage at its beginning.
     using OnStage = std::function<void(const QString& what)>;
+    /// What becomes of the objects of a file that is not a document of Fettle.
+    enum class Objects { AsOnePart, AsParts };
 
     /// Reads, checks and builds a model for the window, with its centre at the origin; the mesh's frame keeps the place
-    /// that the file gives it. If it is cancelled, returns neither a model nor a problem.
-    static LoadedModel load(const QString& path, const OnStage& onStage = {}, const core::JobControl& control = {});
+    /// that the file gives it. If it is cancelled, returns neither a model nor a problem. Objects that are not sound as
+    /// one part, because they overlap, become parts if each of them is sound.
+    static LoadedModel load(const QString& path, const OnStage& onStage = {}, const core::JobControl& control = {},
+                            Objects objects = Objects::AsOnePart);
     /// Loads like load(), but repairs a model that is not sound. A repaired model has no path.
     static LoadedModel loadRepaired(const QString& path, const core::RepairOptions& options,
                                     const OnStage& onStage = {}, const core::JobControl& control = {});
     /// Loads like load(), for scripts: keeps the model's coordinates unless it is far from the origin. A model too far
     /// away for 32-bit coordinates is refused (core::isTooFarForFloats), because its file could not be written again.
-    static LoadedModel loadInPlace(const QString& path);
+    static LoadedModel loadInPlace(const QString& path, Objects objects = Objects::AsOnePart);
     /// Returns the sphere of 2562 vertices that the sculpting paper starts with. `radius`: mm.
     static LoadedModel sphere(double radius);
     static LoadedModel starter(core::Starter starter);
@@ -95,8 +102,15 @@ public:
 private:
     static QString name(core::Starter starter);
     using Process = std::function<void(LoadedModel& loaded, core::TriangleMesh& mesh, const core::JobControl& control)>;
-    static LoadedModel read(const QString& path, const OnStage& onStage, const core::JobControl& control,
+    struct Source
+    {
+        QString path;
+        Objects objects = Objects::AsOnePart;
+        bool isChoice = false; ///< the user can choose what becomes of objects
+    };
+    static LoadedModel read(const Source& source, const OnStage& onStage, const core::JobControl& control,
                             const Process& process);
+    static void noteObjects(LoadedModel& loaded, const Source& source, core::ReadRemarks& remarks);
     struct Placing
     {
         bool isCentred = false;                 ///< whether the centre of the model is moved to the origin

@@ -26,6 +26,7 @@
 #include "ui/history/history_panel.h"
 #include "ui/history/recovery_bar.h"
 #include "ui/model/model_panel.h"
+#include "ui/model/objects_bar.h"
 #include "ui/model/repair_dialogs.h"
 #include "ui/model/unit_bar.h"
 #include "ui/parts/parts_panel.h"
@@ -133,6 +134,29 @@ void connectUnits(ui::MainWindow& window, Document& document)
         QObject::connect(bar, &UnitBar::unitChosen, &document, [&window, &document](double millimetres) {
             window.viewport()->setFocus();
             document.changer().apply(core::Scale{millimetres});
+        });
+    });
+}
+
+/// Shows a bar that tells what became of the objects of a file. The bar is dismissed when the model changes in any way.
+void connectObjects(ui::MainWindow& window, Document& document)
+{
+    using ui::ObjectsBar;
+    const auto leave = [&window] {
+        for (ObjectsBar* bar : window.findChildren<ObjectsBar*>())
+            bar->dismiss();
+    };
+    QObject::connect(&document.history().stack(), &QUndoStack::indexChanged, &window, leave);
+    QObject::connect(&document, &Document::opened, &window, [&window, &document, leave](const ui::ModelInfo& info) {
+        leave();
+        if (info.objects.count == 1)
+            return;
+        auto* bar = new ObjectsBar(info.name, info.objects, &window);
+        QObject::connect(&document.job(), &BackgroundJob::busy, bar, [bar] { bar->setEnabled(false); });
+        QObject::connect(&document.job(), &BackgroundJob::idle, bar, [bar] { bar->setEnabled(true); });
+        QObject::connect(bar, &ObjectsBar::reopenRequested, &document, [&window, &document, path = info.source] {
+            window.viewport()->setFocus();
+            document.opener().open(path);
         });
     });
 }
@@ -366,6 +390,7 @@ void connectAll(ui::MainWindow& window, Document& document, SculptWorker& worker
     connectDocument(window, document);
     connectRepairs(window, document);
     connectUnits(window, document);
+    connectObjects(window, document);
     connectClosing(window, document, connectHeadset(window, document, worker));
     connectHistory(window, document);
     connectHistoryPanel(window, document);

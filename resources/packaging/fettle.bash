@@ -23,6 +23,7 @@ _fettle()
         convert:--up | boolean:--up) words='y z' ;;
         convert:--large-holes) words='fill refuse' ;;
         convert:--inner-parts) words='fill hollow' ;;
+        convert:--overlaps) words='unite keep' ;;
         replay:--verify) words='local full none' ;;
         lesson:--language) words='en de zh_CN' ;;
         help:*) words='new check convert boolean replay report sheet lesson brush' ;;
@@ -42,10 +43,10 @@ _fettle()
         check) words="$model --json --csv --print --nozzle --overhang --bed" ;;
         convert)
             words="$model --to --no-clobber --size --up --triangles --repair --legalise --legalize --wrap --large-holes
-                   --inner-parts" ;;
+                   --inner-parts --parts --overlaps" ;;
         boolean) words="$model --out --output -o --to --no-clobber --up" ;;
         replay)
-            words='--strokes --in --out -o --stats --frames --every --verify --from --to --no-clobber --help -h' ;;
+            words='--strokes --in --parts --out -o --stats --frames --every --verify --from --to --no-clobber --help -h' ;;
         report) words='--out --output -o --unit --to --no-clobber --help -h' ;;
         sheet) words="$model --out --output -o --shaded --no-clobber" ;;
         lesson)

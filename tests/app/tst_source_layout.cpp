@@ -111,7 +111,7 @@ const FolderRule folderRules[] = {
     {"app/import", "core/util core/geometry core/io/mesh core/io app/platform"},
     {"app/model", "core/primitives core/util core/geometry core/parts core/analysis core/boolean core/mesh "
                   "core/drawing core/repair core/sculpt "
-                  "core/operations core/io/stroke core/io ui/util ui/model ui/files ui/brush app/import"},
+                  "core/operations core/io/stroke core/io ui/util ui/settings ui/model ui/files ui/brush app/import"},
     {"app/worker", "core/util core/stroke core/mesh core/drawing core/sculpt core/io/stroke core/journal ui/util "
                    "ui/drawing"},
     {"app/recovery", "core/sculpt core/journal ui/util app/model"},
@@ -130,7 +130,7 @@ const FolderRule folderRules[] = {
      "ui/widgets ui/viewport ui/files ui/lesson ui/classroom ui/window app/model app/worker app/recovery "
      "app/document app/lesson"},
     {"app/commands",
-     "core/primitives core/util core/geometry core/analysis core/mesh core/repair core/boolean core/sculpt "
+     "core/primitives core/util core/geometry core/parts core/analysis core/mesh core/repair core/boolean core/sculpt "
      "core/operations core/io/stroke core/io core/lesson ui/util ui/brush ui/drawing app/platform app/model "
      "app/document app/classroom app/lesson"},
     {"app/headset",

@@ -134,6 +134,11 @@ QWidget* PreferencesDialog::filesPage()
               tr("Older versions stay beside the file, as vase.glb~1, vase.glb~2 and so on. Open them like any other "
                  "file.")},
              [](Preferences& all) { return &all.keepsBackups; });
+    addCheck(
+        form,
+        {"objectsAsParts", tr("Open the &objects of a file as parts"),
+         tr("Makes a part of each object of a 3MF, OBJ, glTF or AMF file. Otherwise all objects become one part.")},
+        [](Preferences& all) { return &all.opensObjectsAsParts; });
     form->addRow(remark(
         tr("Unsaved changes are always kept if Fettle ends unexpectedly. The next start offers to recover them.")));
     return page;

@@ -7,6 +7,13 @@
 
 namespace ui
 {
+/// The objects of a file whose format has objects, as they were opened. A document of Fettle counts as one object.
+struct FileObjects
+{
+    std::size_t count = 1;
+    bool areParts = false; ///< each became a part of the model; false: they became one part
+};
+
 /// Data about the open model that the window shows.
 struct ModelInfo
 {
@@ -23,5 +30,6 @@ struct ModelInfo
     /// metadata of the model's file as read at opening, but palette and work are kept current
     core::DocumentMetadata metadata = {};
     core::UnitDoubt unitGuess = core::UnitDoubt::None; ///< probable unit of a file that has none; None: not in doubt
+    FileObjects objects = {};                          ///< objects of the file that was opened
 };
 } // namespace ui

@@ -60,7 +60,8 @@ struct Preferences
     bool reducesMotion = false;
     InputPreferences input;
     ShortcutSettings keys{};
-    bool keepsBackups = false; ///< keeps backups beside a file that is saved again
+    bool keepsBackups = false;        ///< keeps backups beside a file that is saved again
+    bool opensObjectsAsParts = false; ///< makes a part of each object of an opened file; else one part of all
 
     bool operator==(const Preferences&) const = default;
 

@@ -259,6 +259,7 @@ inline constexpr auto rows<Preferences> = std::tuple{
     row(&Preferences::textSize, "preferences/textSize", textSizes),
     row(&Preferences::reducesMotion, "preferences/calm"),
     row(&Preferences::keepsBackups, "preferences/keepsVersions"),
+    row(&Preferences::opensObjectsAsParts, "preferences/objectsAsParts"),
     Part<Preferences, InputPreferences>{&Preferences::input},
     Part<Preferences, ShortcutSettings>{&Preferences::keys},
 };

@@ -6,15 +6,26 @@
 #include "tests/support/shapes.h"
 #include "tests/support/test_main.h"
 
+#include "app/analysis/print_analysis.h"
+#include "app/model/model_loader.h"
 #include "core/io/mesh_io.h"
 #include "core/operations/detached_part.h"
+#include "core/parts/part_split.h"
+#include "core/repair/repair.h"
 #include "core/sculpt/sculptor.h"
 #include "ui/gizmo/gizmo.h"
+#include "ui/model/model_panel.h"
+#include "ui/model/objects_bar.h"
 #include "ui/parts/parts_panel.h"
+#include "ui/settings/settings.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/side_panel.h"
 
 #include <QAction>
+#include <QFile>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTreeWidget>
 
@@ -83,6 +94,50 @@ void openTwoBalls(Program& program, const QTemporaryDir& folder)
     QTRY_COMPARE(program.document.parts().active(), PartId(1));
     apply(program, core::Move{{30, 0, 0}});
 }
+
+/// Writes three balls of radius 4 as objects. Returns the file's path.
+QString writeObjects(const QTemporaryDir& folder, const char* name, float distance)
+{
+    std::vector<core::PartPiece> pieces;
+    std::vector<core::Part> parts;
+    for (const char* const part : {"Low", "Middle", "High"}) {
+        const auto id = static_cast<PartId>(pieces.size());
+        parts.push_back({id, part, true, false, std::nullopt});
+        pieces.push_back({id, shapes::moved(core::icosphere(3, 4), {0, distance * float(id), 0}), {}, {}});
+    }
+    const QString path = folder.filePath(QLatin1StringView(name));
+    core::writeMesh(path.toStdString(), core::joined(pieces), {.parts = core::PartList(parts)});
+    return path;
+}
+
+ui::ObjectsBar* bar(Program& program)
+{
+    for (ui::ObjectsBar* bar : program.window.findChildren<ui::ObjectsBar*>())
+        if (bar->isVisible() && bar->isEnabled())
+            return bar;
+    return nullptr;
+}
+
+QString words(Program& program)
+{
+    return bar(program) ? bar(program)->findChild<QLabel*>(QStringLiteral("objectsText"))->text() : QString();
+}
+
+void press(Program& program, const char* button)
+{
+    bar(program)->findChild<QPushButton*>(QLatin1StringView(button))->click();
+    waitUntilSettled(program);
+}
+
+/// Saves a picture of the window to the file that the environment variable names, for people to look at.
+void savePicture(Program& program)
+{
+    const QString picture = qEnvironmentVariable("FETTLE_PICTURE");
+    if (picture.isEmpty())
+        return;
+    QTest::qWait(500);
+    program.window.grab().save(picture);
+}
 } // namespace
 
 class TestPartsWindow : public QObject
@@ -99,6 +154,16 @@ private Q_SLOTS:
     void isolate_andBack();
     void combine_joinsTheSelected();
     void commands_areRefusedInWords();
+    void insertedPart_becomesTheActiveOne();
+    void insertedPart_needsNoEditablePart();
+    void objects_openAsTheUserChooses();
+    void objectsThatOverlap_openAsParts();
+    void objects_ofManyNames();
+    void objects_moreThanPartsAreOne();
+    void objects_unsoundAreRepairedAsOne();
+    void document_hasNoBar();
+    void modelPanel_isOfTheActivePart();
+    void printCheck_isOfTheVisibleParts();
 };
 
 void TestPartsWindow::init()
@@ -127,11 +192,7 @@ void TestPartsWindow::stroke_changesTheActivePart()
     QVERIFY(after.at(0) != before.at(0));
     QCOMPARE(after.at(1), before.at(1));
     QCOMPARE(program.document.history().undoText(), QStringLiteral("Part 1: Pull"));
-    const QString picture = qEnvironmentVariable("FETTLE_PICTURE");
-    if (!picture.isEmpty()) {
-        QTest::qWait(500);
-        program.window.grab().save(picture);
-    }
+    savePicture(program);
 }
 
 void TestPartsWindow::undo_activatesThePartThatItChanges()
@@ -301,6 +362,238 @@ void TestPartsWindow::commands_areRefusedInWords()
     QCOMPARE(sentences.size(), 3);
     QVERIFY(sentences[0].contains(QStringLiteral("last part")));
     QCOMPARE(program.document.history().stack().count(), 0);
+}
+
+void TestPartsWindow::insertedPart_becomesTheActiveOne()
+{
+    const QTemporaryDir folder;
+    Program program;
+    openTwoBalls(program, folder);
+    program.document.parts().activate(0);
+    const auto before = hashes(program);
+    core::Insert ball;
+    ball.combination = core::Insert::Combination::Part;
+    ball.place = core::Insert::Place::AsItIs;
+    ball.primitive.emplace().kind = core::Primitive::Kind::Ball;
+    ball.primitive->length(core::Primitive::Measure::Radius) = 12;
+    ball.name = "Ball";
+    const int steps = program.document.history().stack().count();
+    apply(program, ball);
+    QTRY_COMPARE(names(program), QStringList({"Part 1", "Part 1 copy", "Ball"}));
+    QTRY_COMPARE(program.document.parts().active(), PartId(2));
+    QTRY_VERIFY(list(program)->currentItem() == list(program)->topLevelItem(2));
+    QCOMPARE(program.document.history().stack().count(), steps + 1);
+    QCOMPARE(program.document.history().undoText(), QStringLiteral("Insert"));
+
+    const QString path = folder.filePath(QStringLiteral("Ball.stl"));
+    core::writeMesh(path.toStdString(), core::icosphere(3, 5));
+    ui::InsertRequest insertion{path};
+    insertion.combination = core::Insert::Combination::Part;
+    program.document.changer().insert(insertion);
+    QTRY_COMPARE(names(program), QStringList({"Part 1", "Part 1 copy", "Ball", "Ball 2"}));
+    QTRY_COMPARE(program.document.parts().active(), PartId(3));
+
+    program.document.history().undo();
+    waitUntilSettled(program);
+    QTRY_COMPARE(program.document.parts().active(), PartId(2)); // it was active before
+    program.document.history().undo();
+    waitUntilSettled(program);
+    QTRY_COMPARE(program.document.parts().active(), PartId(0));
+    QCOMPARE(hashes(program), before);
+    program.document.history().redo();
+    waitUntilSettled(program);
+    QTRY_COMPARE(program.document.parts().active(), PartId(2));
+}
+
+void TestPartsWindow::insertedPart_needsNoEditablePart()
+{
+    const QTemporaryDir folder;
+    Program program;
+    openTwoBalls(program, folder);
+    trigger(program, "parts.hide");
+    core::Insert box;
+    box.combination = core::Insert::Combination::Part;
+    box.primitive.emplace().kind = core::Primitive::Kind::Cuboid;
+    apply(program, box);
+    QTRY_COMPARE(names(program), QStringList({"Part 1", "Part 1 copy", "Part 3"}));
+}
+
+void TestPartsWindow::objects_openAsTheUserChooses()
+{
+    const QTemporaryDir folder;
+    const QString path = writeObjects(folder, "three.3mf", 30);
+    Program program;
+    openFile(program, path);
+    QTRY_VERIFY(bar(program));
+    QCOMPARE(words(program), QStringLiteral("three.3mf has 3 objects. They are one part now."));
+    QCOMPARE(names(program).size(), 1);
+    savePicture(program);
+    press(program, "asParts");
+    QTRY_COMPARE(names(program), QStringList({"Low", "Middle", "High"}));
+    QTRY_VERIFY(bar(program) && words(program).contains(QStringLiteral("Each is a part now.")));
+    QVERIFY(ui::Settings().get<ui::Preferences>().opensObjectsAsParts);
+    press(program, "leaveObjects");
+    QTRY_VERIFY(!bar(program));
+
+    Q_EMIT program.window.files()->openRequested(path); // remembered
+    QTRY_VERIFY(bar(program));
+    QTRY_COMPARE(names(program).size(), 3);
+    press(program, "asOnePart");
+    QTRY_COMPARE(names(program).size(), 1);
+    QVERIFY(!ui::Settings().get<ui::Preferences>().opensObjectsAsParts);
+    QTRY_VERIFY(bar(program));
+    apply(program, core::Fill{{1, 2, 3}});
+    QTRY_VERIFY(!bar(program)); // a change takes the question away
+}
+
+void TestPartsWindow::objectsThatOverlap_openAsParts()
+{
+    const QTemporaryDir folder;
+    Program program;
+    QSignalSpy noticed(&program.document, &Document::noticed);
+    openFile(program, writeObjects(folder, "three.obj", 5));
+    QTRY_COMPARE(names(program), QStringList({"Low", "Middle", "High"}));
+    QVERIFY(!bar(program));
+    QCOMPARE(noticed.size(), 1);
+    QVERIFY(noticed[0][0].toString().startsWith(
+        QStringLiteral("The objects of three.obj overlap or touch, so each is a part.")));
+    QVERIFY(!program.document.savedState().isModified());
+}
+
+/// Tests names of 10,000 characters, and 500 objects.
+void TestPartsWindow::objects_ofManyNames()
+{
+    const QTemporaryDir folder;
+    std::vector<core::PartPiece> pieces;
+    for (PartId id = 0; id < 500; ++id) {
+        pieces.push_back({id, core::icosphere(1, 1), {}, {}});
+        for (core::Vec3f& p : pieces.back().mesh.points)
+            p += core::Vec3f(float(id % 25) * 3, float(id / 25) * 3, 0);
+    }
+    const QString path = folder.filePath(QStringLiteral("many.obj"));
+    core::writeMesh(path.toStdString(), core::joined(pieces));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadWrite));
+    QByteArray text = file.readAll();
+    QCOMPARE(text.count("o Part "), 500);
+    text.replace("o Part 1\n", "o " + QByteArray(10'000, 'x') + '\n');
+    file.resize(0);
+    file.write(text);
+    file.close();
+    ui::Preferences preferences;
+    preferences.opensObjectsAsParts = true;
+    ui::Settings().set(preferences);
+    Program program;
+    openFile(program, path);
+    QTRY_COMPARE(names(program).size(), 500);
+    QCOMPARE(names(program)[0], QString(core::PartList::maxNameBytes, u'x'));
+    QCOMPARE(names(program)[499], QStringLiteral("Part 500"));
+}
+
+void TestPartsWindow::objects_moreThanPartsAreOne()
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("dust.obj"));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    constexpr int count = static_cast<int>(core::PartList::maxParts) + 1;
+    for (int i = 0; i < count; ++i)
+        file.write(QStringLiteral("o %1\nv %2 0 0\nv %3 0 0\nv %2 1 0\nv %2 0 1\n"
+                                  "f -4 -2 -3\nf -4 -3 -1\nf -4 -1 -2\nf -3 -2 -1\n")
+                       .arg(i)
+                       .arg(2 * i)
+                       .arg(2 * i + 1)
+                       .toUtf8());
+    file.close();
+    for (const auto objects : {ModelLoader::Objects::AsOnePart, ModelLoader::Objects::AsParts}) {
+        const LoadedModel model = ModelLoader::load(path, {}, {}, objects);
+        QVERIFY2(model.sculptor, qPrintable(model.problem));
+        QCOMPARE(model.sculptor->mesh().live().faces, std::size_t(4 * count));
+        QCOMPARE(model.parts.size(), std::size_t(1));
+        QCOMPARE(model.objects.count, std::size_t(1)); // there is no choice
+        QVERIFY2(model.notice.contains(QStringLiteral("more objects than a model may have parts (1,000)")),
+                 qPrintable(model.notice));
+    }
+}
+
+void TestPartsWindow::objects_unsoundAreRepairedAsOne()
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("open.obj"));
+    const std::vector<core::PartPiece> pieces = {{0, core::icosphere(3, 9), {}, {}},
+                                                 {1, shapes::moved(shapes::openCone(12), {40, 0, 0}), {}, {}}};
+    core::writeMesh(path.toStdString(), core::joined(pieces));
+    for (const auto objects : {ModelLoader::Objects::AsOnePart, ModelLoader::Objects::AsParts}) {
+        const LoadedModel model = ModelLoader::load(path, {}, {}, objects);
+        QVERIFY(!model.sculptor && model.isRepairable);
+        QVERIFY2(model.problem.endsWith(QStringLiteral(" A repair makes one part of its 2 objects.")),
+                 qPrintable(model.problem));
+    }
+    const LoadedModel repaired = ModelLoader::loadRepaired(path, {});
+    QVERIFY2(repaired.sculptor, qPrintable(repaired.problem));
+    QCOMPARE(repaired.sculptor->mesh().frame().parts.size(), std::size_t(1));
+}
+
+void TestPartsWindow::document_hasNoBar()
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("saved.glb"));
+    Program program;
+    openTwoBalls(program, folder);
+    program.document.saver().save(path);
+    waitUntilSettled(program);
+    for (const bool asParts : {false, true}) {
+        ui::Preferences preferences;
+        preferences.opensObjectsAsParts = asParts;
+        ui::Settings().set(preferences);
+        Program again;
+        openFile(again, path);
+        QTRY_COMPARE(names(again), QStringList({"Part 1", "Part 1 copy"}));
+        QVERIFY(!bar(again));
+    }
+}
+
+void TestPartsWindow::modelPanel_isOfTheActivePart()
+{
+    const QTemporaryDir folder;
+    Program program;
+    openTwoBalls(program, folder);
+    program.window.findChild<ui::SidePanel*>(QStringLiteral("modelPanel"))->setState(ui::SidePanel::State::Open);
+    const auto value = [&program](const char* id) {
+        return program.window.modelPanel()->findChild<QLabel*>(QLatin1StringView(id))->text();
+    };
+    QTRY_COMPARE_WITH_TIMEOUT(value("model.part"), QStringLiteral("Part 1 copy"), longestWait);
+    QCOMPARE(value("model.components"), QStringLiteral("1"));
+    const QString size = value("model.size");
+    apply(program, core::FlattenBase{20});
+    QTRY_VERIFY_WITH_TIMEOUT(value("model.size") != size, longestWait);
+    program.document.parts().activate(0);
+    QTRY_COMPARE_WITH_TIMEOUT(value("model.part"), QStringLiteral("Part 1"), longestWait);
+    QCOMPARE(value("model.size"), size); // the other part is as large as it was
+}
+
+void TestPartsWindow::printCheck_isOfTheVisibleParts()
+{
+    const QTemporaryDir folder;
+    Program program;
+    openTwoBalls(program, folder);
+    PrintAnalysis analysis(&program.document, &program.worker);
+    analysis.setActive(true);
+    std::size_t faces = 0;
+    std::size_t shaded = 0;
+    QObject::connect(&analysis, &PrintAnalysis::finished,
+                     [&](const core::MeshReport& mesh, const core::PrintReport&, const auto& shades) {
+                         faces = mesh.faces;
+                         shaded = shades ? shades->slots.size() : 0;
+                     });
+    analysis.setOptions({{}, core::PrintPicture::Overhang});
+    const std::size_t whole = program.document.modelInfo().faces;
+    QTRY_COMPARE_WITH_TIMEOUT(faces, whole, longestWait);
+    QVERIFY(shaded > 0);
+    const std::size_t shadedBefore = shaded;
+    trigger(program, "parts.hide");
+    QTRY_COMPARE_WITH_TIMEOUT(faces, whole / 2, longestWait);
+    QVERIFY(shaded > 0 && shaded < shadedBefore);
 }
 
 FETTLE_TEST(TestPartsWindow, app::OnScreen)
