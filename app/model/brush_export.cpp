@@ -2,8 +2,8 @@
 
 #include "app/model/model_loader.h"
 
+#include "core/decimation/decimate.h"
 #include "core/mesh/mesh_builder.h"
-#include "core/operations/decimate.h"
 #include "ui/brush/brush_files.h"
 
 #include <QDir>

@@ -5,10 +5,10 @@
 
 #include "core/analysis/part_overlap.h"
 #include "core/boolean/mesh_boolean.h"
+#include "core/decimation/decimate.h"
 #include "core/io/mesh_io.h"
 #include "core/io/placed_mesh.h"
 #include "core/mesh/mesh_builder.h"
-#include "core/operations/decimate.h"
 #include "core/parts/part_split.h"
 #include "ui/util/error_messages.h"
 

@@ -46,6 +46,7 @@ const FolderRule folderRules[] = {
     {"core/sculpt", "core/util core/geometry core/analysis core/repair core/stroke core/mesh core/sculpt/select "
                     "core/sculpt/edit core/sculpt/verify core/sculpt/remesh core/sculpt/deform core/sculpt/fuse "
                     "core/sculpt/copy"},
+    {"core/decimation", "core/util core/geometry core/parts core/analysis core/mesh core/sculpt/verify"},
     {"core/primitives", "core/geometry core/analysis core/stroke"},
     {"core/area", "core/util core/geometry core/stroke core/mesh"},
     {"core/operations", "core/util core/geometry core/parts core/analysis core/boolean core/stroke core/mesh "
@@ -111,7 +112,8 @@ const FolderRule folderRules[] = {
     {"app/import", "core/util core/geometry core/io/mesh core/io app/platform"},
     {"app/model", "core/primitives core/util core/geometry core/parts core/analysis core/boolean core/mesh "
                   "core/drawing core/repair core/sculpt "
-                  "core/operations core/io/stroke core/io ui/util ui/settings ui/model ui/files ui/brush app/import"},
+                  "core/decimation core/operations core/io/stroke core/io ui/util ui/settings ui/model ui/files "
+                  "ui/brush app/import"},
     {"app/worker", "core/util core/stroke core/mesh core/drawing core/sculpt core/io/stroke core/journal ui/util "
                    "ui/drawing"},
     {"app/recovery", "core/sculpt core/journal ui/util app/model"},
@@ -131,14 +133,15 @@ const FolderRule folderRules[] = {
      "app/document app/lesson"},
     {"app/commands",
      "core/primitives core/util core/geometry core/parts core/analysis core/mesh core/repair core/boolean core/sculpt "
-     "core/operations core/io/stroke core/io core/lesson ui/util ui/brush ui/drawing app/platform app/model "
+     "core/decimation core/operations core/io/stroke core/io core/lesson ui/util ui/brush ui/drawing app/platform "
+     "app/model "
      "app/document app/classroom app/lesson"},
     {"app/headset",
      "core/sculpt core/operations ui/util ui/settings ui/scene ui/viewport ui/files ui/brush "
      "ui/lesson ui/headset ui/window vr/openxr vr/input vr/frame vr/scene vr/panels vr/sculpt vr/simulator app/worker "
      "app/document app/commands"},
     {"app/window",
-     "ui/util ui/viewport ui/model ui/brush ui/reference ui/drawing ui/print ui/history ui/parts ui/headset "
+     "ui/util ui/viewport ui/gizmo ui/model ui/brush ui/reference ui/drawing ui/print ui/history ui/parts ui/headset "
      "ui/window app/worker "
      "app/recovery app/document app/analysis app/classroom app/lesson app/headset"},
     {"app",

@@ -3,8 +3,8 @@
 #include "tests/support/shapes.h"
 #include "tests/support/test_main.h"
 
+#include "core/decimation/decimate.h"
 #include "core/mesh/mesh_builder.h"
-#include "core/operations/decimate.h"
 #include "core/primitives/starter_models.h"
 
 #include <QTest>

@@ -1,9 +1,9 @@
 // Tests that masked areas do not change, whichever tool is used on them: they do not move, are not remeshed, do not
 // fuse and take no colour.
 #include "core/analysis/mesh_check.h"
+#include "core/decimation/decimate.h"
 #include "core/io/mesh_io.h"
 #include "core/mesh/mesh_builder.h"
-#include "core/operations/decimate.h"
 #include "core/operations/mask_operations.h"
 #include "core/sculpt/sculptor.h"
 #include "tests/support/clay.h"

@@ -1,4 +1,4 @@
-#include "core/operations/nested_shells.h"
+#include "core/decimation/nested_shells.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "core/operations/coarse_search.h"
+#include "core/decimation/coarse_search.h"
 
 #include <algorithm>
 

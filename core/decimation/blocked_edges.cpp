@@ -1,4 +1,4 @@
-#include "core/operations/blocked_edges.h"
+#include "core/decimation/blocked_edges.h"
 
 #include <algorithm>
 #include <limits>

@@ -12,10 +12,10 @@
 // here, 0.363 mm meshoptimizer 0.18 (fifty times faster, 7 pairs of faces intersect), 0.369 mm OpenMesh 9 (6 pairs
 // intersect).
 
-#include "core/operations/decimate.h"
-#include "core/operations/blocked_edges.h"
-#include "core/operations/coarse_search.h"
-#include "core/operations/nested_shells.h"
+#include "core/decimation/decimate.h"
+#include "core/decimation/blocked_edges.h"
+#include "core/decimation/coarse_search.h"
+#include "core/decimation/nested_shells.h"
 
 #include "core/analysis/nesting.h"
 #include "core/geometry/quadric.h"
