@@ -11,6 +11,7 @@
 #include "core/analysis/nesting.h"
 #include "core/area/swept_outline.h"
 #include "core/boolean/mesh_boolean.h"
+#include "core/geometry/winding_number.h"
 #include "core/mesh/lattice_fit.h"
 #include "core/mesh/mesh_builder.h"
 #include "core/operations/cut_pieces.h"
@@ -19,6 +20,7 @@
 #include "core/operations/transform.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace core
 {
@@ -26,6 +28,9 @@ namespace
 {
 /// Progress after the boolean and after the exchange, 0 to 1.
 constexpr double afterCutting = 0.7, afterExchanging = 0.8;
+
+/// Largest difference between the volume of a split model and that of both parts, as a share of it.
+constexpr double mostLost = 1e-4;
 
 TriangleMesh mirrored(TriangleMesh mesh, Symmetry plane)
 {
@@ -95,32 +100,44 @@ void mirrorHalf(Mesh& mesh, Symmetry plane, ModelChange& change, const JobContro
     change.refusal = ModelRefusal::NoCut;
 }
 
-/// Returns the pieces of a solid that are no longer in the mesh. `before`: the mesh before they were taken. A piece has
-/// gone if a vertex that it has from `before` has; without such vertices, if its vertices are now corners of the cut.
-TriangleMesh withoutKept(const TriangleMesh& solid, const SurfaceIndex& before, const Mesh& mesh)
+/// Returns the volume that the mesh encloses.
+double volumeOf(const TriangleMesh& mesh)
 {
-    const SurfaceIndex now(mesh);
+    double sum = 0;
+    for (const auto& [a, b, c] : mesh.triangles) {
+        const Vec3 from = mesh.points.front().cast<double>();
+        const auto at = [&](Slot v) -> Vec3 { return mesh.points[v].cast<double>() - from; };
+        sum += at(a).cross(at(b)).dot(at(c)) / 6;
+    }
+    return sum;
+}
+
+/// Returns the pieces of a solid that are no longer in the mesh. A piece is judged just below its largest face.
+TriangleMesh withoutKept(const TriangleMesh& solid, const Mesh& mesh)
+{
+    constexpr double below = 16; // lattice units: more than rounding moves a cut
+    const TriangleMesh kept = extractMesh(mesh);
+    std::vector<Vec3> points;
+    for (const Vec3f& p : kept.points)
+        points.push_back(p.cast<double>());
+    const WindingNumber winding(points, kept.triangles);
     const Components pieces = solidPiecesOf(solid.points, solid.triangles);
-    struct Piece
-    {
-        bool hasOld = false, hasLostOld = false, hasNew = false;
-    };
-    std::vector<Piece> found(pieces.count);
+    std::vector<double> largest(pieces.count); // area of the largest face, twice
+    std::vector<bool> isKept(pieces.count);
     for (std::size_t f = 0; f < solid.triangles.size(); ++f) {
-        Piece& piece = found[pieces.ofFace[f]];
-        for (const Slot v : solid.triangles[f]) {
-            const SurfaceIndex::Place place = SurfaceIndex::placeOf(mesh.lattice().toLattice(solid.points[v]));
-            const bool isOld = before.vertexAt(place) != noSlot, isThere = now.vertexAt(place) != noSlot;
-            piece.hasOld = piece.hasOld || isOld;
-            piece.hasLostOld = piece.hasLostOld || (isOld && !isThere);
-            piece.hasNew = piece.hasNew || (!isOld && isThere);
-        }
+        const auto at = [&](std::size_t i) -> Vec3 { return solid.points[solid.triangles[f][i]].cast<double>(); };
+        const Vec3 normal = (at(1) - at(0)).cross(at(2) - at(0));
+        const Slot piece = pieces.ofFace[f];
+        if (normal.norm() <= largest[piece])
+            continue;
+        largest[piece] = normal.norm();
+        const Vec3 inside = (at(0) + at(1) + at(2)) / 3 - below * mesh.lattice().unit() * normal.normalized();
+        isKept[piece] = winding.at(inside) > 0.5;
     }
     TriangleMesh gone = solid;
     gone.triangles.clear();
     for (std::size_t f = 0; f < solid.triangles.size(); ++f) {
-        const Piece& piece = found[pieces.ofFace[f]];
-        if (piece.hasOld ? piece.hasLostOld : piece.hasNew)
+        if (!isKept[pieces.ofFace[f]])
             gone.triangles.push_back(solid.triangles[f]);
     }
     return withoutUnusedVertices(gone);
@@ -202,8 +219,8 @@ void trim(Mesh& mesh, const Trim& command, ModelChange& change, const JobControl
 
 std::optional<TriangleMesh> split(Mesh& mesh, const Trim& command, ModelChange& change, const JobControl& control)
 {
-    const SurfaceIndex before(mesh);
     Mesh other = mesh;
+    const double whole = volumeOf(extractMesh(mesh));
     const bool isDivided = cutAway(mesh, command, change, control.part(0, 0.5));
     if (change.refusal == ModelRefusal::NothingLeft)
         change.refusal = ModelRefusal::None;
@@ -216,7 +233,14 @@ std::optional<TriangleMesh> split(Mesh& mesh, const Trim& command, ModelChange& 
     if (change.refusal != ModelRefusal::None || control.isCancelled())
         return std::nullopt;
     TriangleMesh taken = extractMesh(other);
-    return command.area.isFrontOnly ? withoutKept(taken, before, mesh) : taken;
+    if (command.area.isFrontOnly)
+        taken = withoutKept(taken, mesh);
+    // the two cuts are made one by one, so they might choose different pieces
+    if (std::abs(volumeOf(extractMesh(mesh)) + volumeOf(taken) - whole) > mostLost * whole) {
+        change.refusal = ModelRefusal::NoCut;
+        return std::nullopt;
+    }
+    return taken;
 }
 
 /// Sweeps a rectangle along the plane. One of its sides is on the plane.
