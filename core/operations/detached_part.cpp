@@ -7,6 +7,7 @@
 #include "core/operations/transform.h"
 
 #include <algorithm>
+#include <array>
 
 namespace core
 {
@@ -52,6 +53,10 @@ DetachedPart::DetachedPart(const Mesh& whole, PartId part) : m_part(part), m_ver
     frame.parts = {};
     m_mesh->beginStroke();
     m_mesh->setFrame(frame);
+    for (Slot i = 0; i < m_vertices.size(); ++i) {
+        if (whole.isHidden(m_vertices[i]))
+            m_mesh->setHidden(i, true);
+    }
     m_mesh->endStroke();
 }
 
@@ -75,6 +80,20 @@ void DetachedPart::writeVertices(Mesh& whole) const
     }
 }
 
+/// Hides the vertices of the part that are hidden in the detached mesh. `points`: their places in the whole mesh, in
+/// the order of the detached mesh's vertices.
+void DetachedPart::hideAgain(Mesh& whole, const std::vector<Vec3f>& points) const
+{
+    std::vector<Vec3f> hidden;
+    std::size_t next = 0;
+    for (const Slot v : m_mesh->vertices()) {
+        if (m_mesh->isHidden(v))
+            hidden.push_back(points[next]);
+        ++next;
+    }
+    hideAt(whole, m_part, hidden);
+}
+
 void DetachedPart::putBack(Mesh& whole, ModelChange& change, const JobControl& control)
 {
     if (hasSameFaces() && m_mesh->lattice() == whole.lattice()) {
@@ -91,6 +110,7 @@ void DetachedPart::putBack(Mesh& whole, ModelChange& change, const JobControl& c
                 return;
         }
         replacePart(whole, m_part, surface);
+        hideAgain(whole, surface.points);
     }
     MeshFrame frame = whole.frame();
     frame.uniformDetail = m_mesh->uniformDetail();
@@ -100,6 +120,19 @@ void DetachedPart::putBack(Mesh& whole, ModelChange& change, const JobControl& c
 bool hasFaces(const Mesh& mesh, PartId part)
 {
     return std::ranges::any_of(mesh.vertices(), [&](Slot v) { return mesh.part(v) == part; });
+}
+
+void hideAt(Mesh& mesh, PartId part, const std::vector<Vec3f>& places)
+{
+    using Place = std::array<float, 3>;
+    const auto placeOf = [](const Vec3f& p) { return Place{p.x(), p.y(), p.z()}; };
+    std::vector<Place> hidden;
+    std::ranges::transform(places, std::back_inserter(hidden), placeOf);
+    std::ranges::sort(hidden);
+    for (const Slot v : hidden.empty() ? std::vector<Slot>() : verticesOf(mesh, part)) {
+        if (std::ranges::binary_search(hidden, placeOf(mesh.point(v))))
+            mesh.setHidden(v, true);
+    }
 }
 
 TriangleMesh surfaceOf(const Mesh& mesh, PartId part)

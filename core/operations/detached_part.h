@@ -23,6 +23,7 @@ public:
 private:
     bool hasSameFaces() const;
     void writeVertices(Mesh& whole) const;
+    void hideAgain(Mesh& whole, const std::vector<Vec3f>& points) const;
 
     PartId m_part;
     std::vector<Slot> m_vertices;  ///< slots of the part's vertices in the whole mesh
@@ -32,6 +33,8 @@ private:
 
 /// Returns whether the part has faces; strokes can remove all of them. Cost: O(mesh).
 bool hasFaces(const Mesh& mesh, PartId part);
+/// Hides the vertices of the part that are at these places. Precondition: a stroke is open. Cost: O(mesh).
+void hideAt(Mesh& mesh, PartId part, const std::vector<Vec3f>& places);
 /// Returns the surface of a part without gaps, in the order of its slots, without part labels. Cost: O(mesh).
 TriangleMesh surfaceOf(const Mesh& mesh, PartId part);
 /// Replaces the faces of a part by a surface, which may be empty. If the part has no faces, adds it. Precondition: a

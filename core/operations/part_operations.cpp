@@ -163,6 +163,11 @@ void PartOperations::split(const SplitPart& command)
 {
     if (list().size() == PartList::maxParts)
         return refuse(ModelRefusal::TooManyParts);
+    std::vector<Vec3f> hidden;
+    for (const Slot v : m_mesh.vertices()) {
+        if (m_mesh.part(v) == m_part && m_mesh.isHidden(v))
+            hidden.push_back(m_mesh.point(v));
+    }
     DetachedPart detached(m_mesh, m_part);
     detached.mesh().beginStroke();
     auto taken = core::split(detached.mesh(), {command.area, command.color}, m_change, m_control);
@@ -176,6 +181,7 @@ void PartOperations::split(const SplitPart& command)
     if (m_change.refusal != ModelRefusal::None || !fitSurface(*taken, m_mesh.lattice(), m_change, m_control))
         return;
     replacePart(m_mesh, added.id, *taken);
+    hideAt(m_mesh, added.id, hidden);
     std::vector<Part> parts = list().all();
     parts.insert(std::ranges::find(parts, m_part, &Part::id) + 1, added);
     setParts(m_mesh, PartList(std::move(parts)));

@@ -4,6 +4,9 @@
 #include "core/mesh/mesh_builder.h"
 #include "core/operations/detached_part.h"
 #include "core/operations/snapshot.h"
+#include "core/operations/transform.h"
+#include "core/operations/transform_region.h"
+#include "core/operations/trim.h"
 #include "core/parts/part_split.h"
 #include "core/sculpt/sculptor.h"
 #include "tests/support/cgal_judge.h"
@@ -134,6 +137,7 @@ private Q_SLOTS:
     void stroke_ofAHiddenOrLockedPartDoesNothing();
     void ray_findsTheVisiblePartInFront();
     void hidden_partsAreNotDrawn();
+    void hidden_clayOfAPartStaysHidden();
     void commands_changeOnePart_data();
     void commands_changeOnePart();
     void commands_onAllParts();
@@ -291,6 +295,45 @@ void TestParts::hidden_partsAreNotDrawn()
         late.apply(sculptor.wholePatch());
         QVERIFY(late.faces == arrays.faces);
     }
+}
+
+/// Hidden clay of one part of several stays hidden and unchanged by commands that take the part out and put it back.
+void TestParts::hidden_clayOfAPartStaysHidden()
+{
+    const std::unique_ptr<Mesh> mesh = threeBalls();
+    mesh->beginStroke();
+    std::vector<Vec3f> hidden;
+    const Vec3f middle = core::transformRegionOf(*mesh, 1).box.center().cast<float>();
+    for (const Slot v : mesh->vertices()) {
+        if (mesh->part(v) == 1 && mesh->point(v).x() > middle.x() + 0.5F) {
+            mesh->setHidden(v, true);
+            hidden.push_back(mesh->point(v));
+        }
+    }
+    mesh->endStroke();
+    const auto isStillHidden = [&] {
+        std::size_t count = 0;
+        for (const Slot v : mesh->vertices())
+            count += mesh->isHidden(v) && std::ranges::find(hidden, mesh->point(v)) != hidden.end();
+        return count == hidden.size();
+    };
+    QVERIFY(hidden.size() > 20 && isStillHidden());
+    const core::Rgb before = mesh->color(*mesh->vertices().begin()), red{240, 10, 10};
+    applyChecked(*mesh, core::Fill{red}, 1);
+    QVERIFY(isStillHidden());
+    for (const Slot v : mesh->vertices())
+        QCOMPARE(mesh->color(v) == red, mesh->part(v) == 1 && !mesh->isHidden(v));
+    const Vec3 cut = middle.cast<double>() - Vec3(1, 0, 0);
+    QVERIFY(applyChecked(*mesh, core::trimBeyond(cut, -Vec3::UnitX(), core::boxOf(*mesh)), 1).changes);
+    QVERIFY(isStillHidden());
+    const core::Trim upper =
+        core::trimBeyond(middle.cast<double>() + Vec3(0, 0.3, 0), Vec3::UnitY(), core::boxOf(*mesh));
+    QVERIFY(applyChecked(*mesh, core::SplitPart{upper.area, "upper"}, 1).changes);
+    std::size_t count = 0;
+    for (const Slot v : mesh->vertices())
+        count += mesh->isHidden(v);
+    QVERIFY(mesh->frame().parts.size() == 4 && count > hidden.size() * 9 / 10); // but for corners of cut faces
+    QVERIFY(before != red && isEveryPartSound(*mesh));
 }
 
 void TestParts::commands_changeOnePart_data()

@@ -78,9 +78,10 @@ ViewArea areaOf(const Curve& curve, std::optional<double> eyeHeight = {})
 Curve circle(double radius, const Eigen::Vector2d& center = {0, 0}, std::size_t corners = 60)
 {
     Curve curve;
-    for (std::size_t i = 0; i < corners; ++i)
-        curve.emplace_back(center +
-                           radius * Eigen::Vector2d(std::cos(2 * pi * i / corners), std::sin(2 * pi * i / corners)));
+    for (std::size_t i = 0; i < corners; ++i) {
+        const double angle = 2 * pi * double(i) / double(corners);
+        curve.emplace_back(center + radius * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+    }
     return curve;
 }
 
@@ -297,7 +298,7 @@ void TestViewArea::split_withSymmetryTakesBothSides()
     area.symmetry = Symmetry::X;
     QVERIFY(applied(*mesh, SplitPart{area, "Ears"}).changes);
     QCOMPARE(mesh->frame().parts.size(), std::size_t(2));
-    for (const PartId part : {0, 1})
+    for (const PartId part : {PartId(0), PartId(1)})
         VERIFY_SYMMETRIC(*buildMesh(surfaceOf(*mesh, part)).mesh, Symmetry::X);
     QCOMPARE(checkMesh(surfaceOf(*mesh, 1)).components, std::size_t(2));
 }
@@ -475,7 +476,7 @@ void TestViewArea::randomAreas_leaveSoundParts()
         const TriangleMesh starts[] = {icosphere(3, 1), shapes::torus({1, 0.4, 40, 20}), clay::spiral(),
                                        shapes::nestedSpheres(true),
                                        shapes::together(ballAt({0, 0, 0}, 1), ballAt({0, 0, 2.5}, 0.7))};
-        const auto mesh = document({starts[random.below(std::size(starts))], ballAt({0.5, 0.3, 1}, 1, 2)});
+        const auto mesh = document({starts[random.below(std::size(starts))], ballAt({0.5F, 0.3F, 1}, 1, 2)});
         for (int i = 0; i < 6; ++i) {
             const ViewArea area = randomArea(random);
             const ModelCommand commands[] = {Trim{area}, Trim{area, Rgb{9, 9, 9}}, SplitPart{area, "new"},
