@@ -23,6 +23,7 @@ set(FETTLE_RESOURCE_FILES
     icons/area-box.svg
     icons/area-lasso.svg
     icons/area-line.svg
+    icons/area-plane.svg
     icons/area-polygon.svg
     icons/area-split.svg
     icons/area-trim.svg
@@ -243,7 +244,8 @@ endforeach()
 set(LESSON_first-clay pull push smooth stalk)
 set(LESSON_mug body hollow grooves handle finish)
 set(LESSON_creature legs ears face base)
-foreach(LESSON first-clay mug creature)
+set(LESSON_toy-car body cabin windscreen wheels join)
+foreach(LESSON first-clay mug creature toy-car)
     list(APPEND FETTLE_RESOURCE_FILES lessons/${LESSON}/lesson.json)
     set(NUMBER 0)
     foreach(STEP IN LISTS LESSON_${LESSON})

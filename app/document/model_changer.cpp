@@ -32,8 +32,9 @@ void ModelChanger::apply(const core::ModelCommand& command)
 
 void ModelChanger::applyTo(core::PartId part, const core::ModelCommand& command)
 {
-    if (!m_document->job().isBusy())
-        m_document->queue().enqueue([this, part, command] { start({command, {}, part}); });
+    if (m_document->job().isBusy())
+        return Q_EMIT ended(false);
+    m_document->queue().enqueue([this, part, command] { start({command, {}, part}); });
 }
 
 void ModelChanger::insert(const ui::InsertRequest& insertion)
@@ -49,7 +50,9 @@ void ModelChanger::insert(const ui::InsertRequest& insertion)
 void ModelChanger::start(ModelChangeRequest request)
 {
     BackgroundJob& job = m_document->job();
-    if (job.isBusy() || !m_document->queue().hold([this, request] { start(request); }))
+    if (job.isBusy())
+        return Q_EMIT ended(false);
+    if (!m_document->queue().hold([this, request] { start(request); }))
         return;
     if (auto* const reset = std::get_if<core::Reset>(&request.command))
         reset->start = m_start;
@@ -117,6 +120,7 @@ void ModelChanger::end(const ModelChangeRequest& request, const ModelChangeOutco
     if (!job.wasCancelled())
         reportOutcome(request, outcome);
     m_document->notifyStateChanged();
+    Q_EMIT ended(!job.wasCancelled() && outcome.change.changes);
     m_document->queue().run();
 }
 

@@ -36,6 +36,9 @@ public Q_SLOTS:
 Q_SIGNALS:
     /// Emitted if the model to insert is not sound. insert() with InsertRequest::repair may succeed.
     void insertionRepairable(const ui::InsertRequest& insertion, const QString& problem);
+    /// Emitted at the end of each request, also of one that another long job has prevented. `isMade`: it has become a
+    /// step.
+    void ended(bool isMade);
     /// Emitted with the repairs made to the inserted model, one sentence each.
     void insertedRepaired(const QString& name, const QStringList& steps);
 

@@ -122,6 +122,30 @@ Names namesOf(const core::ModelCommand& command)
     static_assert(std::size(names) == std::variant_size_v<core::ModelCommand>);
     return names[command.index()];
 }
+/// Returns the sentence for a refusal that concerns parts.
+QString refusalOfParts(core::ModelRefusal refusal)
+{
+    switch (refusal) {
+    case core::ModelRefusal::NoSuchPart:
+        return CommandNames::tr("The model stays as it is: it has no such part, or the part is empty.");
+    case core::ModelRefusal::NotEditable:
+        return CommandNames::tr(
+            "The model stays as it is, because a part is hidden or locked. Show and unlock it first.");
+    case core::ModelRefusal::LastPart:
+        return CommandNames::tr("The last part cannot be deleted.");
+    case core::ModelRefusal::OnePiece:
+        return CommandNames::tr("The part is in one piece already, so nothing was separated.");
+    case core::ModelRefusal::TooManyParts:
+        return CommandNames::tr("The model stays as it is: it may have %Ln parts at most.", nullptr,
+                                static_cast<int>(core::PartList::maxParts));
+    case core::ModelRefusal::AllMasked:
+        return CommandNames::tr("The part stays as it is, because all of it is masked or hidden.");
+    case core::ModelRefusal::PartsApart:
+        return CommandNames::tr("The parts do not overlap, so nothing was subtracted.");
+    default:
+        return {};
+    }
+}
 } // namespace
 
 QString CommandNames::name(const core::ModelCommand& command)
@@ -205,28 +229,14 @@ QString CommandNames::refusal(const core::ModelChange& change, const QString& in
     case core::ModelRefusal::NoBase:
         return tr("The model stays as it is, because a cut at this height would not leave one sound surface; another "
                   "height may do.");
-    case core::ModelRefusal::NoSuchPart:
-        return tr("The model stays as it is: it has no such part, or the part is empty.");
-    case core::ModelRefusal::NotEditable:
-        return tr("The model stays as it is, because a part is hidden or locked. Show and unlock it first.");
-    case core::ModelRefusal::LastPart:
-        return tr("The last part cannot be deleted.");
-    case core::ModelRefusal::OnePiece:
-        return tr("The part is in one piece already, so nothing was separated.");
-    case core::ModelRefusal::TooManyParts:
-        return tr("The model stays as it is: it may have %Ln parts at most.", nullptr,
-                  static_cast<int>(core::PartList::maxParts));
-    case core::ModelRefusal::AllMasked:
-        return tr("The part stays as it is, because all of it is masked or hidden.");
-    case core::ModelRefusal::PartsApart:
-        return tr("The parts do not overlap, so nothing was subtracted.");
     case core::ModelRefusal::TooFine:
         return tr("The mesh stays as it is: with edges this short it would need too many triangles (%1).").arg(faces);
     case core::ModelRefusal::NoOutline:
         return tr("The model stays as it is, because the curve does not go around an area.");
     case core::ModelRefusal::NoCut:
         return tr("The model stays as it is, because the cut would not leave one sound surface; another curve may do.");
+    default:
+        return refusalOfParts(change.refusal);
     }
-    return {};
 }
 } // namespace app

@@ -46,16 +46,15 @@ LoadedModel ModelLoader::load(const QString& path, const OnStage& onStage, const
     LoadedModel loaded = read({path, objects, true}, onStage, control, process);
     if (!loaded.isRepairable || loaded.objects.count == 1)
         return loaded;
-    if (!loaded.objects.areParts) {
-        LoadedModel parts = read({path, Objects::AsParts, true}, onStage, control, process);
-        if (parts.sculptor) {
-            parts.objects = {}; // there is no choice
-            parts.notice = QStringList({tr("The objects of %1 overlap or touch, so each is a part.").arg(parts.name),
-                                        parts.notice})
-                               .join(QLatin1Char(' '))
-                               .trimmed();
-            return parts;
-        }
+    const bool wereParts = loaded.objects.areParts;
+    LoadedModel other =
+        read({path, wereParts ? Objects::AsOnePart : Objects::AsParts, true}, onStage, control, process);
+    if (other.sculptor) {
+        other.objects = {}; // there is no choice
+        const QString why = wereParts ? tr("The objects of %1 are not solids of their own, so they are one part.")
+                                      : tr("The objects of %1 overlap or touch, so each is a part.");
+        other.notice = QStringList({why.arg(other.name), other.notice}).join(QLatin1Char(' ')).trimmed();
+        return other;
     }
     loaded.problem +=
         u' ' + tr("A repair makes one part of its %Ln objects.", nullptr, static_cast<int>(loaded.objects.count));

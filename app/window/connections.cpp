@@ -21,6 +21,7 @@
 
 #include "ui/brush/color_panel.h"
 #include "ui/drawing/preview_panel.h"
+#include "ui/gizmo/plane_cut_tool.h"
 #include "ui/gizmo/transform_tool.h"
 #include "ui/headset/partner_bar.h"
 #include "ui/history/history_panel.h"
@@ -219,18 +220,38 @@ void connectParts(ui::MainWindow& window, Document& document)
     QObject::connect(window.viewport()->input(), &ui::PointerInput::partPicked, parts, &DocumentParts::pick);
 }
 
+/// Tells a tool in the view what a change of the active part moves, whenever that may have changed.
+template <class Tool> void connectRegion(Tool* tool, Document& document)
+{
+    DocumentParts* parts = &document.parts();
+    QObject::connect(tool, &Tool::regionWanted, parts, &DocumentParts::findRegion);
+    QObject::connect(parts, &DocumentParts::regionFound, tool, &Tool::setRegion);
+    QObject::connect(parts, &DocumentParts::changed, tool, &Tool::refresh);
+    QObject::connect(&document, &Document::historyChanged, tool, &Tool::refresh);
+    QObject::connect(&document, &Document::opened, tool, &Tool::refresh);
+    QObject::connect(&document.job(), &BackgroundJob::busy, tool, [tool] { tool->setBusy(true); });
+    QObject::connect(&document.job(), &BackgroundJob::idle, tool, [tool] { tool->setBusy(false); });
+}
+
 void connectTransform(ui::MainWindow& window, Document& document)
 {
     using ui::TransformTool;
     auto* tool = window.viewport()->findChild<TransformTool*>();
-    DocumentParts* parts = &document.parts();
-    QObject::connect(tool, &TransformTool::regionWanted, parts, &DocumentParts::findRegion);
-    QObject::connect(parts, &DocumentParts::regionFound, tool, &TransformTool::setRegion);
-    QObject::connect(parts, &DocumentParts::changed, tool, &TransformTool::refresh);
-    QObject::connect(&document, &Document::historyChanged, tool, &TransformTool::refresh);
-    QObject::connect(&document, &Document::opened, tool, &TransformTool::refresh);
-    QObject::connect(&document, &Document::refused, tool, &TransformTool::dropRequest);
-    QObject::connect(&document, &Document::noticed, tool, &TransformTool::dropRequest);
+    connectRegion(tool, document);
+    QObject::connect(&document.changer(), &ModelChanger::ended, tool, [tool](bool isMade) {
+        if (!isMade)
+            tool->dropRequest();
+    });
+    // A part that the window has inserted gets the handles, so that it can be put into its place.
+    const auto isAwaited = std::make_shared<bool>(false);
+    QObject::connect(&window, &ui::MainWindow::commandRequested, tool, [=] { *isAwaited = true; });
+    QObject::connect(window.files(), &ui::ModelFiles::insertRequested, tool, [=] { *isAwaited = true; });
+    QObject::connect(&document, &Document::stepped, tool, [=, &window](const core::FileEntry& entry) {
+        const auto* const command = std::get_if<core::FileCommand>(&entry);
+        const auto* const insert = command ? std::get_if<core::Insert>(&command->command) : nullptr;
+        if (std::exchange(*isAwaited, false) && insert && insert->combination == core::Insert::Combination::Part)
+            window.action(QStringLiteral("model.transform"))->setChecked(true);
+    });
 }
 
 void connectHistoryPanel(ui::MainWindow& window, Document& document)
@@ -396,6 +417,7 @@ void connectAll(ui::MainWindow& window, Document& document, SculptWorker& worker
     connectHistoryPanel(window, document);
     connectParts(window, document);
     connectTransform(window, document);
+    connectRegion(window.viewport()->findChild<ui::PlaneCutTool*>(), document);
     connectPalette(window, document);
     connectMetadata(window, document);
     connectModelPanel(window, document, worker);

@@ -230,7 +230,8 @@ public:
          QT_TR_NOOP("Paints with the other colour, and keeps this one for the next swap."), "Shift+C", "swap"},
 
         {MenuId::Model, "model.transform", QT_TR_NOOP("&Move, Rotate, Scale"),
-         QT_TR_NOOP("Shows handles and numbers to move, rotate and scale the active part, or what of it is not masked."),
+         QT_TR_NOOP("Shows handles and numbers to move, rotate and scale the active part, or the part of it that is "
+                    "not masked."),
          "V", "move", false, Bar::None, true},
         {MenuId::Model, "model.scale", QT_TR_NOOP("&Scale…"), QT_TR_NOOP("Makes the whole model larger or smaller."),
          "", "scale"},
@@ -301,6 +302,9 @@ public:
          "area-trim", true},
         {MenuId::Area, "area.split", QT_TR_NOOP("&Split Off"),
          QT_TR_NOOP("Makes what you draw around a part of its own."), "", "area-split"},
+        {MenuId::Area, "area.plane", QT_TR_NOOP("Cut by &Plane"),
+         QT_TR_NOOP("Cuts along a plane that you place with handles: removes one side, or makes two parts."), "",
+         "area-plane", false, Bar::None, true},
 
         {MenuId::View, "view.frame", QT_TR_NOOP("&Frame Model"), QT_TR_NOOP("Shows the whole model."), "Home; .",
          "frame", true, Bar::Top},

@@ -24,7 +24,7 @@ Gizmo::Gizmo(Viewport* viewport, GizmoShape::Handles handles)
     setAttribute(Qt::WA_TransparentForMouseEvents);
     hide();
     viewport->installEventFilter(this);
-    connect(viewport, &Viewport::drawing, this, qOverload<>(&QWidget::update));
+    connect(viewport, &Viewport::drawing, this, &Gizmo::followCamera);
     connect(viewport->input(), &PointerInput::modeChanged, this, &Gizmo::followMode);
 }
 
@@ -35,11 +35,14 @@ void Gizmo::setFrame(const std::optional<GizmoFrame>& frame)
         return;
     }
     const bool wasShown = m_frame.has_value();
+    if (frame && !wasShown)
+        m_viewport->input()->setMode(PointerMode::Sculpt); // ends another gizmo of the view
     m_frame = frame;
     if (frame && !wasShown) {
         setGeometry(m_viewport->rect());
         show();
         raise();
+        m_releaseFollows = false;
         m_viewport->input()->setMode(PointerMode::Handles);
         m_viewport->setFocus();
     } else if (!frame && wasShown) {
@@ -49,6 +52,15 @@ void Gizmo::setFrame(const std::optional<GizmoFrame>& frame)
         m_viewport->input()->setMode(PointerMode::Handles, false);
     }
     update();
+}
+
+/// Draws the handles again if the camera has moved. Drawing them draws the view, so it must not happen each time.
+void Gizmo::followCamera()
+{
+    const OrbitCamera& camera = m_viewport->camera();
+    const Eigen::Matrix4d view = camera.projectionMatrix() * camera.viewMatrix();
+    if (m_frame && view != m_view)
+        update();
 }
 
 /// Ends with the pointer's mode. Esc returns to sculpting; during a drag it takes the drag back instead.
@@ -74,7 +86,9 @@ void Gizmo::cancelDrag()
     m_releaseFollows = true;
     m_frame = m_start;
     update();
-    if (!m_movesFrameOnly)
+    if (m_movesFrameOnly)
+        Q_EMIT frameMoved();
+    else
         Q_EMIT dropped({});
 }
 
@@ -152,10 +166,11 @@ bool Gizmo::press(const QSinglePointEvent& event)
 {
     if (m_drag && event.button() == Qt::RightButton)
         cancelDrag();
-    if (m_drag || m_releaseFollows)
+    if (m_drag || (m_releaseFollows && event.button() != Qt::LeftButton))
         return true;
+    m_releaseFollows = false;
     const std::optional<GizmoHandle> handle = shape().handleAt(event.position());
-    if (!handle || event.button() != Qt::LeftButton)
+    if (!isEnabled() || !handle || event.button() != Qt::LeftButton)
         return false;
     setHot(handle);
     m_start = *m_frame;
@@ -232,7 +247,9 @@ void Gizmo::paintEvent(QPaintEvent*)
 {
     if (!m_frame)
         return;
+    m_view = m_viewport->camera().projectionMatrix() * m_viewport->camera().viewMatrix();
     QPainter painter(this);
+    painter.setOpacity(isEnabled() ? 1 : 0.4);
     if (m_plane > 0)
         paintPlane(painter);
     const std::optional<GizmoHandle> dragged = m_drag ? std::optional(m_drag->handle()) : std::nullopt;

@@ -58,6 +58,7 @@ private:
     void setHot(std::optional<GizmoHandle> handle);
     GizmoShape shape() const;
     void paintPlane(QPainter& painter) const;
+    void followCamera();
 
     Viewport* m_viewport;
     GizmoShape::Handles m_handles;
@@ -68,6 +69,7 @@ private:
     core::Transform m_by; ///< transformation of the drag so far
     GizmoFrame m_start;   ///< frame when the drag began
     QPointF m_pointer;
+    Eigen::Matrix4d m_view = Eigen::Matrix4d::Zero(); ///< camera's matrices when the handles were drawn
     bool m_movesFrameOnly = false;
     bool m_releaseFollows = false; ///< the release of the press of a cancelled drag is still to come
 };

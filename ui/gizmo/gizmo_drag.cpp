@@ -162,7 +162,7 @@ double GizmoDrag::turned(const QPointF& pointer)
 double GizmoDrag::scaled(const QPointF& pointer) const
 {
     const int axis = axisOf(m_handle);
-    if (axis >= 0) {
+    if (axis >= 0 && m_handle == m_first) {
         const double from = alongAxis(m_from, m_frame.axis(axis)), to = alongAxis(pointer, m_frame.axis(axis));
         return std::abs(from) < 1e-9 ? 1 : std::clamp(to / from, leastScale, largestScale);
     }

@@ -40,8 +40,7 @@ TransformFields::TransformFields(QWidget* view) : ViewCard(view, "transformField
     m_axes->addItems({tr("Document's axes"), tr("Part's own axes")});
     connect(m_axes, &QComboBox::activated, this, &TransformFields::axesChosen);
     grid->addWidget(m_axes, RowCount + 1, 0, 1, 2);
-    auto* apply =
-        named(new QPushButton(tr("&Apply")), "transformApply", tr("Makes the change of these numbers (Return)."));
+    auto* apply = named(new QPushButton(tr("&Apply")), "transformApply", tr("Applies these numbers (Return)."));
     auto* close = named(new QPushButton(tr("D&one")), "transformDone", tr("Hides the handles (Esc)."));
     connect(apply, &QPushButton::clicked, this, &TransformFields::entered);
     connect(close, &QPushButton::clicked, this, &TransformFields::closed);

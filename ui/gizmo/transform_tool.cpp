@@ -11,6 +11,15 @@
 
 namespace ui
 {
+namespace
+{
+bool isEqual(const core::TransformRegion& a, const core::TransformRegion& b)
+{
+    return a.box.min() == b.box.min() && a.box.max() == b.box.max() && a.centre == b.centre && a.axes == b.axes &&
+           a.vertices->slots == b.vertices->slots && a.vertices->weights == b.vertices->weights;
+}
+} // namespace
+
 TransformTool::TransformTool(const Actions& actions, Viewport* viewport)
     : QObject(viewport)
     , m_viewport(viewport)
@@ -23,6 +32,7 @@ TransformTool::TransformTool(const Actions& actions, Viewport* viewport)
     connect(m_gizmo, &Gizmo::frameMoved, this, [this] {
         m_start = *m_gizmo->frame();
         m_keptFor = m_region->box.center();
+        m_hasTurnedAxes = true;
     });
     connect(m_gizmo, &Gizmo::dragged, this, [this](const core::Transform& by) {
         m_fields->setValues(valuesOf(by, m_start));
@@ -31,7 +41,10 @@ TransformTool::TransformTool(const Actions& actions, Viewport* viewport)
     connect(m_gizmo, &Gizmo::dropped, this, &TransformTool::request);
     connect(m_fields, &TransformFields::edited, this, [this] { preview(transformOf(m_fields->values(), m_start)); });
     connect(m_fields, &TransformFields::entered, this, [this] { request(transformOf(m_fields->values(), m_start)); });
-    connect(m_fields, &TransformFields::axesChosen, this, &TransformTool::showFrame);
+    connect(m_fields, &TransformFields::axesChosen, this, [this] {
+        m_hasTurnedAxes = false;
+        showFrame();
+    });
     connect(m_fields, &TransformFields::closed, m_action, [this] { m_action->setChecked(false); });
 }
 
@@ -46,9 +59,17 @@ void TransformTool::setOn(bool on)
         return Q_EMIT regionWanted();
     m_region.reset();
     m_keptFor.reset();
+    m_hasTurnedAxes = false;
     m_gizmo->setFrame({});
     m_fields->hide();
     m_viewport->showMoved({});
+}
+
+void TransformTool::setBusy(bool isBusy)
+{
+    if (isBusy)
+        m_gizmo->cancelDrag();
+    m_gizmo->setEnabled(!isBusy);
 }
 
 void TransformTool::refresh()
@@ -62,6 +83,7 @@ void TransformTool::dropRequest()
     if (!std::exchange(m_isRequested, false))
         return;
     m_keptFor.reset();
+    m_region.reset(); // so that the preview ends although the region is as before
     refresh();
 }
 
@@ -69,14 +91,16 @@ void TransformTool::setRegion(const core::TransformRegion& region)
 {
     if (!isOn())
         return;
+    const bool isSame = m_region && isEqual(*m_region, region);
     m_region = region;
-    if (m_gizmo->isDragging())
+    if (m_gizmo->isDragging() || isSame) // numbers that are being typed stay
         return;
     const core::Vec3 middle = region.box.isEmpty() ? core::Vec3(core::Vec3::Zero()) : core::Vec3(region.box.center());
     if (std::exchange(m_isRequested, false))
         m_keptFor = middle;
     if (m_keptFor != middle) {
         m_keptFor.reset();
+        m_hasTurnedAxes = false;
         m_start.centre = region.centre;
     }
     m_viewport->showMoved({});
@@ -89,7 +113,8 @@ void TransformTool::showFrame()
 {
     if (!m_region)
         return;
-    m_start.axes = m_fields->usesOwnAxes() ? m_region->axes : Eigen::Quaterniond::Identity();
+    if (!m_hasTurnedAxes)
+        m_start.axes = m_fields->usesOwnAxes() ? m_region->axes : Eigen::Quaterniond::Identity();
     m_gizmo->setFrame(m_start);
     m_fields->setValues({});
     m_viewport->showMoved({});
@@ -104,6 +129,8 @@ void TransformTool::preview(const core::Transform& by)
 /// Requests the change, whose preview stays until the mesh has it.
 void TransformTool::request(const core::Transform& by)
 {
+    if (!m_gizmo->isEnabled())
+        return; // numbers stay, to be entered again
     if (!m_region || by.isNothing())
         return showFrame();
     m_viewport->showMoved(m_region->vertices, by, true);

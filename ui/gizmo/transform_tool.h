@@ -33,6 +33,9 @@ public:
     /// Answers regionWanted(), or says that the part has changed. Ends the preview.
     void setRegion(const core::TransformRegion& region);
 
+    /// While a long job runs, nothing can be changed.
+    void setBusy(bool isBusy);
+
 public Q_SLOTS:
     /// Asks for the region if the tool is on, because the part, its mask or its shape may have changed.
     void refresh();
@@ -57,6 +60,7 @@ private:
     GizmoFrame m_start; ///< frame that the drag, or the numbers, refer to
     /// Middle of the region for which the frame's centre is kept, because the user has moved it, or the part by it
     std::optional<core::Vec3> m_keptFor;
-    bool m_isRequested = false; ///< the next region follows from the change that was requested
+    bool m_hasTurnedAxes = false; ///< the user has turned the frame alone
+    bool m_isRequested = false;   ///< the next region follows from the change that was requested
 };
 } // namespace ui

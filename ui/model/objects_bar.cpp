@@ -28,7 +28,7 @@ ObjectsBar::ObjectsBar(const QString& name, const FileObjects& objects, QMainWin
         Q_EMIT reopenRequested();
     });
     QPushButton* leave =
-        addButton("leaveObjects", tr("Le&ave It So"), tr("Leaves the model as it is, and hides this bar."));
+        addButton("leaveObjects", tr("&Keep as It Is"), tr("Leaves the model as it is, and hides this bar."));
     connect(leave, &QPushButton::clicked, this, &ObjectsBar::dismiss);
 }
 } // namespace ui

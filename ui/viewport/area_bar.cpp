@@ -5,6 +5,7 @@
 
 #include <QButtonGroup>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QToolButton>
 
 namespace ui
@@ -34,8 +35,8 @@ AreaBar::AreaBar(QWidget* view) : QFrame(view), m_row(new QHBoxLayout(this))
         addButton("areaOutside", tr("Outside"), tr("Takes what is beside the curve instead (O, or hold Shift)."), {});
     m_front = addButton("areaFront", tr("Only in Front"),
                         tr("Takes only what is seen first, not what is behind it (F)."), {});
-    connect(m_outside, &QToolButton::clicked, this, &AreaBar::changed);
-    connect(m_front, &QToolButton::clicked, this, &AreaBar::changed);
+    connect(m_outside, &QToolButton::clicked, this, &AreaBar::extentChanged);
+    connect(m_front, &QToolButton::clicked, this, &AreaBar::extentChanged);
     hide();
 }
 
@@ -66,15 +67,17 @@ void AreaBar::setShape(CurveShape shape)
 {
     m_shape = shape;
     m_shapes[static_cast<qsizetype>(shape)]->setChecked(true);
-    Q_EMIT changed();
+    Q_EMIT shapeChanged();
 }
 
-bool AreaBar::handleKey(int key, bool isPress)
+bool AreaBar::handleKey(const QKeyEvent& event)
 {
+    const int key = event.key();
     const bool isShape = key >= Qt::Key_1 && key < Qt::Key_1 + m_shapes.size();
-    if (!isShape && key != Qt::Key_O && key != Qt::Key_F)
+    if ((!isShape && key != Qt::Key_O && key != Qt::Key_F) ||
+        event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier))
         return false;
-    if (isPress)
+    if (event.type() == QEvent::KeyPress && !event.isAutoRepeat())
         (isShape ? m_shapes[key - Qt::Key_1] : key == Qt::Key_O ? m_outside : m_front)->click();
     return true;
 }

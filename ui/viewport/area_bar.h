@@ -5,6 +5,7 @@
 #include <QFrame>
 
 class QBoxLayout;
+class QKeyEvent;
 class QToolButton;
 
 namespace ui
@@ -23,11 +24,13 @@ public:
     bool isFrontOnly() const;
 
     void setShape(CurveShape shape);
-    /// Handles the keys of the buttons: 1 to 4, O and F. Returns false for other keys.
-    bool handleKey(int key, bool isPress);
+    /// Handles the keys of the buttons, without modifiers: 1 to 4, O and F. Returns false for other keys.
+    bool handleKey(const QKeyEvent& event);
 
 Q_SIGNALS:
-    void changed();
+    void shapeChanged();
+    /// Another side, or another depth, counts.
+    void extentChanged();
 
 private:
     QToolButton* addButton(const char* name, const QString& text, const QString& tip, const QString& icon);

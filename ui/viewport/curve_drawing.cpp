@@ -61,9 +61,18 @@ CurveDrawing::CurveDrawing(Viewport* viewport)
         QStringLiteral("background: rgba(28, 30, 33, 225); color: white; border-radius: 4px; padding: 4px 8px;"));
     hide();
     viewport->installEventFilter(this);
-    connect(m_bar, &AreaBar::changed, this, [this] {
+    connect(m_bar, &AreaBar::shapeChanged, this, [this] {
         if (isActive())
             begin(*m_use);
+    });
+    connect(m_bar, &AreaBar::extentChanged, this, [this] {
+        if (isActive())
+            showHint();
+        update();
+    });
+    connect(viewport->input(), &PointerInput::modeChanged, this, [this](PointerMode mode) {
+        if (isActive() && mode != PointerMode::Sculpt)
+            cancel();
     });
 }
 
@@ -75,6 +84,7 @@ void CurveDrawing::begin(AreaUse use)
     m_points.clear();
     m_isShiftHeld = false;
     m_releaseFollows = false;
+    m_viewport->input()->setMode(PointerMode::Sculpt); // ends handles over the view
     m_viewport->input()->pointerLeft();
     m_viewport->setFocus();
     m_viewport->setCursor(Qt::CrossCursor);
@@ -159,7 +169,7 @@ bool CurveDrawing::handleKey(const QKeyEvent& event)
         update();
         return true;
     default:
-        return m_bar->handleKey(event.key(), isPress);
+        return m_bar->handleKey(event);
     }
 }
 

@@ -12,6 +12,7 @@
 #include "ui/classroom/classroom_lock.h"
 #include "ui/drawing/preview_panel.h"
 #include "ui/files/file_browser.h"
+#include "ui/gizmo/plane_cut_tool.h"
 #include "ui/gizmo/transform_tool.h"
 #include "ui/headset/partner_bar.h"
 #include "ui/help/guide_window.h"
@@ -253,6 +254,7 @@ void MainWindow::State::connectActions()
         actions, q, [this]() -> const ModelInfo& { return model; }, &brush, request);
     connectAreas(actions, viewport, &brush, request);
     connect(new TransformTool(actions, viewport), &TransformTool::requested, q, request);
+    connect(new PlaneCutTool(actions, viewport), &PlaneCutTool::requested, q, request);
     connectTools();
     headset = new HeadsetActions({&actions, viewport, new PartnerBar({&actions, &brush, viewport}, q)}, q);
     connectView(actions, viewport);

@@ -150,6 +150,7 @@ private Q_SLOTS:
     void undo_activatesThePartThatItChanges();
     void click_withAltChoosesThePart();
     void handles_moveTheActivePart();
+    void handles_comeWithAnInsertedPart();
     void row_hidesLocksAndRenames();
     void isolate_andBack();
     void combine_joinsTheSelected();
@@ -279,6 +280,28 @@ void TestPartsWindow::handles_moveTheActivePart()
     QTRY_VERIFY((gizmo->frame()->centre - core::Vec3(30, 0, 0)).norm() < 0.1);
     program.document.parts().activate(0);
     QTRY_VERIFY(gizmo->frame()->centre.norm() < 0.1);
+}
+
+/// A part that the window inserts gets the handles; one that a replay or a headset inserts does not.
+void TestPartsWindow::handles_comeWithAnInsertedPart()
+{
+    const QTemporaryDir folder;
+    Program program;
+    openTwoBalls(program, folder);
+    core::Insert insert;
+    insert.primitive = core::Primitive();
+    insert.place = core::Insert::Place::Centre;
+    insert.centre = {0, 30, 0};
+    insert.combination = core::Insert::Combination::Part;
+    const QAction* action = program.window.action(QStringLiteral("model.transform"));
+    apply(program, insert);
+    QCOMPARE(names(program).size(), 3);
+    QVERIFY(!action->isChecked());
+    Q_EMIT program.window.commandRequested(insert);
+    QTRY_VERIFY_WITH_TIMEOUT(action->isChecked(), longestWait);
+    QCOMPARE(names(program).size(), 4);
+    const auto* gizmo = program.window.findChild<ui::Gizmo*>();
+    QTRY_VERIFY(gizmo->frame() && (gizmo->frame()->centre - insert.centre).norm() < 0.1);
 }
 
 void TestPartsWindow::row_hidesLocksAndRenames()

@@ -1,0 +1,208 @@
+// Cuts a ball along the plane of the plane cut tool, and looks at what is left
+// of it.
+
+#include "ui/gizmo/plane_cut_tool.h"
+
+#include "core/analysis/mesh_check.h"
+#include "core/mesh/dirty_slots.h"
+#include "core/mesh/mesh_builder.h"
+#include "core/operations/detached_part.h"
+#include "tests/support/test_main.h"
+#include "tests/ui/ui_test.h"
+#include "ui/actions/actions.h"
+#include "ui/gizmo/gizmo.h"
+#include "ui/gizmo/transform_tool.h"
+
+#include <QAction>
+#include <QMainWindow>
+#include <QPushButton>
+
+#include <numbers>
+#include <utility>
+
+using core::Vec3;
+
+namespace
+{
+constexpr double radius = 30;
+
+/// A window with a ball seen from the front. It makes the cuts that the tool
+/// requests.
+struct CutStage
+{
+    CutStage()
+    {
+        window.setCentralWidget(viewport);
+        window.resize(700, 560);
+        tool = new ui::PlaneCutTool(actions, viewport);
+        QObject::connect(tool, &ui::PlaneCutTool::regionWanted, tool,
+                         [this] { tool->setRegion(core::transformRegionOf(*mesh, 0)); });
+        QObject::connect(tool, &ui::PlaneCutTool::requested, tool,
+                         [this](const core::ModelCommand& command) { requests.push_back(command); });
+        viewport->setPatchSource([this] { return std::exchange(next, std::nullopt); });
+        viewport->setReducesMotion(true);
+        viewport->showModel({Vec3::Constant(-radius), Vec3::Constant(radius)});
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        viewport->navigation()->turnTo(ui::OrbitCamera::Side::Front);
+        viewport->navigation()->setProjection(ui::OrbitCamera::Projection::Orthographic);
+        const quint64 before = viewport->stats().patches;
+        next = core::wholePatchOf(*mesh);
+        viewport->patchReady();
+        QTRY_COMPARE(viewport->stats().patches, before + 1);
+    }
+
+    ui::Gizmo* gizmo() const { return viewport->findChild<ui::Gizmo*>(); }
+    QAction* action() const { return actions.get(QStringLiteral("area.plane")); }
+    void click(const char* button) { viewport->findChild<QPushButton*>(QLatin1StringView(button))->click(); }
+
+    /// Drags an arrow of the gizmo upwards by so many pixels.
+    void raise(int pixels)
+    {
+        const ui::OrbitCamera::Pixel centre = viewport->camera().project(gizmo()->frame()->centre);
+        const QPoint from = QPointF(centre.x(), centre.y() - ui::GizmoShape::length).toPoint();
+        const QPoint to = from - QPoint(0, pixels);
+        send(QEvent::MouseMove, from, Qt::NoButton, Qt::NoButton);
+        send(QEvent::MouseButtonPress, from, Qt::LeftButton, Qt::LeftButton);
+        send(QEvent::MouseMove, to, Qt::NoButton, Qt::LeftButton);
+        send(QEvent::MouseButtonRelease, to, Qt::LeftButton, Qt::NoButton);
+    }
+    void send(QEvent::Type type, const QPoint& place, Qt::MouseButton button, Qt::MouseButtons held)
+    {
+        QMouseEvent event(type, place, viewport->mapToGlobal(place), button, held, Qt::NoModifier);
+        QCoreApplication::sendEvent(viewport, &event);
+    }
+
+    /// Makes the requested cut. Returns the volume that is left of the part.
+    double volumeLeft(core::PartId part = 0)
+    {
+        core::ModelChange change = applyToCopy(*mesh, requests.back());
+        if (!change.changes)
+            return -1;
+        mesh->swap(change.delta);
+        return core::checkMesh(core::surfaceOf(*mesh, part)).volume.value_or(-1);
+    }
+
+    QMainWindow window;
+    ui::Actions actions{&window};
+    ui::BrushSettings brush;
+    ui::Viewport* viewport = new ui::Viewport(&brush);
+    ui::PlaneCutTool* tool = nullptr;
+    std::unique_ptr<core::Mesh> mesh = core::buildMesh(core::icosphere(5, float(radius))).mesh;
+    std::optional<core::MeshPatch> next;
+    std::vector<core::ModelCommand> requests;
+};
+
+/// Returns the volume of the ball below a height.
+double volumeBelow(double height)
+{
+    const double h = radius + height;
+    return std::numbers::pi * h * h * (radius - h / 3);
+}
+} // namespace
+
+class TestPlaneCutTool : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { SKIP_WITHOUT_GRAPHICS(); }
+
+    void cut_removesWhatIsTinted();
+    void plane_isMovedByTheHandles();
+    void swap_keepsTheOtherSide();
+    void split_makesTwoParts();
+    void escape_endsTheTool();
+    void anotherTool_endsThisOne();
+};
+
+void TestPlaneCutTool::cut_removesWhatIsTinted()
+{
+    CutStage stage;
+    const QImage before = stage.viewport->grabFramebuffer();
+    stage.action()->trigger();
+    QVERIFY(stage.gizmo()->isVisible());
+    const QImage tinted = stage.viewport->grabFramebuffer();
+    const ui::OrbitCamera::Pixel middle = stage.viewport->camera().project(Vec3::Zero());
+    const double perMm = stage.viewport->camera().pixelsPerMm(Vec3::Zero()) * stage.viewport->devicePixelRatioF();
+    const auto redness = [&](const QImage& picture, double height) {
+        const QColor color =
+            picture.pixelColor(static_cast<int>(middle.x() * stage.viewport->devicePixelRatioF()),
+                               static_cast<int>(middle.y() * stage.viewport->devicePixelRatioF() - height * perMm));
+        return color.red() - color.green();
+    };
+    QVERIFY(redness(tinted, 15) > redness(before, 15) + 30); // above the plane
+    QVERIFY(std::abs(redness(tinted, -15) - redness(before, -15)) < 4);
+    stage.click("planeCutAway");
+    const double left = stage.volumeLeft();
+    QVERIFY(std::abs(left - volumeBelow(0)) < 0.01 * left);
+    for (const core::Slot v : stage.mesh->vertices())
+        QVERIFY(stage.mesh->point(v).y() < 4 * stage.mesh->lattice().unit());
+}
+
+void TestPlaneCutTool::plane_isMovedByTheHandles()
+{
+    CutStage stage;
+    stage.action()->trigger();
+    stage.raise(50);
+    QVERIFY(stage.requests.empty()); // only the plane has moved
+    const double height = stage.gizmo()->frame()->centre.y();
+    QVERIFY(height > 3);
+    stage.click("planeCutAway");
+    const double left = stage.volumeLeft();
+    QVERIFY(std::abs(left - volumeBelow(height)) < 0.01 * left);
+}
+
+void TestPlaneCutTool::swap_keepsTheOtherSide()
+{
+    CutStage stage;
+    stage.action()->trigger();
+    stage.raise(50);
+    const double height = stage.gizmo()->frame()->centre.y();
+    stage.click("planeCutSwap");
+    stage.click("planeCutAway");
+    const double left = stage.volumeLeft();
+    QVERIFY(std::abs(left - (volumeBelow(radius) - volumeBelow(height))) < 0.02 * left);
+}
+
+void TestPlaneCutTool::split_makesTwoParts()
+{
+    CutStage stage;
+    const double whole = core::checkMesh(core::extractMesh(*stage.mesh)).volume.value();
+    stage.action()->trigger();
+    stage.raise(40);
+    stage.click("planeCutSplit");
+    const double below = stage.volumeLeft();
+    QCOMPARE(stage.mesh->frame().parts.size(), std::size_t(2));
+    const double above = core::checkMesh(core::surfaceOf(*stage.mesh, 1)).volume.value();
+    QVERIFY(std::abs(below + above - whole) < 1e-5 * whole);
+    QVERIFY(below > above && above > 0.05 * whole);
+}
+
+void TestPlaneCutTool::escape_endsTheTool()
+{
+    CutStage stage;
+    stage.action()->trigger();
+    QTest::keyClick(stage.viewport, Qt::Key_Escape);
+    QVERIFY(!stage.tool->isOn() && !stage.gizmo()->isVisible());
+    QVERIFY(!stage.viewport->findChild<QWidget*>(QStringLiteral("planeCutBar"))->isVisible());
+}
+
+/// Only one of the tools with handles is on.
+void TestPlaneCutTool::anotherTool_endsThisOne()
+{
+    CutStage stage;
+    auto* other = new ui::TransformTool(stage.actions, stage.viewport);
+    QObject::connect(other, &ui::TransformTool::regionWanted, other,
+                     [&] { other->setRegion(core::transformRegionOf(*stage.mesh, 0)); });
+    stage.action()->trigger();
+    stage.actions.get(QStringLiteral("model.transform"))->trigger();
+    QVERIFY(!stage.tool->isOn() && other->isOn());
+    stage.action()->trigger();
+    QVERIFY(stage.tool->isOn() && !other->isOn());
+    QVERIFY(stage.viewport->input()->mode() == ui::PointerMode::Handles);
+}
+
+FETTLE_TEST(TestPlaneCutTool, ui::TestApplication)
+
+#include "tst_plane_cut_tool.moc"

@@ -1,0 +1,123 @@
+#include "ui/gizmo/plane_cut_tool.h"
+
+#include "ui/actions/actions.h"
+#include "ui/gizmo/gizmo.h"
+#include "ui/gizmo/view_card.h"
+#include "ui/viewport/viewport.h"
+#include "ui/widgets/named.h"
+#include "ui/widgets/spacing.h"
+
+#include "core/operations/trim.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QPushButton>
+
+#include <numbers>
+
+namespace ui
+{
+namespace
+{
+constexpr int normalAxis = 1;
+constexpr double planeShare = 0.62; ///< half side of the shown square, as a share of the part's diagonal
+} // namespace
+
+PlaneCutTool::PlaneCutTool(const Actions& actions, Viewport* viewport)
+    : QObject(viewport)
+    , m_viewport(viewport)
+    , m_action(actions.get(QStringLiteral("area.plane")))
+    , m_gizmo(new Gizmo(viewport, GizmoShape::Handles::WithoutScale))
+    , m_bar(makeBar())
+{
+    connect(m_action, &QAction::toggled, this, &PlaneCutTool::setOn);
+    connect(m_gizmo, &Gizmo::ended, m_action, [this] { m_action->setChecked(false); });
+    for (const auto changed : {&Gizmo::dragged, &Gizmo::dropped})
+        connect(m_gizmo, changed, this, &PlaneCutTool::showPlane);
+    connect(m_gizmo, &Gizmo::frameMoved, this, &PlaneCutTool::showPlane);
+}
+
+QFrame* PlaneCutTool::makeBar()
+{
+    auto* bar = new ViewCard(m_viewport, "planeCutBar");
+    auto* row = new QHBoxLayout(bar);
+    row->setContentsMargins(gap, gap, gap, gap);
+    const auto add = [&](const char* name, const QString& text, const QString& tip, const auto& callback) {
+        auto* button = named(new QPushButton(text), name, tip);
+        connect(button, &QPushButton::clicked, this, callback);
+        row->addWidget(button);
+    };
+    add("planeCutAway", tr("&Cut Away"), tr("Removes what is tinted, and closes the cut with a flat face."),
+        [this] { request(false); });
+    add("planeCutSplit", tr("&Split"), tr("Makes what is tinted a part of its own."), [this] { request(true); });
+    add("planeCutSwap", tr("S&wap Sides"), tr("Turns the plane over, so that the other side is tinted."),
+        [this] { swapSides(); });
+    add("planeCutDone", tr("D&one"), tr("Hides the plane (Esc)."), [this] { m_action->setChecked(false); });
+    return bar;
+}
+
+bool PlaneCutTool::isOn() const
+{
+    return m_action->isChecked();
+}
+
+void PlaneCutTool::setOn(bool on)
+{
+    if (on)
+        return Q_EMIT regionWanted();
+    m_box.reset();
+    m_gizmo->setFrame({});
+    m_bar->hide();
+    m_viewport->showCut({});
+}
+
+void PlaneCutTool::setBusy(bool isBusy)
+{
+    m_bar->setEnabled(!isBusy);
+}
+
+void PlaneCutTool::refresh()
+{
+    if (isOn())
+        Q_EMIT regionWanted();
+}
+
+/// Begins with a level plane through the middle of the part. The plane stays where the user has it as long as it is
+/// near the part.
+void PlaneCutTool::setRegion(const core::TransformRegion& region)
+{
+    if (!isOn() || region.whole.isEmpty())
+        return;
+    m_box = region.whole;
+    const double size = m_box->diagonal().norm();
+    m_gizmo->setPlane(planeShare * size);
+    if (!m_gizmo->frame() || m_box->exteriorDistance(m_gizmo->frame()->centre) > size)
+        m_gizmo->setFrame(GizmoFrame{m_box->center()});
+    m_bar->show();
+    showPlane();
+}
+
+void PlaneCutTool::showPlane()
+{
+    const std::optional<GizmoFrame>& frame = m_gizmo->frame();
+    if (frame)
+        m_viewport->showCut(Viewport::Cut{frame->centre, frame->axis(normalAxis)});
+}
+
+void PlaneCutTool::swapSides()
+{
+    if (m_gizmo->isDragging())
+        return;
+    GizmoFrame frame = *m_gizmo->frame();
+    frame.axes = frame.axes * Eigen::AngleAxisd(std::numbers::pi, core::Vec3::UnitX());
+    m_gizmo->setFrame(frame);
+    showPlane();
+}
+
+void PlaneCutTool::request(bool splits)
+{
+    const GizmoFrame& frame = *m_gizmo->frame();
+    const core::Trim trim = core::trimBeyond(frame.centre, frame.axis(normalAxis), *m_box);
+    Q_EMIT requested(splits ? core::ModelCommand(core::SplitPart{trim.area, {}}) : core::ModelCommand(trim));
+}
+} // namespace ui

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "ui/gizmo/gizmo_frame.h"
+
+#include "core/operations/model_command.h"
+#include "core/operations/transform_region.h"
+
+#include <QObject>
+
+#include <optional>
+
+class QAction;
+class QFrame;
+
+namespace ui
+{
+class Actions;
+class Gizmo;
+class Viewport;
+
+/// Cuts the active part along a plane that handles place in the view. The side that goes is tinted. Switched by the
+/// action "area.plane". Knows no document: it asks for the part's box by a signal, and requests cuts. Thread: gui.
+class PlaneCutTool : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// The viewport is the parent.
+    PlaneCutTool(const Actions& actions, Viewport* viewport);
+
+    bool isOn() const;
+    /// Answers regionWanted(), or says that the part has changed.
+    void setRegion(const core::TransformRegion& region);
+
+    /// While a long job runs, nothing can be cut.
+    void setBusy(bool isBusy);
+
+public Q_SLOTS:
+    /// Asks for the region if the tool is on, because the part may have changed.
+    void refresh();
+
+Q_SIGNALS:
+    void regionWanted();
+    void requested(const core::ModelCommand& command);
+
+private:
+    QFrame* makeBar();
+    void setOn(bool on);
+    void showPlane();
+    void swapSides();
+    void request(bool splits);
+
+    Viewport* m_viewport;
+    QAction* m_action;
+    Gizmo* m_gizmo;
+    QFrame* m_bar;
+    std::optional<core::Box> m_box; ///< of the part; nullopt: not known yet
+};
+} // namespace ui
