@@ -33,7 +33,8 @@ inline constexpr std::size_t handModeCount = 4;
 enum class HandTask {
     Sculpt,
     ChoosePart, ///< makes parts of the model active
-    PlaceShape  ///< adds a shape
+    PlaceShape, ///< adds a shape
+    Cut         ///< cuts with a blade
 };
 
 /// A movement of a finger on a wand. Trigger, the four Pad gestures and Squeeze (the side button) last as long as the

@@ -17,7 +17,7 @@ enum class PanelKind { Tools, Color, Files, Settings, Performance, Notice, Lesso
 inline constexpr std::size_t panelKindCount = 8;
 
 enum class SettingsPage { General, Haptics };
-enum class PartsPage { List, Shapes };
+enum class PartsPage { List, Shapes, Cut };
 
 /// Commands without parameters.
 enum class PanelCommand {
@@ -145,6 +145,13 @@ struct LockPart
     bool operator==(const LockPart&) const = default;
 };
 
+/// Makes a shape, or what the blade cuts off, a part of its own.
+struct MakePart
+{
+    bool isOn = true;
+    bool operator==(const MakePart&) const = default;
+};
+
 /// Combines the active part with the marked ones.
 struct CombineMarked
 {
@@ -198,7 +205,7 @@ using PanelAction =
     std::variant<PanelCommand, core::Tool, core::BrushShape, core::Topology, ButtonPreset, SettingsPage, ShowPanel,
                  AddNext, ChooseSymmetry, ChooseRadial, ChooseChannel, ChooseColor, ShowPage, ChooseFile, OpenFile,
                  ChooseHand, ShowPerformance, ShowFloor, Slide, ShowLessonPage, LessonRequest, ShowPartsPage,
-                 ChoosePart, MarkPart, ShowPart, LockPart, CombineMarked, PartsPage, core::Primitive::Kind>;
+                 ChoosePart, MarkPart, ShowPart, LockPart, MakePart, CombineMarked, PartsPage, core::Primitive::Kind>;
 
 /// Returns whether both actions belong to the same item. A slider has an action for each of its values.
 inline bool isSameItem(const PanelAction& a, const PanelAction& b)

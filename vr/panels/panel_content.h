@@ -114,7 +114,7 @@ struct PartRow
 };
 
 /// Content of the parts panel. On one page are the parts of the model, of which one is active and others can be marked
-/// to be combined with it; on the other the shapes that can be placed.
+/// to be combined with it; on others the shapes that can be placed, and the blade.
 struct PartsPanel
 {
     Q_DECLARE_TR_FUNCTIONS(vr::PartsPanel)
@@ -130,13 +130,15 @@ public:
     bool isBusy = false; ///< the model is being opened, saved or changed as a whole
     PartsPage shown = PartsPage::List;
     core::Primitive::Kind shape = core::Primitive::Kind::Cuboid; ///< shape that the trigger places
+    bool makesPart = false; ///< a shape, or what the blade cuts off, becomes a part of its own
 
     bool operator==(const PartsPanel&) const = default;
     PanelLayout layout() const;
     int pageCount() const;
     /// Returns what the sculpting hand does while the panel is open.
-    HandTask task() const { return shown == PartsPage::Shapes ? HandTask::PlaceShape : HandTask::ChoosePart; }
-    /// Returns the panel after ShowPartsPage, MarkPart, PartsPage or Primitive::Kind. Other actions change nothing.
+    HandTask task() const;
+    /// Returns the panel after ShowPartsPage, MarkPart, MakePart, PartsPage or Primitive::Kind. Other actions change
+    /// nothing.
     PartsPanel after(const PanelAction& action) const;
     /// Returns the row of a part; null if there is no such part.
     const PartRow* find(core::PartId part) const;
@@ -150,6 +152,7 @@ private:
     static QString nameOf(core::Primitive::Kind kind);
     void addList(PanelBuilder& builder) const;
     void addShapes(PanelBuilder& builder) const;
+    void addCut(PanelBuilder& builder) const;
     void addRow(PanelBuilder& builder, const PartRow* row) const;
     void addListButtons(PanelBuilder& builder) const;
     void addPartButtons(PanelBuilder& builder) const;

@@ -9,7 +9,7 @@ namespace vr
 {
 namespace
 {
-constexpr double partsWidth = 980, rowHeight = 84, buttonHeight = 84, arrowWidth = 84, pageWidth = 120, iconWidth = 84,
+constexpr double partsWidth = 980, rowHeight = 80, buttonHeight = 84, arrowWidth = 84, pageWidth = 120, iconWidth = 84,
                  tagWidth = 44, titleWidth = 340, groupGap = 8, hintHeight = 124, shapeHeight = 110;
 constexpr double partsDistance = 0.6; ///< metres from which the panel is read: arm's length
 } // namespace
@@ -24,15 +24,30 @@ int PartsPanel::shownPage() const
     return std::clamp(page, 0, pageCount() - 1);
 }
 
+HandTask PartsPanel::task() const
+{
+    switch (shown) {
+    case PartsPage::List:
+        return HandTask::ChoosePart;
+    case PartsPage::Shapes:
+        return HandTask::PlaceShape;
+    case PartsPage::Cut:
+        return HandTask::Cut;
+    }
+    return HandTask::ChoosePart;
+}
+
 PartsPanel PartsPanel::after(const PanelAction& action) const
 {
     PartsPanel panel = *this;
-    if (const auto* shown = std::get_if<ShowPartsPage>(&action)) {
-        panel.page = shown->page;
+    if (const auto* turned = std::get_if<ShowPartsPage>(&action)) {
+        panel.page = turned->page;
     } else if (const auto* mark = std::get_if<MarkPart>(&action)) {
         panel.marked.removeAll(mark->part);
         if (mark->isMarked)
             panel.marked << mark->part;
+    } else if (const auto* made = std::get_if<MakePart>(&action)) {
+        panel.makesPart = made->isOn;
     } else if (const auto* opened = std::get_if<PartsPage>(&action)) {
         panel.shown = *opened;
     } else if (const auto* kind = std::get_if<core::Primitive::Kind>(&action)) {
@@ -92,13 +107,14 @@ void PartsPanel::addRow(PanelBuilder& builder, const PartRow* row) const
 /// Adds the buttons that turn pages, and those that show and hide parts.
 void PartsPanel::addListButtons(PanelBuilder& builder) const
 {
-    const int shown = shownPage();
+    const int present = shownPage();
     const bool isAlone = std::ranges::all_of(
         parts, [this](const PartRow& row) { return row.part.isVisible == (row.part.id == active); });
     const std::vector<QRectF> places = cells(builder.nextRow(buttonHeight), {arrowWidth, pageWidth, arrowWidth, 0, 0});
-    builder.add(places[0], {{.icon = QStringLiteral("previous")}, ShowPartsPage{shown - 1}, shown > 0});
-    builder.add(places[1], TextLook{tr("%1 / %2").arg(shown + 1).arg(pageCount()), TextRole::Number, Qt::AlignCenter});
-    builder.add(places[2], {{.icon = QStringLiteral("next")}, ShowPartsPage{shown + 1}, shown + 1 < pageCount()});
+    builder.add(places[0], {{.icon = QStringLiteral("previous")}, ShowPartsPage{present - 1}, present > 0});
+    builder.add(places[1],
+                TextLook{tr("%1 / %2").arg(present + 1).arg(pageCount()), TextRole::Number, Qt::AlignCenter});
+    builder.add(places[2], {{.icon = QStringLiteral("next")}, ShowPartsPage{present + 1}, present + 1 < pageCount()});
     builder.add(
         places[3],
         {{.text = tr("Isolate"), .icon = QStringLiteral("part-isolate"), .isChosen = isAlone && parts.size() > 1},
@@ -178,8 +194,23 @@ void PartsPanel::addShapes(PanelBuilder& builder) const
         for (std::size_t i = 0; i < kinds.size(); ++i)
             builder.add(places[i], {{.text = nameOf(kinds[i]), .isChosen = kinds[i] == shape}, kinds[i]});
     }
-    const QString hint = tr("Trigger: puts the shape at the tip, as large as the brush, and joins it with the chosen "
-                            "part. Side button: moves that part.");
+    builder.addChoice({}, 0,
+                      {{tr("Join with the part"), {}, MakePart{false}, !makesPart},
+                       {tr("Part of its own"), {}, MakePart{true}, makesPart}});
+    const QString hint = tr("Trigger: puts the shape at the tip, as large as the brush. Side button: moves the chosen "
+                            "part.");
+    builder.add(builder.nextRow(hintHeight), TextLook{.text = hint, .role = TextRole::Faint, .lines = 3});
+}
+
+void PartsPanel::addCut(PanelBuilder& builder) const
+{
+    builder.addChoice(
+        {}, 0, {{tr("Cut away"), {}, MakePart{false}, !makesPart}, {tr("Keep both"), {}, MakePart{true}, makesPart}});
+    const QString hint =
+        makesPart ? tr("Trigger: cuts the chosen part at the disc. What lies beyond the disc, away from your hand, "
+                       "becomes a part of its own. Side button: moves the part.")
+                  : tr("Trigger: cuts the chosen part at the disc. What lies beyond the disc, away from your hand, "
+                       "is removed. Side button: moves the part.");
     builder.add(builder.nextRow(hintHeight), TextLook{.text = hint, .role = TextRole::Faint, .lines = 3});
 }
 
@@ -193,11 +224,19 @@ PanelLayout PartsPanel::layout() const
                       {{.icon = QStringLiteral("panel-close"), .isFlat = true}, ShowPanel{PanelKind::Parts, false}}});
     builder.addChoice({}, 0,
                       {{tr("Parts"), {}, PartsPage::List, shown == PartsPage::List},
-                       {tr("Shapes"), {}, PartsPage::Shapes, shown == PartsPage::Shapes}});
-    if (shown == PartsPage::List)
+                       {tr("Shapes"), {}, PartsPage::Shapes, shown == PartsPage::Shapes},
+                       {tr("Cut"), {}, PartsPage::Cut, shown == PartsPage::Cut}});
+    switch (shown) {
+    case PartsPage::List:
         addList(builder);
-    else
+        break;
+    case PartsPage::Shapes:
         addShapes(builder);
+        break;
+    case PartsPage::Cut:
+        addCut(builder);
+        break;
+    }
     return builder.finished();
 }
 } // namespace vr

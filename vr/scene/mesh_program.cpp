@@ -15,6 +15,7 @@ void MeshProgram::useFor(const EyeUniforms& eye) const
     encodeSrgb.set(0.0F);
     shaded.set(0.0F);
     cut.set(0.0F);
+    cutSide.set(0.0F);
     ball.set(Eigen::Vector4f(0, 0, 0, 0));
     ballImage.set(Eigen::Vector4f(0, 0, 0, 0));
     ballInEye.set(Eigen::Vector4f(0, 0, 0, 0));
@@ -50,12 +51,14 @@ void MeshProgram::tintBalls(const EyeUniforms& eye, const Eigen::Matrix4f& toRoo
     imageInEye.set(inEye(image));
 }
 
-void MeshProgram::cutAlong(const EyeUniforms& eye, const Eigen::Matrix4f& toRoom, const Eigen::Vector3f& normal) const
+void MeshProgram::cutAlong(const EyeUniforms& eye, const Eigen::Matrix4f& toRoom, const CutPlane& plane) const
 {
     const Eigen::Matrix4f toEye = eye.view * toRoom;
-    const Eigen::Vector3f inEye = toEye.topLeftCorner<3, 3>() * normal;
+    const Eigen::Vector3f normal = toEye.topLeftCorner<3, 3>() * plane.normal;
+    const Eigen::Vector3f point = (toEye * plane.point.homogeneous()).head<3>();
     cut.set(normal.isZero() ? 0.0F : 1.0F);
-    cutPlane.set(Eigen::Vector4f(inEye.x(), inEye.y(), inEye.z(), -inEye.dot(toEye.col(3).head<3>())));
+    cutSide.set(plane.tints ? 1.0F : 0.0F);
+    cutPlane.set(Eigen::Vector4f(normal.x(), normal.y(), normal.z(), -normal.dot(point)));
 }
 
 void MeshProgram::setSectors(float count) const

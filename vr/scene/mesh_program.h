@@ -8,6 +8,14 @@
 
 namespace vr
 {
+/// A plane that cuts the mesh. Space: the vertices' own.
+struct CutPlane
+{
+    Eigen::Vector3f point = Eigen::Vector3f::Zero();
+    Eigen::Vector3f normal = Eigen::Vector3f::Zero(); ///< zero: no plane
+    bool tints = false;                               ///< what is on the side of the normal is tinted
+};
+
 /// Shades the mesh and the wands as the desktop's viewer does.
 class MeshProgram : public Program
 {
@@ -26,9 +34,8 @@ public:
     /// radius 0: no tint.
     void tintBalls(const EyeUniforms& eye, const Eigen::Matrix4f& toRoom, const Eigen::Vector4f& ball,
                    const Eigen::Vector4f& image) const;
-    /// Draws a line where a plane through the origin of the vertices' own space cuts the mesh. `normal`: zero for no
-    /// line.
-    void cutAlong(const EyeUniforms& eye, const Eigen::Matrix4f& toRoom, const Eigen::Vector3f& normal) const;
+    /// Draws a line where a plane cuts the mesh.
+    void cutAlong(const EyeUniforms& eye, const Eigen::Matrix4f& toRoom, const CutPlane& plane) const;
     void shade(const core::Shading& shading) const;
     /// Shows a transform of the mesh before it is made. A vertex follows it as far as its weight says.
     void move(const core::TransformUniforms& move) const;
@@ -46,7 +53,7 @@ private:
         rim{this, "rim"};
     Uniform through{this, "through"}, sheen{this, "sheen"};
     Uniform encodeSrgb{this, "encodeSrgb"}, shaded{this, "shaded"};
-    Uniform cut{this, "cut"}, cutPlane{this, "cutPlane"};
+    Uniform cut{this, "cut"}, cutPlane{this, "cutPlane"}, cutSide{this, "cutSide"};
     Uniform ball{this, "ball"}, ballImage{this, "ballImage"};
     Uniform ballInEye{this, "ballInEye"}, imageInEye{this, "imageInEye"};
     Uniform moved{this, "moved"}, moveCentre{this, "moveCentre"}, moveBy{this, "moveBy"}, turnAxis{this, "turnAxis"},

@@ -27,7 +27,7 @@ struct MeshAppearance
     Eigen::Matrix4f toRoom = Eigen::Matrix4f::Identity();
     core::Shading shading;
     bool isFlat = false, hasTint = true, hasCavity = false;
-    Eigen::Vector3f cutNormal = Eigen::Vector3f::Zero();
+    CutPlane cut; ///< plane of symmetry, or that of the blade
     Eigen::Vector4f ball = Eigen::Vector4f::Zero(), ballImage = Eigen::Vector4f::Zero(); ///< centre and radius, mm
     float ballFalloff = 0, ballCore = 0, sectors = 1;
     std::optional<core::TransformUniforms> move;
@@ -49,7 +49,12 @@ MeshAppearance meshAppearance(const SceneState& state)
     look.hasTint = state.hasTint;
     look.hasCavity = state.hasCavity;
     const core::Vec3 normal = core::planeNormal(state.symmetry);
-    look.cutNormal = normal.cast<float>();
+    look.cut.normal = normal.cast<float>();
+    if (state.blade) {
+        const Eigen::Affine3d toModel = state.model.inverse();
+        look.cut = {(toModel * state.blade->center).cast<float>(),
+                    (toModel.linear() * state.blade->normal).normalized().cast<float>(), state.blade->tints};
+    }
     look.sectors = static_cast<float>(state.radial);
     if (state.move)
         look.move = core::uniformsOf(*state.move);
@@ -138,7 +143,7 @@ void Scene::State::drawOpaque(const EyeUniforms& eye)
     for (const ShownWand& wand : wands)
         wandRenderer.draw(eye, meshProgram, wand);
     meshProgram.flatShading.set(look.isFlat ? 1 : 0);
-    meshProgram.cutAlong(eye, look.toRoom, look.cutNormal);
+    meshProgram.cutAlong(eye, look.toRoom, look.cut);
     meshProgram.tintBalls(eye, look.toRoom, look.ball, look.ballImage);
     meshProgram.ballFalloff.set(look.ballFalloff);
     meshProgram.ballCore.set(look.ballCore);

@@ -69,6 +69,14 @@ struct Segment
     core::Vec3 from, to;
 };
 
+/// A blade, which is shown as a disc, and its cut through the mesh. Units: metres, in room space.
+struct Blade
+{
+    core::Vec3 center, normal; ///< the normal, of length 1, points to the side that would be cut away
+    double radius;
+    bool tints = false; ///< what would be cut away is tinted
+};
+
 /// A beam from a wand to a panel, in room space.
 struct Laser
 {
@@ -109,6 +117,7 @@ struct SceneState
     std::variant<std::monostate, BallBrush, RayBrush> brush;
     core::Rgb brushColor{235, 240, 248};
     std::vector<Segment> outline; ///< edges of a shape that is about to be placed
+    std::optional<Blade> blade;
     /// Transform of the mesh that is shown before it is made, of the vertices that Scene::tint() marks. Units: mm.
     std::optional<core::Transform> move;
     std::array<ShownWand, sideCount> wands; ///< indexed by Side

@@ -13,6 +13,7 @@ namespace vr
 namespace
 {
 const Eigen::Vector3f planeColor(0.15F, 0.33F, 0.66F), accentColor(0.22F, 0.56F, 1.0F), paleColor(0.85F, 0.88F, 0.92F);
+const Eigen::Vector3f bladeColor(0.95F, 0.28F, 0.20F);
 const Eigen::Vector3f holdColor(1.0F, 0.48F, 0.10F);
 const Eigen::Vector3f spotlightColor(0.30F, 1.0F, 0.06F); ///< a colour that no other shape has
 
@@ -20,6 +21,8 @@ constexpr float thin = 0.0011F, thinner = 0.0008F; ///< widths of lines, metres
 constexpr float mirrored = 0.45F; ///< strength of a brush's images by symmetry as a fraction of the brush's
 constexpr double rayReach = 3, dotRadius = 0.0035, thumbRadius = 0.0042;
 constexpr double offSurface = 0.0006; ///< distance above a surface at which shapes are drawn to be visible, metres
+constexpr float bladeHole = 0.985F;
+constexpr double bladeArrow = 0.05; ///< metres
 constexpr double holdRadius = 0.026, holdLift = 0.030;
 constexpr float holdHole = 0.80F, footprintHole = 0.97F;
 /// Middle of the ring for holds in grip space, metres: between the side buttons.
@@ -59,6 +62,7 @@ public:
     void addBrush(const BallBrush& brush);
     void addBrush(const RayBrush& brush);
     void addOutline(const Segment& edge);
+    void addBlade(const Blade& blade);
     void addWand(const ShownWand& wand);
     void addLaser(const Laser& laser);
     void addSpotlight(const Spotlight& spotlight);
@@ -154,6 +158,22 @@ void TranslucentListBuilder::addOutline(const Segment& edge)
 {
     addLine(edge.from, edge.to,
             {.width = thinner, .color = linearFromSrgb(m_state.brushColor), .alphas = {0.8F, 0.8F}});
+}
+
+/// Adds a disc with a rim, and a line that points to the side that would be cut away.
+void TranslucentListBuilder::addBlade(const Blade& blade)
+{
+    Ring ring{.place = acrossTo(blade.center, blade.normal, blade.radius),
+              .color = bladeColor,
+              .alpha = 0.28F,
+              .hiddenAlpha = 0.10F};
+    add(blade.center, ring);
+    ring.hole = bladeHole;
+    ring.alpha = 0.9F;
+    ring.hiddenAlpha = 0.4F;
+    add(blade.center + offSurface * blade.normal, ring);
+    addLine(blade.center, blade.center + bladeArrow * blade.normal,
+            {.width = thin, .color = bladeColor, .alphas = {0.9F, 0.0F}});
 }
 
 void TranslucentListBuilder::addFootprint(const RayBrush::Hit& hit, float strength)
@@ -284,6 +304,8 @@ void buildTranslucentList(const SceneState& state, LabelTextures& labels, Transl
     TranslucentListBuilder builder(state, labels, into);
     builder.addPlane();
     std::visit([&](const auto& brush) { builder.addBrush(brush); }, state.brush);
+    if (state.blade)
+        builder.addBlade(*state.blade);
     for (const Segment& edge : state.outline)
         builder.addOutline(edge);
     for (const ShownWand& wand : state.wands)

@@ -190,7 +190,7 @@ void WandLabels::updateTask(const WandMapping& hands)
     for (const Side side : sides) {
         const Lines before = at(side).lines();
         write(at(side), hands.roleOf(side));
-        restart(at(side), before);
+        at(side).restart(before);
     }
 }
 
@@ -281,14 +281,14 @@ void WandLabels::hide(Hand& hand, double seconds)
 void WandLabels::setMode(Hand& hand, HandMode mode)
 {
     const HandMode before = std::exchange(hand.mode, mode);
-    restart(hand, hand.linesOf[static_cast<std::size_t>(before)]);
+    hand.restart(hand.linesOf[static_cast<std::size_t>(before)]);
 }
 
 /// Makes labels whose functions differ from those of `before` fade in from 0.
-void WandLabels::restart(Hand& hand, const Lines& before)
+void WandLabels::Hand::restart(const Lines& before)
 {
     for (std::size_t spot = 0; spot < wandSpotCount; ++spot)
-        if (hand.lines()[spot].rows != before[spot].rows)
-            hand.opacities[spot] = 0;
+        if (lines()[spot].rows != before[spot].rows)
+            opacities[spot] = 0;
 }
 } // namespace vr

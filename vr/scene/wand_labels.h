@@ -70,6 +70,7 @@ private:
 
         bool look(double degrees, double seconds);
         bool isSeen() const;
+        void restart(const Lines& before);
         const Lines& lines() const { return linesOf[static_cast<std::size_t>(mode)]; }
     };
 
@@ -80,7 +81,6 @@ private:
     void note(const WandMapping& hands, std::span<const WandCommand> commands);
     void use(const WandMapping& hands, Side side, Gesture gesture);
     static void setMode(Hand& hand, HandMode mode);
-    static void restart(Hand& hand, const Lines& before);
     void fade(Hand& hand, bool isLookedAt, double seconds);
     static void hide(Hand& hand, double seconds);
     std::optional<Side> behind(const InputFrame& frame, const Pose& head) const;

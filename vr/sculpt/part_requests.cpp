@@ -2,6 +2,7 @@
 
 #include "vr/sculpt/shape_tool.h"
 
+#include "core/operations/trim.h"
 #include "core/util/overloaded.h"
 
 namespace vr
@@ -70,12 +71,20 @@ std::optional<DocumentRequest> requestOf(const PartsPanel& panel, const PanelAct
     return std::visit(request, action);
 }
 
-DocumentRequest requestAt(const Pose& tip, HandTask task, const PartsPanel& panel, const BrushState& brush,
+DocumentRequest requestAt(const TipUse& use, const PartsPanel& panel, const BrushState& brush,
                           const ModelPlacement& placement)
 {
-    if (task == HandTask::PlaceShape)
-        return ChangePart{panel.active, shapeAt(panel.shape, tip, brush, placement)};
-    const core::Vec3 palm = tip.position - tipReach * tip.forward();
-    return PickPart{{placement.toModel(palm), placement.directionToModel(tip.forward())}};
+    const core::Vec3 forward = placement.directionToModel(use.tip.forward());
+    if (use.task == HandTask::PlaceShape) {
+        core::Insert shape = shapeAt(panel.shape, use.tip, brush, placement);
+        shape.combination = panel.makesPart ? core::Insert::Combination::Part : core::Insert::Combination::Join;
+        return ChangePart{panel.active, shape};
+    }
+    if (use.task == HandTask::Cut) {
+        const core::Trim cut = core::trimBeyond(placement.toModel(use.tip.position), forward, use.box);
+        return ChangePart{panel.active, panel.makesPart ? core::ModelCommand(core::SplitPart{cut.area, {}})
+                                                        : core::ModelCommand(cut)};
+    }
+    return PickPart{{placement.toModel(use.tip.position - tipReach * use.tip.forward()), forward}};
 }
 } // namespace vr

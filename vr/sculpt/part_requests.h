@@ -10,8 +10,16 @@ namespace vr
 /// Returns the request to the document for an action at the parts panel; none if the action needs none. Thread: any.
 std::optional<DocumentRequest> requestOf(const PartsPanel& panel, const PanelAction& action);
 
-/// Returns the request for the hand's task at its tip, whose pose is in room space. A part is chosen by a ray from the
-/// palm, so that a part which the tip has entered is found, too. Precondition: the task is not Sculpt. Thread: any.
-DocumentRequest requestAt(const Pose& tip, HandTask task, const PartsPanel& panel, const BrushState& brush,
+/// What the request of a hand's task depends on.
+struct TipUse
+{
+    Pose tip; ///< pose of the wand's tip, room space
+    HandTask task = HandTask::ChoosePart;
+    core::Box box; ///< bounding box of the model, mm
+};
+/// Returns the request for the hand's task at its tip. A part is chosen by a ray from the palm, so that a part which
+/// the tip has entered is found, too. A cut removes what lies beyond the tip of the active part, or makes it a part,
+/// and with symmetry also its mirror image. Precondition: the task is not Sculpt. Thread: any.
+DocumentRequest requestAt(const TipUse& use, const PartsPanel& panel, const BrushState& brush,
                           const ModelPlacement& placement);
 } // namespace vr

@@ -15,6 +15,7 @@ namespace vr
 namespace
 {
 constexpr double stillPhase = 0.4;
+constexpr double bladeRadius = 0.25; ///< metres: a blade shows around a model that was placed in front of the user
 /// Period of the pulsing light at a pointed place, seconds: it is noticed, but does not flicker.
 constexpr double pulseSeconds = 1.2;
 
@@ -316,7 +317,8 @@ void SculptClient::handle(const WandCommand& command)
         [&](const OpenToolMenu& menu) { m_panels.open(PanelKind::Tools, menu.isOpen); },
         [&](const OpenColorPanel& panel) { m_panels.open(PanelKind::Color, panel.isOpen); },
         [&](const UseTip& use) {
-            m_port->request(requestAt(use.tip, m_mapping.task(), m_contents.parts(), m_brush.state(), m_placement));
+            m_port->request(
+                requestAt({use.tip, m_mapping.task(), m_update.box}, m_contents.parts(), m_brush.state(), m_placement));
         },
         [&](const MovePart& move) { m_partHand.move(move, m_update.activePart, m_placement); },
         [&](const LetGoOfPart&) { m_partHand.letGo(); },
@@ -394,9 +396,13 @@ void SculptClient::updateScene(const FrameInput& input)
     m_state.brush = {};
     if (!pointsAtPanel(m_settings.wands.sculpting))
         m_state.brush = shownAtTip(m_brush, m_mapping.task(), m_tip, m_placement);
+    const bool usesTip = m_tip && !pointsAtPanel(m_settings.wands.sculpting);
     m_state.outline.clear();
-    if (m_mapping.task() == HandTask::PlaceShape && m_tip && !pointsAtPanel(m_settings.wands.sculpting))
+    if (m_mapping.task() == HandTask::PlaceShape && usesTip)
         outlineOf(shapeAt(m_contents.parts().shape, *m_tip, brush, m_placement), m_placement, m_state.outline);
+    m_state.blade = {};
+    if (m_mapping.task() == HandTask::Cut && usesTip)
+        m_state.blade = Blade{m_tip->position, m_tip->forward(), bladeRadius, m_update.parts.size() == 1};
     m_state.move = m_partHand.shown();
     const bool paints = brush.stroke.tool == core::Tool::Paint;
     m_state.brushColor = paints ? brush.stroke.color : SceneState().brushColor;

@@ -121,7 +121,6 @@ core::Insert shapeAt(Primitive::Kind kind, const Pose& tip, const BrushState& br
     core::Insert insert;
     insert.place = core::Insert::Place::Centre;
     insert.centre = placement.toModel(tip.position);
-    insert.combination = core::Insert::Combination::Join;
     insert.primitive = shapeOfSize(kind, 2 * strokeSettings(brush, {}, placement).radius);
     placement.directionToModel(tip.rotation * Vec3::UnitY()).cwiseAbs().maxCoeff(&insert.primitive->axis);
     return insert;

@@ -6,6 +6,9 @@
 #include "core/analysis/mesh_check.h"
 #include "core/operations/detached_part.h"
 #include "ui/util/part_name.h"
+#include "vr/sculpt/brush_state.h"
+
+#include <numbers>
 
 using namespace app;
 using core::PartId;
@@ -111,6 +114,8 @@ private Q_SLOTS:
     void shape_isPlacedAtTheTip();
     void grip_movesTheActivePart();
     void grip_showsThePartBeforeItMoves();
+    void blade_cutsAwayWhatIsBeyond();
+    void blade_isShownWhereItCuts();
 };
 
 /// Points at parts from afar and from within, and beside all of them. No trigger sculpts while the panel is open.
@@ -354,7 +359,66 @@ void TestHeadsetParts::grip_showsThePartBeforeItMoves()
         return std::abs(x.red() - y.red()) + std::abs(x.green() - y.green()) + std::abs(x.blue() - y.blue());
     };
     QVERIFY(difference(before, held) > 60);
-    QVERIFY(difference(held, after) < 12);
+    QVERIFY(difference(held, after) < difference(before, held) / 4); // the lights turn with the model's middle
+    QCOMPARE(v.complaints(), QString());
+}
+
+/// Cuts the active part of two, obliquely, and with symmetry: what is beyond the blade is gone, the rest is a sound
+/// solid, and undo brings everything back.
+void TestHeadsetParts::blade_cutsAwayWhatIsBeyond()
+{
+    AtParts v;
+    v.addCopy({120, 0, 0});
+    v.hand.click(v.panel(), vr::PartsPage::Cut);
+    v.shown = vr::PartsPage::Cut;
+    v.hand.waitForPanels();
+    const std::uint64_t other = v.hashOf(1), before = v.hashOf(0);
+    const int changes = v.changes();
+    const Vec3 tip(0, 20, 0), forward = Vec3(0.2, 1, -0.3).normalized();
+    v.hand.put(Side::Right, v.hand.place(tip), forward);
+    v.hand.frames(2);
+    v.hand.press(Side::Right, "trigger", 2);
+    v.hand.settle();
+    QCOMPARE(v.changes(), changes + 1);
+    QCOMPARE(v.hashOf(1), other);
+    double beyond = -1e9, volume = 0;
+    v.hand.ask([&](core::Sculptor& sculptor) {
+        const core::TriangleMesh mesh = core::surfaceOf(sculptor.mesh(), 0);
+        for (const core::Vec3f& point : mesh.points)
+            beyond = std::max(beyond, (point.cast<double>() - tip).dot(forward));
+        const core::MeshReport report = core::checkMesh(mesh);
+        volume = report.printReady() ? *report.volume : 0;
+        return true;
+    });
+    QVERIFY2(std::abs(beyond) < 0.01, qPrintable(QString::number(beyond)));
+    const double cap = 50 - tip.dot(forward), whole = 4 * std::numbers::pi / 3 * 125000;
+    const double kept = whole - std::numbers::pi * cap * cap * (50 - cap / 3);
+    QVERIFY2(std::abs(volume / kept - 1) < 0.02, qPrintable(QString::number(volume / kept)));
+    v.hand.pressPad(Side::Right, -0.8, 0); // undo
+    v.hand.settle();
+    QCOMPARE(v.hashOf(0), before);
+    QCOMPARE(v.complaints(), QString());
+}
+
+/// Compares pictures: with the blade in the hand the clay beyond it is tinted, and the clay behind it is not.
+void TestHeadsetParts::blade_isShownWhereItCuts()
+{
+    AtParts v(HeadsetHand::enough);
+    v.hand.put(Side::Right, v.hand.place({0, 10, 0}), Vec3::UnitY());
+    v.hand.frames(4);
+    const QImage before = v.hand.picture();
+    v.hand.click(v.panel(), vr::PartsPage::Cut);
+    v.hand.put(Side::Right, v.hand.place({0, 10, 0}), Vec3::UnitY());
+    v.hand.frames(4);
+    const QImage cut = v.hand.picture();
+    const Look look{cut, *v.hand.seen().head};
+    const auto redness = [](const QColor& color) { return 2 * color.red() - color.green() - color.blue(); };
+    const auto change = [&](const Vec3& place) {
+        const QPoint at = look.at(v.hand.place(place));
+        return redness(cut.pixelColor(at)) - redness(before.pixelColor(at));
+    };
+    QVERIFY2(change({-20, 30, 34}) > 30, qPrintable(QString::number(change({-20, 30, 34}))));
+    QVERIFY2(std::abs(change({-20, -20, 40})) < 12, qPrintable(QString::number(change({-20, -20, 40}))));
     QCOMPARE(v.complaints(), QString());
 }
 

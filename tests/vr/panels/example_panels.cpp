@@ -129,7 +129,9 @@ std::vector<ExamplePanel> partsPanels()
     vr::PartsPanel shapes = panel;
     shapes.shown = vr::PartsPage::Shapes;
     shapes.shape = core::Primitive::Kind::Capsule;
-    return {{"parts-shapes", shapes}, {"parts", panel},     {"parts-one", one},
+    vr::PartsPanel cut = panel;
+    cut.shown = vr::PartsPage::Cut;
+    return {{"parts-shapes", shapes}, {"parts-cut", cut},   {"parts", panel},    {"parts-one", one},
             {"parts-marked", marked}, {"parts-last", last}, {"parts-busy", busy}};
 }
 

@@ -76,6 +76,7 @@ std::vector<PanelAction> wanted()
                                  PanelCommand::DeletePart,
                                  vr::PartsPage::List,
                                  vr::PartsPage::Shapes,
+                                 vr::PartsPage::Cut,
                                  vr::ShowPartsPage{0},
                                  vr::ShowPartsPage{1}};
     for (std::size_t i = 0; i < core::toolNames().size(); ++i)
@@ -86,6 +87,7 @@ std::vector<PanelAction> wanted()
     for (const bool isOn : {false, true}) {
         all.push_back(vr::ChooseSymmetry{isOn});
         all.push_back(vr::AddNext{isOn});
+        all.push_back(vr::MakePart{isOn});
         all.push_back(vr::ShowPerformance{isOn});
         all.push_back(vr::ShowFloor{isOn});
     }

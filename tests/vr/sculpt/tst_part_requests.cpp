@@ -140,7 +140,7 @@ void TestPartRequests::pick_beginsAtThePalm()
 {
     const vr::ModelPlacement placement = turnedPlacement();
     const vr::Pose tip{Eigen::Quaterniond(Eigen::AngleAxisd(0.4, core::Vec3::UnitY())), placement.middle()};
-    const vr::DocumentRequest request = vr::requestAt(tip, vr::HandTask::ChoosePart, threeParts(), {}, placement);
+    const vr::DocumentRequest request = vr::requestAt({tip, vr::HandTask::ChoosePart, {}}, threeParts(), {}, placement);
     const auto* pick = std::get_if<vr::PickPart>(&request);
     QVERIFY(pick);
     const core::Ray ray = pick->ray;
@@ -169,7 +169,7 @@ void TestPartRequests::shape_isAsLargeAsTheBrush()
         for (const double angle : {0.0, 1.4}) {
             brush.radius = radius;
             const vr::Pose tip{Eigen::Quaterniond(Eigen::AngleAxisd(angle, core::Vec3::UnitZ())), {0.1, 1.3, -0.5}};
-            const auto request = vr::requestAt(tip, vr::HandTask::PlaceShape, panel, brush, placement);
+            const auto request = vr::requestAt({tip, vr::HandTask::PlaceShape, {}}, panel, brush, placement);
             const auto* change = std::get_if<vr::ChangePart>(&request);
             QVERIFY(change && change->part == panel.active);
             const auto& insert = std::get<core::Insert>(change->command);
