@@ -23,7 +23,7 @@ core::LessonFiles bundledFiles(const QString& name)
 
 QStringList bundledLessons()
 {
-    return {QStringLiteral("first-clay"), QStringLiteral("mug"), QStringLiteral("creature")};
+    return {QStringLiteral("first-clay"), QStringLiteral("mug"), QStringLiteral("creature"), QStringLiteral("toy-car")};
 }
 
 core::Lesson readLesson(const QString& pathOrName)

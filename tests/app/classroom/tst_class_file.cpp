@@ -184,7 +184,7 @@ private Q_SLOTS:
         row("a PIN that can be read", pinLine.constData(), "pin = 1234\n",
             "line 12: pin: this is not a PIN as Fettle writes it");
         row("unknown lesson", "questions = yes", "lesson = mugs",
-            "mugs is not a lesson: it is neither one of first-clay, mug, creature nor a folder or ZIP file.");
+            "mugs is not a lesson: it is neither one of first-clay, mug, creature, toy-car nor a folder or ZIP file.");
         row("unknown lesson's line", "questions = yes", "lesson = mugs", "line 11: lesson: ");
         row("empty lesson", "questions = yes", "lesson =", "line 11: lesson: it is empty.");
         row("lesson with other tools", "questions = yes", "lesson = mug",

@@ -373,8 +373,8 @@ void TestCommandLine::words_thatAreOneOfSomeAreListed_data()
         "replay: --every must be a whole number, 1 or more, not \"0\".");
     row("new bal b.stl", "new: the shape must be one of ball, cube, torus, slab, vase, head, tablet, or with measures "
                          "box, ball, cylinder, cone, capsule, torus, lathe, not \"bal\".");
-    row("lesson nonsense",
-        "\"nonsense\" is not a lesson: it is neither one of first-clay, mug, creature nor a folder or ZIP file.");
+    row("lesson nonsense", "\"nonsense\" is not a lesson: it is neither one of first-clay, mug, creature, toy-car nor "
+                           "a folder or ZIP file.");
 }
 
 void TestCommandLine::words_thatAreOneOfSomeAreListed()

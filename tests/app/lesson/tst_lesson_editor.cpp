@@ -391,7 +391,7 @@ private Q_SLOTS:
         QVERIFY(notice(program).contains(QStringLiteral("unsaved lesson was kept")));
         auto* lessons = part<QComboBox>(program, "lessonShelf");
         QCOMPARE(lessons->itemText(0), QStringLiteral("Not saved: Mine"));
-        QCOMPARE(lessons->count(), 4);
+        QCOMPARE(lessons->count(), 5);
         lessons->setCurrentIndex(0);
         press(program, "lessonEdit");
         QTRY_VERIFY_WITH_TIMEOUT(program.window.findChild<ui::LessonEditor*>()->isOpen(), longestWait);
@@ -399,7 +399,7 @@ private Q_SLOTS:
         QCOMPARE(part<QPlainTextEdit>(program, "lessonStepText")->toPlainText(),
                  QString()); // the text must not be filled in by the program
         QCOMPARE(strokesOf(program), 1);
-        QCOMPARE(lessons->count(), 3);
+        QCOMPARE(lessons->count(), 4);
         press(program, "lessonSave");
         QVERIFY(question(program, "problem")->text().contains(QStringLiteral("has no text yet")));
         question(program, "problem")->close();

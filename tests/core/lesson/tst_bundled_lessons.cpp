@@ -2,6 +2,7 @@
 // are played, too.
 #include "core/lesson/lesson_playback.h"
 #include "core/mesh/mesh_builder.h"
+#include "core/operations/detached_part.h"
 #include "tests/support/solid_asserts.h"
 #include "tests/support/test_main.h"
 
@@ -49,7 +50,9 @@ private Q_SLOTS:
         for (std::size_t i = 0; i < playback.lesson().steps.size(); ++i) {
             playback.goTo(i);
             playback.finish();
-            VERIFY_VALID(playback.mesh());
+            const Mesh& mesh = playback.mesh();
+            for (const Part& part : mesh.frame().parts.all())
+                VERIFY_VALID(Mesh(surfaceOf(mesh, part.id), mesh.lattice()));
             const Checkpoint& checkpoint = playback.step().checkpoint;
             QVERIFY(!checkpoint.asksNothing());
             const TriangleMesh target = checkpoint.target ? playback.target() : TriangleMesh();
@@ -276,7 +279,7 @@ private:
     static void names()
     {
         QTest::addColumn<QByteArray>("name");
-        for (const char* const name : {"first-clay", "mug", "creature"})
+        for (const char* const name : {"first-clay", "mug", "creature", "toy-car"})
             QTest::newRow(name) << QByteArray(name);
     }
 };

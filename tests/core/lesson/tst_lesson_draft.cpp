@@ -68,7 +68,7 @@ private Q_SLOTS:
     void unchanged_isTheSameLesson_data()
     {
         QTest::addColumn<QByteArray>("name");
-        for (const char* name : {"first-clay", "mug", "creature"})
+        for (const char* name : {"first-clay", "mug", "creature", "toy-car"})
             QTest::newRow(name) << QByteArray(name);
     }
     void unchanged_isTheSameLesson()

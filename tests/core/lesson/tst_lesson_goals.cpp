@@ -75,6 +75,8 @@ TriangleMesh withCrumb(TriangleMesh mesh)
         mesh.points.push_back(p + Vec3f(60, 20, 60));
     for (const Triangle& t : crumb.triangles)
         mesh.triangles.push_back({t[0] + before, t[1] + before, t[2] + before});
+    if (!mesh.parts.empty())
+        mesh.parts.resize(mesh.points.size());
     return mesh;
 }
 
@@ -123,7 +125,7 @@ private Q_SLOTS:
     {
         QTest::addColumn<CheckpointVerdict>("verdict");
         QTest::addColumn<bool>("passes");
-        for (const char* const name : {"first-clay", "mug", "creature"}) {
+        for (const char* const name : {"first-clay", "mug", "creature", "toy-car"}) {
             const Lesson lesson = readLesson(shelf / name);
             const std::vector<TriangleMesh> teachers = madeBy(lesson);
             for (std::size_t step = 0; step < lesson.steps.size(); ++step) {
@@ -156,6 +158,9 @@ private Q_SLOTS:
         all("creature", "without ears and tail", without(1), {true, false, false, true});
         all("creature", "without a tail", withoutLastStroke(1), {true, false, false, true});
         all("creature", "without a base", withoutCommands(3), {true, true, true, false});
+        all("toy-car", "without a cabin", withoutCommands(1), {true, false, false, false, false});
+        all("toy-car", "without a windscreen", withoutCommands(2), {true, true, false, true, true});
+        all("toy-car", "not joined", withoutCommands(4), {true, true, true, true, false});
     }
     void goals_areThoseOfTheStep()
     {
