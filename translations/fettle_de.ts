@@ -714,6 +714,30 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
             <numerusform>convert: braucht zwei Dateien, IN und OUT; angegeben wurden %n.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Make a part of each object of IN; parts may overlap.</source>
+        <translation>Aus jedem Objekt von IN ein Teil machen; Teile dürfen sich überschneiden.</translation>
+    </message>
+    <message>
+        <source>What to do with parts that overlap if OUT is STL, PLY, OFF or 3MF (default: unite).</source>
+        <translation>Was mit Teilen geschieht, die sich überschneiden, wenn OUT STL, PLY, OFF oder 3MF ist (Vorgabe: unite).</translation>
+    </message>
+    <message>
+        <source>--parts keeps its objects apart, which may overlap then; --repair may make it watertight.</source>
+        <translation>--parts hält seine Objekte getrennt, die sich dann überschneiden dürfen; --repair kann es wasserdicht machen.</translation>
+    </message>
+    <message>
+        <source>%1: all its parts are hidden, and only GLB keeps hidden parts. Nothing was written.</source>
+        <translation>%1: Alle Teile sind ausgeblendet, und nur GLB behält ausgeblendete Teile. Es wurde nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>%1: its parts overlap and cannot be united. --overlaps keep writes them as they are.</source>
+        <translation>%1: Seine Teile überschneiden sich und lassen sich nicht vereinigen. --overlaps keep schreibt sie, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>The parts overlap, so they were united.</source>
+        <translation>Die Teile überschneiden sich und wurden daher vereinigt.</translation>
+    </message>
 </context>
 <context>
     <name>app::Document</name>
@@ -798,6 +822,10 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>The mask was not changed: another operation on the model is still running.</source>
         <translation>Die Maske wurde nicht geändert: Am Modell läuft noch ein anderer Vorgang.</translation>
+    </message>
+    <message>
+        <source>The parts were not changed: another operation on the model is still running.</source>
+        <translation>Die Teile wurden nicht geändert: Am Modell läuft noch ein anderer Vorgang.</translation>
     </message>
 </context>
 <context>
@@ -1458,6 +1486,10 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>%1 was not written: its parts overlap and cannot be joined. Move one a little, or export them one by one.</source>
         <translation>%1 wurde nicht geschrieben: Die Teile überlappen sich und lassen sich nicht vereinigen. Verschieben Sie eines ein wenig, oder exportieren Sie sie einzeln.</translation>
     </message>
+    <message>
+        <source>%1 was written with parts that overlap, as you wished: their surfaces intersect.</source>
+        <translation>%1 wurde wie gewünscht mit Teilen geschrieben, die sich überschneiden: Ihre Oberflächen durchdringen sich.</translation>
+    </message>
 </context>
 <context>
     <name>app::ModelLoader</name>
@@ -1516,6 +1548,28 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>%1 was not written, because all parts are hidden. GLB keeps hidden parts.</source>
         <translation>%1 wurde nicht geschrieben, weil alle Teile ausgeblendet sind. GLB behält ausgeblendete Teile.</translation>
+    </message>
+    <message>
+        <source>The objects of %1 overlap or touch, so each is a part.</source>
+        <translation>Die Objekte von %1 überschneiden oder berühren sich, daher ist jedes ein Teil.</translation>
+    </message>
+    <message numerus="yes">
+        <source>A repair makes one part of its %Ln objects.</source>
+        <translation>
+            <numerusform>Eine Reparatur macht aus seinem %Ln Objekt ein Teil.</numerusform>
+            <numerusform>Eine Reparatur macht aus seinen %Ln Objekten ein Teil.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 has more objects than a model may have parts (%Ln), so they are one part.</source>
+        <translation>
+            <numerusform>%1 hat mehr Objekte, als ein Modell Teile haben darf (%Ln), daher sind sie ein Teil.</numerusform>
+            <numerusform>%1 hat mehr Objekte, als ein Modell Teile haben darf (%Ln), daher sind sie ein Teil.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The objects of %1 are not solids of their own, so they are one part.</source>
+        <translation>Die Objekte von %1 sind einzeln keine Körper, deshalb sind sie ein Teil.</translation>
     </message>
 </context>
 <context>
@@ -1943,6 +1997,50 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>The model stays as it is, because the surfaces nearly coincide and no sound cut was found; another place may do.</source>
         <translation>Das Modell bleibt, wie es ist, weil die Flächen fast aufeinander liegen und kein fehlerfreier Schnitt gefunden wurde; an einem anderen Ort kann es gelingen.</translation>
     </message>
+    <message>
+        <source>Unmask Area</source>
+        <comment>undo step</comment>
+        <translation>Maske im Bereich entfernen</translation>
+    </message>
+    <message>
+        <source>Mask Area</source>
+        <comment>undo step</comment>
+        <translation>Bereich maskieren</translation>
+    </message>
+    <message>
+        <source>Hide Area</source>
+        <comment>undo step</comment>
+        <translation>Bereich ausblenden</translation>
+    </message>
+    <message>
+        <source>Split Off</source>
+        <comment>undo step</comment>
+        <translation>Abtrennen</translation>
+    </message>
+    <message>
+        <source>Splitting the part</source>
+        <translation>Teil wird zerschnitten</translation>
+    </message>
+    <message>
+        <source>The part stays as it is, because all of it is masked or hidden.</source>
+        <translation>Das Teil bleibt, wie es ist, weil es ganz maskiert oder ausgeblendet ist.</translation>
+    </message>
+    <message>
+        <source>Nothing is masked in the area.</source>
+        <translation>In dem Bereich ist nichts maskiert.</translation>
+    </message>
+    <message>
+        <source>Nothing was masked: none of the model is in the area, or it is masked already.</source>
+        <translation>Nichts wurde maskiert: In dem Bereich ist nichts vom Modell, oder es ist bereits maskiert.</translation>
+    </message>
+    <message>
+        <source>Nothing was hidden: none of the model is in the area.</source>
+        <translation>Nichts wurde ausgeblendet: In dem Bereich ist nichts vom Modell.</translation>
+    </message>
+    <message>
+        <source>Nothing was split off: all of the part is on one side of the curve.</source>
+        <translation>Nichts wurde abgetrennt: Das ganze Teil liegt auf einer Seite der Kurve.</translation>
+    </message>
 </context>
 <context>
     <name>app::PartnerView</name>
@@ -2038,6 +2136,10 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>Strokes: %1, commands: %2, dabs: %3. Size: %4 x %5 x %6 mm, triangles: %7. Time: %8 s.</source>
         <translation>Striche: %1, Befehle: %2, Tupfer: %3. Größe: %4 x %5 x %6 mm, Dreiecke: %7. Zeit: %8 s.</translation>
+    </message>
+    <message>
+        <source>Make a part of each object of the model; parts may overlap.</source>
+        <translation>Aus jedem Objekt des Modells ein Teil machen; Teile dürfen sich überschneiden.</translation>
     </message>
 </context>
 <context>
@@ -2495,22 +2597,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Stops what is running. The model stays as it is.</source>
         <translation>Bricht ab, was gerade läuft. Das Modell bleibt, wie es ist.</translation>
-    </message>
-    <message>
-        <source>&amp;Move…</source>
-        <translation>&amp;Verschieben …</translation>
-    </message>
-    <message>
-        <source>Moves the whole model by a distance in millimetres.</source>
-        <translation>Verschiebt das ganze Modell um eine Strecke in Millimetern.</translation>
-    </message>
-    <message>
-        <source>&amp;Rotate…</source>
-        <translation>&amp;Drehen …</translation>
-    </message>
-    <message>
-        <source>Turns the whole model about an axis through the origin.</source>
-        <translation>Dreht das ganze Modell um eine Achse durch den Ursprung.</translation>
     </message>
     <message>
         <source>&amp;Scale…</source>
@@ -3669,42 +3755,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Zeigt allen Ton, der nach seiner Maske ausgeblendet wurde.</translation>
     </message>
     <message>
-        <source>&amp;Lasso</source>
-        <translation>&amp;Lasso</translation>
-    </message>
-    <message>
-        <source>Cuts away what you draw around, through the whole depth of the model.</source>
-        <translation>Schneidet weg, was Sie umfahren, durch die ganze Tiefe des Modells.</translation>
-    </message>
-    <message>
-        <source>&amp;Box</source>
-        <translation>&amp;Rechteck</translation>
-    </message>
-    <message>
-        <source>Cuts away what is inside a box that you drag.</source>
-        <translation>Schneidet weg, was in einem Rechteck liegt, das Sie aufziehen.</translation>
-    </message>
-    <message>
-        <source>L&amp;ine</source>
-        <translation>L&amp;inie</translation>
-    </message>
-    <message>
-        <source>Cuts away everything on one side of a line.</source>
-        <translation>Schneidet alles auf einer Seite einer Linie weg.</translation>
-    </message>
-    <message>
-        <source>&amp;Polygon</source>
-        <translation>&amp;Vieleck</translation>
-    </message>
-    <message>
-        <source>Cuts away what is inside the corners that you click.</source>
-        <translation>Schneidet weg, was zwischen den Ecken liegt, die Sie anklicken.</translation>
-    </message>
-    <message>
-        <source>Trim &amp;Away</source>
-        <translation>&amp;Wegschneiden</translation>
-    </message>
-    <message>
         <source>Adds another model from a file to this one, or subtracts it.</source>
         <translation>Fügt diesem Modell ein weiteres aus einer Datei hinzu oder zieht es ab.</translation>
     </message>
@@ -3715,6 +3765,66 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Adds a box, ball, cylinder or other solid with given measures, or subtracts it.</source>
         <translation>Fügt einen Quader, eine Kugel, einen Zylinder oder anderen Körper mit gegebenen Maßen hinzu oder zieht ihn ab.</translation>
+    </message>
+    <message>
+        <source>&amp;Move, Rotate, Scale</source>
+        <translation>&amp;Verschieben, drehen, skalieren</translation>
+    </message>
+    <message>
+        <source>Shows handles and numbers to move, rotate and scale the active part, or the part of it that is not masked.</source>
+        <translation>Zeigt Griffe und Zahlen, um das aktive Teil, oder was davon nicht maskiert ist, zu verschieben, zu drehen und zu skalieren.</translation>
+    </message>
+    <message>
+        <source>&amp;Mask Area</source>
+        <translation>Bereich &amp;maskieren</translation>
+    </message>
+    <message>
+        <source>Protects what you draw around: with a lasso, box, line or polygon.</source>
+        <translation>Schützt, was Sie umfahren: mit Lasso, Rechteck, Linie oder Vieleck.</translation>
+    </message>
+    <message>
+        <source>&amp;Unmask Area</source>
+        <translation>Maske im Bereich &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>Removes the mask in an area that you draw.</source>
+        <translation>Entfernt die Maske in einem Bereich, den Sie zeichnen.</translation>
+    </message>
+    <message>
+        <source>&amp;Hide Area</source>
+        <translation>Bereich &amp;ausblenden</translation>
+    </message>
+    <message>
+        <source>Hides an area that you draw. Hidden clay is neither seen nor changed.</source>
+        <translation>Blendet einen Bereich aus, den Sie zeichnen. Ausgeblendeter Ton wird weder gezeigt noch geändert.</translation>
+    </message>
+    <message>
+        <source>&amp;Trim Away</source>
+        <translation>&amp;Wegschneiden</translation>
+    </message>
+    <message>
+        <source>Cuts away what you draw around, through the whole depth or only in front.</source>
+        <translation>Schneidet weg, was Sie umfahren, durch die ganze Tiefe oder nur vorn.</translation>
+    </message>
+    <message>
+        <source>&amp;Split Off</source>
+        <translation>A&amp;btrennen</translation>
+    </message>
+    <message>
+        <source>Makes what you draw around a part of its own.</source>
+        <translation>Macht aus dem, was Sie umfahren, ein eigenes Teil.</translation>
+    </message>
+    <message>
+        <source>Cut by &amp;Plane</source>
+        <translation>An &amp;Ebene schneiden</translation>
+    </message>
+    <message>
+        <source>Cuts along a plane that you place with handles: removes one side, or makes two parts.</source>
+        <translation>Schneidet entlang einer Ebene, die Sie mit Griffen legen: entfernt eine Seite oder macht zwei Teile daraus.</translation>
+    </message>
+    <message>
+        <source>&amp;Area in the View</source>
+        <translation>&amp;Bereich in der Ansicht</translation>
     </message>
 </context>
 <context>
@@ -4479,6 +4589,18 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Slices the file with PrusaSlicer&apos;s own settings and reports layers and time, or its error. Esc stops it.</source>
         <translation>Lässt PrusaSlicer die Datei mit seinen eigenen Einstellungen slicen und meldet Schichten und Zeit oder den Fehler. Esc bricht ab.</translation>
+    </message>
+    <message>
+        <source>&amp;Unite overlapping parts</source>
+        <translation>Ü&amp;berschneidende Teile vereinigen</translation>
+    </message>
+    <message>
+        <source>Writes the exact union of the visible parts. The model in the window keeps its parts.</source>
+        <translation>Schreibt die exakte Vereinigung der sichtbaren Teile. Das Modell im Fenster behält seine Teile.</translation>
+    </message>
+    <message>
+        <source>Parts of the model overlap. Slicers expect surfaces that do not intersect; GLB files keep parts.</source>
+        <translation>Teile des Modells überschneiden sich. Slicer erwarten Oberflächen, die sich nicht durchdringen; GLB-Dateien behalten die Teile.</translation>
     </message>
 </context>
 <context>
@@ -6433,38 +6555,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Z, nach vorn</translation>
     </message>
     <message>
-        <source>Move the Model</source>
-        <translation>Modell verschieben</translation>
-    </message>
-    <message>
-        <source>Move the model by:</source>
-        <translation>Modell verschieben um:</translation>
-    </message>
-    <message>
-        <source>Move</source>
-        <translation>Verschieben</translation>
-    </message>
-    <message>
-        <source>Rotate the Model</source>
-        <translation>Modell drehen</translation>
-    </message>
-    <message>
-        <source>Axis</source>
-        <translation>Achse</translation>
-    </message>
-    <message>
-        <source>Angle</source>
-        <translation>Winkel</translation>
-    </message>
-    <message>
-        <source>°</source>
-        <translation>°</translation>
-    </message>
-    <message>
-        <source>Rotate</source>
-        <translation>Drehen</translation>
-    </message>
-    <message>
         <source>Scale the Model</source>
         <translation>Modell skalieren</translation>
     </message>
@@ -6585,10 +6675,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Einfügen</translation>
     </message>
     <message>
-        <source>The model turns about an axis through the origin, anticlockwise as seen from the axis&apos;s tip.</source>
-        <translation>Das Modell dreht sich um eine Achse durch den Ursprung, von der Spitze der Achse aus gesehen gegen den Uhrzeigersinn.</translation>
-    </message>
-    <message>
         <source>Flatten the Base</source>
         <translation>Unterseite ebnen</translation>
     </message>
@@ -6637,10 +6723,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Verknüpfen</translation>
     </message>
     <message>
-        <source>Keep apart</source>
-        <translation>Getrennt lassen</translation>
-    </message>
-    <message>
         <source>Join</source>
         <translation>Vereinigen</translation>
     </message>
@@ -6655,6 +6737,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>%1: where does it go, and how is it combined with the present model?</source>
         <translation>%1: Wo soll es hin, und wie wird es mit dem vorhandenen Modell verknüpft?</translation>
+    </message>
+    <message>
+        <source>As a part of its own</source>
+        <translation>Als eigenes Teil</translation>
+    </message>
+    <message>
+        <source>In the same part, without touching</source>
+        <translation>Im selben Teil, ohne Berührung</translation>
     </message>
 </context>
 <context>
@@ -6821,6 +6911,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>The number of handles or through holes: 0 for a ball, 1 for a ring or a cup.</source>
         <translation>Zahl der Henkel oder durchgehenden Löcher: 0 bei einer Kugel, 1 bei einem Ring oder einer Tasse.</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>The active part, whose values these are.</source>
+        <translation>Das aktive Teil, dessen Werte dies sind.</translation>
     </message>
 </context>
 <context>
@@ -7081,6 +7179,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>The view jumps to its place instead of flying there, and the ring around a place that is pointed at stands still.</source>
         <translation>Die Ansicht springt ans Ziel, statt hinzufliegen, und der Ring um eine Stelle, auf die gezeigt wird, steht still.</translation>
+    </message>
+    <message>
+        <source>Open the &amp;objects of a file as parts</source>
+        <translation>&amp;Objekte einer Datei als Teile öffnen</translation>
+    </message>
+    <message>
+        <source>Makes a part of each object of a 3MF, OBJ, glTF or AMF file. Otherwise all objects become one part.</source>
+        <translation>Macht aus jedem Objekt einer 3MF-, OBJ-, glTF- oder AMF-Datei ein Teil. Sonst wird aus allen Objekten ein Teil.</translation>
     </message>
 </context>
 <context>
@@ -8278,6 +8384,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>boolean, hole, drill, cube, sphere, tube, lathe</source>
         <translation>Boolesch, Loch, bohren, Würfel, Rohr, drehen</translation>
     </message>
+    <message>
+        <source>cut, slice, divide, knife, lasso</source>
+        <translation>schneiden, teilen, zerlegen, Messer, Lasso</translation>
+    </message>
+    <message>
+        <source>lasso, select, box, polygon</source>
+        <translation>Lasso, auswählen, Rechteck, Vieleck</translation>
+    </message>
 </context>
 <context>
     <name>ui::ThumbnailMaker</name>
@@ -8887,6 +9001,22 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>Hold: colour</source>
         <translation>Halten: Farbe</translation>
     </message>
+    <message>
+        <source>Choose part</source>
+        <translation>Teil wählen</translation>
+    </message>
+    <message>
+        <source>Move part</source>
+        <translation>Teil bewegen</translation>
+    </message>
+    <message>
+        <source>Place shape</source>
+        <translation>Form setzen</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Schneiden</translation>
+    </message>
 </context>
 <context>
     <name>vr::SettingsPanel</name>
@@ -9150,6 +9280,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Clear</source>
         <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Teile</translation>
     </message>
 </context>
 <context>
@@ -9731,20 +9865,68 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
 <context>
     <name>ui::CurveDrawing</name>
     <message>
-        <source>Draw around what is to go. Shift: what is around it goes. Esc cancels.</source>
-        <translation>Umfahren Sie, was weg soll. Umschalt: weg kommt, was darum liegt. Esc bricht ab.</translation>
+        <source>Draw around an area.</source>
+        <translation>Umfahren Sie einen Bereich.</translation>
     </message>
     <message>
-        <source>Drag a box over what is to go. Shift: what is around it goes. Esc cancels.</source>
-        <translation>Ziehen Sie ein Rechteck über das auf, was weg soll. Umschalt: weg kommt, was darum liegt. Esc bricht ab.</translation>
+        <source>Drag a box over an area.</source>
+        <translation>Ziehen Sie ein Rechteck über einen Bereich auf.</translation>
     </message>
     <message>
-        <source>Drag a line: what is tinted goes. Shift: the other side goes. Esc cancels.</source>
-        <translation>Ziehen Sie eine Linie: Was getönt ist, kommt weg. Umschalt: die andere Seite kommt weg. Esc bricht ab.</translation>
+        <source>Drag a line; the area is on its right.</source>
+        <translation>Ziehen Sie eine Linie; der Bereich liegt rechts davon.</translation>
     </message>
     <message>
-        <source>Click corners around what is to go; double click ends. Shift: what is around it goes. Esc cancels.</source>
-        <translation>Klicken Sie Ecken um das, was weg soll; ein Doppelklick schließt ab. Umschalt: weg kommt, was darum liegt. Esc bricht ab.</translation>
+        <source>Click the corners of an area; a double click ends.</source>
+        <translation>Klicken Sie die Ecken eines Bereichs an; ein Doppelklick schließt ab.</translation>
+    </message>
+    <message>
+        <source>What is inside is masked.</source>
+        <translation>Was innen liegt, wird maskiert.</translation>
+    </message>
+    <message>
+        <source>The mask inside is removed.</source>
+        <translation>Die Maske innen wird entfernt.</translation>
+    </message>
+    <message>
+        <source>What is inside is hidden.</source>
+        <translation>Was innen liegt, wird ausgeblendet.</translation>
+    </message>
+    <message>
+        <source>What is inside is cut away.</source>
+        <translation>Was innen liegt, wird weggeschnitten.</translation>
+    </message>
+    <message>
+        <source>What is inside becomes a part of its own.</source>
+        <translation>Was innen liegt, wird ein eigenes Teil.</translation>
+    </message>
+    <message>
+        <source>What is outside is masked.</source>
+        <translation>Was außen liegt, wird maskiert.</translation>
+    </message>
+    <message>
+        <source>The mask outside is removed.</source>
+        <translation>Die Maske außen wird entfernt.</translation>
+    </message>
+    <message>
+        <source>What is outside is hidden.</source>
+        <translation>Was außen liegt, wird ausgeblendet.</translation>
+    </message>
+    <message>
+        <source>What is outside is cut away.</source>
+        <translation>Was außen liegt, wird weggeschnitten.</translation>
+    </message>
+    <message>
+        <source>What is outside becomes a part of its own.</source>
+        <translation>Was außen liegt, wird ein eigenes Teil.</translation>
+    </message>
+    <message>
+        <source>Only what is in front counts.</source>
+        <translation>Nur was vorn liegt, zählt.</translation>
+    </message>
+    <message>
+        <source>Shift: the other side. Esc cancels.</source>
+        <translation>Umschalt: die andere Seite. Esc bricht ab.</translation>
     </message>
 </context>
 <context>
@@ -9923,6 +10105,304 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>This shape would need too many triangles (%1, at most 2 million): its edges would be too short for its size.</source>
         <translation>Diese Form würde zu viele Dreiecke brauchen (%1, höchstens 2 Millionen): Ihre Kanten wären für ihre Größe zu kurz.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::AreaBar</name>
+    <message>
+        <source>Lasso</source>
+        <translation>Lasso</translation>
+    </message>
+    <message>
+        <source>Draw freely around the area (1).</source>
+        <translation>Umfahren Sie den Bereich frei (1).</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Rechteck</translation>
+    </message>
+    <message>
+        <source>Drag a box over the area (2).</source>
+        <translation>Ziehen Sie ein Rechteck über den Bereich auf (2).</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Linie</translation>
+    </message>
+    <message>
+        <source>Drag a line; the area is on its right (3).</source>
+        <translation>Ziehen Sie eine Linie; der Bereich liegt rechts davon (3).</translation>
+    </message>
+    <message>
+        <source>Polygon</source>
+        <translation>Vieleck</translation>
+    </message>
+    <message>
+        <source>Click the corners of the area (4).</source>
+        <translation>Klicken Sie die Ecken des Bereichs an (4).</translation>
+    </message>
+    <message>
+        <source>Outside</source>
+        <translation>Außerhalb</translation>
+    </message>
+    <message>
+        <source>Takes what is beside the curve instead (O, or hold Shift).</source>
+        <translation>Nimmt stattdessen, was neben der Kurve liegt (O, oder Umschalt halten).</translation>
+    </message>
+    <message>
+        <source>Only in Front</source>
+        <translation>Nur vorn</translation>
+    </message>
+    <message>
+        <source>Takes only what is seen first, not what is behind it (F).</source>
+        <translation>Nimmt nur, was man zuerst sieht, nicht was dahinter liegt (F).</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ObjectsBar</name>
+    <message>
+        <source>Objects of the File</source>
+        <translation>Objekte der Datei</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 has %Ln objects. Each is a part now.</source>
+        <translation>
+            <numerusform>%1 hat %Ln Objekt. Es ist jetzt ein Teil.</numerusform>
+            <numerusform>%1 hat %Ln Objekte. Jedes ist jetzt ein Teil.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 has %Ln objects. They are one part now.</source>
+        <translation>
+            <numerusform>%1 hat %Ln Objekt. Es ist jetzt ein Teil.</numerusform>
+            <numerusform>%1 hat %Ln Objekte. Sie sind jetzt ein Teil.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Open as &amp;One Part</source>
+        <translation>Als &amp;ein Teil öffnen</translation>
+    </message>
+    <message>
+        <source>Opens the file again and makes one part of all objects, also of files opened later.</source>
+        <translation>Öffnet die Datei neu und macht aus allen Objekten ein Teil, auch bei später geöffneten Dateien.</translation>
+    </message>
+    <message>
+        <source>Open as &amp;Parts</source>
+        <translation>Als &amp;Teile öffnen</translation>
+    </message>
+    <message>
+        <source>Opens the file again and makes a part of each object, also of files opened later.</source>
+        <translation>Öffnet die Datei neu und macht aus jedem Objekt ein Teil, auch bei später geöffneten Dateien.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep as It Is</source>
+        <translation>So l&amp;assen</translation>
+    </message>
+    <message>
+        <source>Leaves the model as it is, and hides this bar.</source>
+        <translation>Lässt das Modell, wie es ist, und blendet diese Leiste aus.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PlaneCutTool</name>
+    <message>
+        <source>&amp;Cut Away</source>
+        <translation>&amp;Wegschneiden</translation>
+    </message>
+    <message>
+        <source>Removes what is tinted, and closes the cut with a flat face.</source>
+        <translation>Entfernt, was getönt ist, und schließt den Schnitt mit einer ebenen Fläche.</translation>
+    </message>
+    <message>
+        <source>&amp;Split</source>
+        <translation>&amp;Teilen</translation>
+    </message>
+    <message>
+        <source>Makes what is tinted a part of its own.</source>
+        <translation>Macht aus dem, was getönt ist, ein eigenes Teil.</translation>
+    </message>
+    <message>
+        <source>S&amp;wap Sides</source>
+        <translation>&amp;Seiten tauschen</translation>
+    </message>
+    <message>
+        <source>Turns the plane over, so that the other side is tinted.</source>
+        <translation>Wendet die Ebene, sodass die andere Seite getönt ist.</translation>
+    </message>
+    <message>
+        <source>D&amp;one</source>
+        <translation>Ferti&amp;g</translation>
+    </message>
+    <message>
+        <source>Hides the plane (Esc).</source>
+        <translation>Blendet die Ebene aus (Esc).</translation>
+    </message>
+</context>
+<context>
+    <name>ui::TransformFields</name>
+    <message>
+        <source>Move, mm</source>
+        <translation>Verschieben, mm</translation>
+    </message>
+    <message>
+        <source>Rotate, °</source>
+        <translation>Drehen, °</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Skalieren</translation>
+    </message>
+    <message>
+        <source>Axes of the handles and of these numbers: the document&apos;s, or those that turn with the part.</source>
+        <translation>Achsen der Griffe und dieser Zahlen: die des Dokuments oder die, die sich mit dem Teil drehen.</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Achsen</translation>
+    </message>
+    <message>
+        <source>Document&apos;s axes</source>
+        <translation>Achsen des Dokuments</translation>
+    </message>
+    <message>
+        <source>Part&apos;s own axes</source>
+        <translation>Eigene Achsen des Teils</translation>
+    </message>
+    <message>
+        <source>&amp;Apply</source>
+        <translation>&amp;Anwenden</translation>
+    </message>
+    <message>
+        <source>Applies these numbers (Return).</source>
+        <translation>Führt die Änderung mit diesen Zahlen aus (Eingabetaste).</translation>
+    </message>
+    <message>
+        <source>D&amp;one</source>
+        <translation>Ferti&amp;g</translation>
+    </message>
+    <message>
+        <source>Hides the handles (Esc).</source>
+        <translation>Blendet die Griffe aus (Esc).</translation>
+    </message>
+    <message>
+        <source>Move along %1</source>
+        <translation>Verschieben entlang %1</translation>
+    </message>
+    <message>
+        <source>Rotate about %1</source>
+        <translation>Drehen um %1</translation>
+    </message>
+    <message>
+        <source>Scale along %1</source>
+        <translation>Skalieren entlang %1</translation>
+    </message>
+</context>
+<context>
+    <name>vr::PartsPanel</name>
+    <message>
+        <source>%1 copy</source>
+        <comment>name of a copied part</comment>
+        <translation>%1 Kopie</translation>
+    </message>
+    <message>
+        <source>%1 / %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>Isolate</source>
+        <translation>Isolieren</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Alle einblenden</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplizieren</translation>
+    </message>
+    <message>
+        <source>Hold to delete</source>
+        <translation>Zum Löschen halten</translation>
+    </message>
+    <message>
+        <source>Join</source>
+        <translation>Vereinigen</translation>
+    </message>
+    <message>
+        <source>Subtract</source>
+        <translation>Abziehen</translation>
+    </message>
+    <message>
+        <source>Intersect</source>
+        <translation>Schnittmenge</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>Zylinder</translation>
+    </message>
+    <message>
+        <source>Cone</source>
+        <translation>Kegel</translation>
+    </message>
+    <message>
+        <source>Capsule</source>
+        <translation>Kapsel</translation>
+    </message>
+    <message>
+        <source>Torus</source>
+        <translation>Ring</translation>
+    </message>
+    <message>
+        <source>Trigger: chooses the part that you point at. Side button: moves the chosen part. Mark others to combine them with it.</source>
+        <translation>Abzug: wählt das Teil, auf das Sie zeigen. Seitentaste: bewegt das gewählte Teil. Markieren Sie andere, um sie mit ihm zu verknüpfen.</translation>
+    </message>
+    <message>
+        <source>Join with the part</source>
+        <translation>Mit Teil vereinigen</translation>
+    </message>
+    <message>
+        <source>Part of its own</source>
+        <translation>Eigenes Teil</translation>
+    </message>
+    <message>
+        <source>Trigger: puts the shape at the tip, as large as the brush. Side button: moves the chosen part.</source>
+        <translation>Abzug: setzt die Form an die Spitze, so groß wie der Pinsel. Seitentaste: bewegt das gewählte Teil.</translation>
+    </message>
+    <message>
+        <source>Cut away</source>
+        <translation>Wegschneiden</translation>
+    </message>
+    <message>
+        <source>Keep both</source>
+        <translation>Beide behalten</translation>
+    </message>
+    <message>
+        <source>Trigger: cuts the chosen part at the disc. What lies beyond the disc, away from your hand, becomes a part of its own. Side button: moves the part.</source>
+        <translation>Abzug: schneidet das gewählte Teil an der Scheibe. Was jenseits der Scheibe liegt, von Ihrer Hand aus gesehen, wird ein eigenes Teil. Seitentaste: bewegt das Teil.</translation>
+    </message>
+    <message>
+        <source>Trigger: cuts the chosen part at the disc. What lies beyond the disc, away from your hand, is removed. Side button: moves the part.</source>
+        <translation>Abzug: schneidet das gewählte Teil an der Scheibe. Was jenseits der Scheibe liegt, von Ihrer Hand aus gesehen, verschwindet. Seitentaste: bewegt das Teil.</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>Shapes</source>
+        <translation>Formen</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Schneiden</translation>
     </message>
 </context>
 </TS>

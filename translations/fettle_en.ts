@@ -312,4 +312,38 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>app::ModelLoader</name>
+    <message numerus="yes">
+        <source>A repair makes one part of its %Ln objects.</source>
+        <translation>
+            <numerusform>A repair makes one part of its %Ln object.</numerusform>
+            <numerusform>A repair makes one part of its %Ln objects.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 has more objects than a model may have parts (%Ln), so they are one part.</source>
+        <translation>
+            <numerusform>%1 has more objects than a model may have parts (%Ln), so they are one part.</numerusform>
+            <numerusform>%1 has more objects than a model may have parts (%Ln), so they are one part.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ui::ObjectsBar</name>
+    <message numerus="yes">
+        <source>%1 has %Ln objects. Each is a part now.</source>
+        <translation>
+            <numerusform>%1 has %Ln object. It is a part now.</numerusform>
+            <numerusform>%1 has %Ln objects. Each is a part now.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 has %Ln objects. They are one part now.</source>
+        <translation>
+            <numerusform>%1 has %Ln object. It is one part now.</numerusform>
+            <numerusform>%1 has %Ln objects. They are one part now.</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

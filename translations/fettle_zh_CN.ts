@@ -705,6 +705,30 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
             <numerusform>convert：需要 IN 和 OUT 两个文件，但指定了 %n 个。</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Make a part of each object of IN; parts may overlap.</source>
+        <translation>使 IN 的每个对象成为一个部件；部件可以重叠。</translation>
+    </message>
+    <message>
+        <source>What to do with parts that overlap if OUT is STL, PLY, OFF or 3MF (default: unite).</source>
+        <translation>OUT 为 STL、PLY、OFF 或 3MF 时如何处理重叠的部件（默认：unite）。</translation>
+    </message>
+    <message>
+        <source>--parts keeps its objects apart, which may overlap then; --repair may make it watertight.</source>
+        <translation>--parts 使其对象保持分开，此时可以重叠；--repair 可能使其水密。</translation>
+    </message>
+    <message>
+        <source>%1: all its parts are hidden, and only GLB keeps hidden parts. Nothing was written.</source>
+        <translation>%1：所有部件都已隐藏，只有 GLB 保留隐藏的部件。未写入任何内容。</translation>
+    </message>
+    <message>
+        <source>%1: its parts overlap and cannot be united. --overlaps keep writes them as they are.</source>
+        <translation>%1：其部件重叠且无法合并。--overlaps keep 会按原样写入。</translation>
+    </message>
+    <message>
+        <source>The parts overlap, so they were united.</source>
+        <translation>部件重叠，因此已合并。</translation>
+    </message>
 </context>
 <context>
     <name>app::Document</name>
@@ -789,6 +813,10 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>The mask was not changed: another operation on the model is still running.</source>
         <translation>遮罩未更改：模型正在进行其他操作。</translation>
+    </message>
+    <message>
+        <source>The parts were not changed: another operation on the model is still running.</source>
+        <translation>部件未更改：模型正在进行其他操作。</translation>
     </message>
 </context>
 <context>
@@ -1447,6 +1475,10 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>%1 was not written: its parts overlap and cannot be joined. Move one a little, or export them one by one.</source>
         <translation>未写入 %1：各部件相互重叠且无法合并。请稍微移动其中一个，或逐个导出。</translation>
     </message>
+    <message>
+        <source>%1 was written with parts that overlap, as you wished: their surfaces intersect.</source>
+        <translation>%1 已按您的要求写入，其中的部件重叠：它们的表面相交。</translation>
+    </message>
 </context>
 <context>
     <name>app::ModelLoader</name>
@@ -1505,6 +1537,26 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>%1 was not written, because all parts are hidden. GLB keeps hidden parts.</source>
         <translation>未写入 %1，因为所有部件都已隐藏。GLB 可保留隐藏的部件。</translation>
+    </message>
+    <message>
+        <source>The objects of %1 overlap or touch, so each is a part.</source>
+        <translation>%1 的对象重叠或接触，因此各自成为一个部件。</translation>
+    </message>
+    <message numerus="yes">
+        <source>A repair makes one part of its %Ln objects.</source>
+        <translation>
+            <numerusform>修复会把它的 %Ln 个对象合为一个部件。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 has more objects than a model may have parts (%Ln), so they are one part.</source>
+        <translation>
+            <numerusform>%1 的对象多于模型可有的部件数（%Ln），因此合为一个部件。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The objects of %1 are not solids of their own, so they are one part.</source>
+        <translation>%1 的对象单独不构成实体，因此合为一个部件。</translation>
     </message>
 </context>
 <context>
@@ -1931,6 +1983,50 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>The model stays as it is, because the surfaces nearly coincide and no sound cut was found; another place may do.</source>
         <translation>模型保持不变：两个表面几乎重合，没有找到无缺陷的切割；换个位置也许可以。</translation>
     </message>
+    <message>
+        <source>Unmask Area</source>
+        <comment>undo step</comment>
+        <translation>移除区域的遮罩</translation>
+    </message>
+    <message>
+        <source>Mask Area</source>
+        <comment>undo step</comment>
+        <translation>遮罩区域</translation>
+    </message>
+    <message>
+        <source>Hide Area</source>
+        <comment>undo step</comment>
+        <translation>隐藏区域</translation>
+    </message>
+    <message>
+        <source>Split Off</source>
+        <comment>undo step</comment>
+        <translation>分离</translation>
+    </message>
+    <message>
+        <source>Splitting the part</source>
+        <translation>正在分割部件</translation>
+    </message>
+    <message>
+        <source>The part stays as it is, because all of it is masked or hidden.</source>
+        <translation>部件保持不变，因为它全部被遮罩或隐藏。</translation>
+    </message>
+    <message>
+        <source>Nothing is masked in the area.</source>
+        <translation>该区域中没有遮罩。</translation>
+    </message>
+    <message>
+        <source>Nothing was masked: none of the model is in the area, or it is masked already.</source>
+        <translation>没有遮罩任何部分：该区域中没有模型，或已被遮罩。</translation>
+    </message>
+    <message>
+        <source>Nothing was hidden: none of the model is in the area.</source>
+        <translation>没有隐藏任何部分：该区域中没有模型。</translation>
+    </message>
+    <message>
+        <source>Nothing was split off: all of the part is on one side of the curve.</source>
+        <translation>没有分离任何部分：整个部件都在曲线的同一侧。</translation>
+    </message>
 </context>
 <context>
     <name>app::PartnerView</name>
@@ -2026,6 +2122,10 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>Strokes: %1, commands: %2, dabs: %3. Size: %4 x %5 x %6 mm, triangles: %7. Time: %8 s.</source>
         <translation>笔画：%1，命令：%2，笔点：%3。尺寸：%4 x %5 x %6 毫米，三角形：%7。用时：%8 秒。</translation>
+    </message>
+    <message>
+        <source>Make a part of each object of the model; parts may overlap.</source>
+        <translation>使模型的每个对象成为一个部件；部件可以重叠。</translation>
     </message>
 </context>
 <context>
@@ -2481,22 +2581,6 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     <message>
         <source>Stops what is running. The model stays as it is.</source>
         <translation>停止正在进行的操作。模型保持不变。</translation>
-    </message>
-    <message>
-        <source>&amp;Move…</source>
-        <translation>移动(&amp;M)…</translation>
-    </message>
-    <message>
-        <source>Moves the whole model by a distance in millimetres.</source>
-        <translation>将整个模型移动指定的毫米数。</translation>
-    </message>
-    <message>
-        <source>&amp;Rotate…</source>
-        <translation>旋转(&amp;R)…</translation>
-    </message>
-    <message>
-        <source>Turns the whole model about an axis through the origin.</source>
-        <translation>绕过原点的轴旋转整个模型。</translation>
     </message>
     <message>
         <source>&amp;Scale…</source>
@@ -3655,42 +3739,6 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>显示所有按遮罩隐藏的粘土。</translation>
     </message>
     <message>
-        <source>&amp;Lasso</source>
-        <translation>套索(&amp;L)</translation>
-    </message>
-    <message>
-        <source>Cuts away what you draw around, through the whole depth of the model.</source>
-        <translation>切去您圈出的部分，贯穿模型的整个深度。</translation>
-    </message>
-    <message>
-        <source>&amp;Box</source>
-        <translation>方框(&amp;B)</translation>
-    </message>
-    <message>
-        <source>Cuts away what is inside a box that you drag.</source>
-        <translation>切去您拖出的方框内的部分。</translation>
-    </message>
-    <message>
-        <source>L&amp;ine</source>
-        <translation>直线(&amp;I)</translation>
-    </message>
-    <message>
-        <source>Cuts away everything on one side of a line.</source>
-        <translation>切去直线一侧的全部。</translation>
-    </message>
-    <message>
-        <source>&amp;Polygon</source>
-        <translation>多边形(&amp;P)</translation>
-    </message>
-    <message>
-        <source>Cuts away what is inside the corners that you click.</source>
-        <translation>切去您单击的各角点所围的部分。</translation>
-    </message>
-    <message>
-        <source>Trim &amp;Away</source>
-        <translation>裁剪(&amp;A)</translation>
-    </message>
-    <message>
         <source>Adds another model from a file to this one, or subtracts it.</source>
         <translation>从文件向此模型添加另一个模型，或从中减去。</translation>
     </message>
@@ -3701,6 +3749,66 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     <message>
         <source>Adds a box, ball, cylinder or other solid with given measures, or subtracts it.</source>
         <translation>按给定尺寸添加长方体、球体、圆柱体或其他实体，或从中减去。</translation>
+    </message>
+    <message>
+        <source>&amp;Move, Rotate, Scale</source>
+        <translation>移动、旋转、缩放(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Shows handles and numbers to move, rotate and scale the active part, or the part of it that is not masked.</source>
+        <translation>显示手柄和数值，用来移动、旋转和缩放当前部件，或其中未遮罩的部分。</translation>
+    </message>
+    <message>
+        <source>&amp;Mask Area</source>
+        <translation>遮罩区域(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Protects what you draw around: with a lasso, box, line or polygon.</source>
+        <translation>保护您圈出的部分：用套索、方框、直线或多边形。</translation>
+    </message>
+    <message>
+        <source>&amp;Unmask Area</source>
+        <translation>移除区域的遮罩(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Removes the mask in an area that you draw.</source>
+        <translation>移除您所画区域中的遮罩。</translation>
+    </message>
+    <message>
+        <source>&amp;Hide Area</source>
+        <translation>隐藏区域(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Hides an area that you draw. Hidden clay is neither seen nor changed.</source>
+        <translation>隐藏您所画的区域。隐藏的粘土既不显示也不会被更改。</translation>
+    </message>
+    <message>
+        <source>&amp;Trim Away</source>
+        <translation>裁剪(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Cuts away what you draw around, through the whole depth or only in front.</source>
+        <translation>切去您圈出的部分，可贯穿整个深度，也可只切前面。</translation>
+    </message>
+    <message>
+        <source>&amp;Split Off</source>
+        <translation>分离(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Makes what you draw around a part of its own.</source>
+        <translation>把您圈出的部分变成独立的部件。</translation>
+    </message>
+    <message>
+        <source>Cut by &amp;Plane</source>
+        <translation>用平面切割(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Cuts along a plane that you place with handles: removes one side, or makes two parts.</source>
+        <translation>沿用手柄放置的平面切割：去掉一侧，或分成两个部件。</translation>
+    </message>
+    <message>
+        <source>&amp;Area in the View</source>
+        <translation>视图中的区域(&amp;A)</translation>
     </message>
 </context>
 <context>
@@ -4461,6 +4569,18 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     <message>
         <source>Slices the file with PrusaSlicer&apos;s own settings and reports layers and time, or its error. Esc stops it.</source>
         <translation>用 PrusaSlicer 自己的设置切片，并报告层数和时间，或其错误。按 Esc 停止。</translation>
+    </message>
+    <message>
+        <source>&amp;Unite overlapping parts</source>
+        <translation>合并重叠的部件(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Writes the exact union of the visible parts. The model in the window keeps its parts.</source>
+        <translation>写入可见部件的精确并集。窗口中的模型保留其部件。</translation>
+    </message>
+    <message>
+        <source>Parts of the model overlap. Slicers expect surfaces that do not intersect; GLB files keep parts.</source>
+        <translation>模型的部件重叠。切片软件要求表面互不相交；GLB 文件保留部件。</translation>
     </message>
 </context>
 <context>
@@ -6406,38 +6526,6 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>Z，向前</translation>
     </message>
     <message>
-        <source>Move the Model</source>
-        <translation>移动模型</translation>
-    </message>
-    <message>
-        <source>Move the model by:</source>
-        <translation>模型移动：</translation>
-    </message>
-    <message>
-        <source>Move</source>
-        <translation>移动</translation>
-    </message>
-    <message>
-        <source>Rotate the Model</source>
-        <translation>旋转模型</translation>
-    </message>
-    <message>
-        <source>Axis</source>
-        <translation>轴</translation>
-    </message>
-    <message>
-        <source>Angle</source>
-        <translation>角度</translation>
-    </message>
-    <message>
-        <source>°</source>
-        <translation>°</translation>
-    </message>
-    <message>
-        <source>Rotate</source>
-        <translation>旋转</translation>
-    </message>
-    <message>
         <source>Scale the Model</source>
         <translation>缩放模型</translation>
     </message>
@@ -6558,10 +6646,6 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>插入</translation>
     </message>
     <message>
-        <source>The model turns about an axis through the origin, anticlockwise as seen from the axis&apos;s tip.</source>
-        <translation>模型绕过原点的轴旋转，从轴的尖端看为逆时针。</translation>
-    </message>
-    <message>
         <source>Flatten the Base</source>
         <translation>压平底部</translation>
     </message>
@@ -6610,10 +6694,6 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>组合</translation>
     </message>
     <message>
-        <source>Keep apart</source>
-        <translation>保持分开</translation>
-    </message>
-    <message>
         <source>Join</source>
         <translation>合并</translation>
     </message>
@@ -6628,6 +6708,14 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     <message>
         <source>%1: where does it go, and how is it combined with the present model?</source>
         <translation>%1：放在哪里，如何与现有模型组合？</translation>
+    </message>
+    <message>
+        <source>As a part of its own</source>
+        <translation>作为独立的部件</translation>
+    </message>
+    <message>
+        <source>In the same part, without touching</source>
+        <translation>在同一部件中，互不接触</translation>
     </message>
 </context>
 <context>
@@ -6794,6 +6882,14 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     <message>
         <source>The number of handles or through holes: 0 for a ball, 1 for a ring or a cup.</source>
         <translation>把手或贯通孔的数量：球为 0，圆环或带把手的杯子为 1。</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>部件</translation>
+    </message>
+    <message>
+        <source>The active part, whose values these are.</source>
+        <translation>当前部件，以下为其数值。</translation>
     </message>
 </context>
 <context>
@@ -7053,6 +7149,14 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     <message>
         <source>The view jumps to its place instead of flying there, and the ring around a place that is pointed at stands still.</source>
         <translation>视图直接跳到目标，不再飞过去；指示位置的光圈保持静止。</translation>
+    </message>
+    <message>
+        <source>Open the &amp;objects of a file as parts</source>
+        <translation>把文件中的对象作为部件打开(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Makes a part of each object of a 3MF, OBJ, glTF or AMF file. Otherwise all objects become one part.</source>
+        <translation>使 3MF、OBJ、glTF 或 AMF 文件中的每个对象成为一个部件。否则所有对象合为一个部件。</translation>
     </message>
 </context>
 <context>
@@ -8248,6 +8352,14 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <source>boolean, hole, drill, cube, sphere, tube, lathe</source>
         <translation>布尔, 孔, 钻孔, 立方体, 管, 车削</translation>
     </message>
+    <message>
+        <source>cut, slice, divide, knife, lasso</source>
+        <translation>切, 分割, 分开, 刀, 套索</translation>
+    </message>
+    <message>
+        <source>lasso, select, box, polygon</source>
+        <translation>套索, 选择, 方框, 多边形</translation>
+    </message>
 </context>
 <context>
     <name>ui::ThumbnailMaker</name>
@@ -8855,6 +8967,22 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <source>Hold: colour</source>
         <translation>按住：颜色</translation>
     </message>
+    <message>
+        <source>Choose part</source>
+        <translation>选择部件</translation>
+    </message>
+    <message>
+        <source>Move part</source>
+        <translation>移动部件</translation>
+    </message>
+    <message>
+        <source>Place shape</source>
+        <translation>放置形状</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>切割</translation>
+    </message>
 </context>
 <context>
     <name>vr::SettingsPanel</name>
@@ -9118,6 +9246,10 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     <message>
         <source>Clear</source>
         <translation>清除</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>部件</translation>
     </message>
 </context>
 <context>
@@ -9698,20 +9830,68 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
 <context>
     <name>ui::CurveDrawing</name>
     <message>
-        <source>Draw around what is to go. Shift: what is around it goes. Esc cancels.</source>
-        <translation>圈出要去掉的部分。Shift：去掉圈外的部分。Esc 取消。</translation>
+        <source>Draw around an area.</source>
+        <translation>圈出一个区域。</translation>
     </message>
     <message>
-        <source>Drag a box over what is to go. Shift: what is around it goes. Esc cancels.</source>
-        <translation>在要去掉的部分上拖出方框。Shift：去掉框外的部分。Esc 取消。</translation>
+        <source>Drag a box over an area.</source>
+        <translation>在一个区域上拖出方框。</translation>
     </message>
     <message>
-        <source>Drag a line: what is tinted goes. Shift: the other side goes. Esc cancels.</source>
-        <translation>拖出一条直线：着色的一侧被去掉。Shift：去掉另一侧。Esc 取消。</translation>
+        <source>Drag a line; the area is on its right.</source>
+        <translation>拖出一条直线；区域在其右侧。</translation>
     </message>
     <message>
-        <source>Click corners around what is to go; double click ends. Shift: what is around it goes. Esc cancels.</source>
-        <translation>单击要去掉部分周围的角点；双击结束。Shift：去掉外面的部分。Esc 取消。</translation>
+        <source>Click the corners of an area; a double click ends.</source>
+        <translation>单击区域的各个角点；双击结束。</translation>
+    </message>
+    <message>
+        <source>What is inside is masked.</source>
+        <translation>里面的部分被遮罩。</translation>
+    </message>
+    <message>
+        <source>The mask inside is removed.</source>
+        <translation>里面的遮罩被移除。</translation>
+    </message>
+    <message>
+        <source>What is inside is hidden.</source>
+        <translation>里面的部分被隐藏。</translation>
+    </message>
+    <message>
+        <source>What is inside is cut away.</source>
+        <translation>里面的部分被切去。</translation>
+    </message>
+    <message>
+        <source>What is inside becomes a part of its own.</source>
+        <translation>里面的部分成为独立的部件。</translation>
+    </message>
+    <message>
+        <source>What is outside is masked.</source>
+        <translation>外面的部分被遮罩。</translation>
+    </message>
+    <message>
+        <source>The mask outside is removed.</source>
+        <translation>外面的遮罩被移除。</translation>
+    </message>
+    <message>
+        <source>What is outside is hidden.</source>
+        <translation>外面的部分被隐藏。</translation>
+    </message>
+    <message>
+        <source>What is outside is cut away.</source>
+        <translation>外面的部分被切去。</translation>
+    </message>
+    <message>
+        <source>What is outside becomes a part of its own.</source>
+        <translation>外面的部分成为独立的部件。</translation>
+    </message>
+    <message>
+        <source>Only what is in front counts.</source>
+        <translation>只计前面的部分。</translation>
+    </message>
+    <message>
+        <source>Shift: the other side. Esc cancels.</source>
+        <translation>Shift：另一侧。Esc 取消。</translation>
     </message>
 </context>
 <context>
@@ -9890,6 +10070,302 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     <message>
         <source>This shape would need too many triangles (%1, at most 2 million): its edges would be too short for its size.</source>
         <translation>此形状需要的三角形太多（%1，最多 200 万）：相对于其大小，边太短。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::AreaBar</name>
+    <message>
+        <source>Lasso</source>
+        <translation>套索</translation>
+    </message>
+    <message>
+        <source>Draw freely around the area (1).</source>
+        <translation>自由圈出区域 (1)。</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>方框</translation>
+    </message>
+    <message>
+        <source>Drag a box over the area (2).</source>
+        <translation>在区域上拖出方框 (2)。</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>直线</translation>
+    </message>
+    <message>
+        <source>Drag a line; the area is on its right (3).</source>
+        <translation>拖出一条直线；区域在其右侧 (3)。</translation>
+    </message>
+    <message>
+        <source>Polygon</source>
+        <translation>多边形</translation>
+    </message>
+    <message>
+        <source>Click the corners of the area (4).</source>
+        <translation>单击区域的各个角点 (4)。</translation>
+    </message>
+    <message>
+        <source>Outside</source>
+        <translation>外面</translation>
+    </message>
+    <message>
+        <source>Takes what is beside the curve instead (O, or hold Shift).</source>
+        <translation>改为取曲线外面的部分（O，或按住 Shift）。</translation>
+    </message>
+    <message>
+        <source>Only in Front</source>
+        <translation>仅前面</translation>
+    </message>
+    <message>
+        <source>Takes only what is seen first, not what is behind it (F).</source>
+        <translation>只取最先看到的部分，不取其后面的部分 (F)。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ObjectsBar</name>
+    <message>
+        <source>Objects of the File</source>
+        <translation>文件中的对象</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 has %Ln objects. Each is a part now.</source>
+        <translation>
+            <numerusform>%1 有 %Ln 个对象，各自成为一个部件。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 has %Ln objects. They are one part now.</source>
+        <translation>
+            <numerusform>%1 有 %Ln 个对象，已合为一个部件。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Open as &amp;One Part</source>
+        <translation>作为一个部件打开(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Opens the file again and makes one part of all objects, also of files opened later.</source>
+        <translation>重新打开文件，把所有对象合为一个部件；以后打开的文件也是如此。</translation>
+    </message>
+    <message>
+        <source>Open as &amp;Parts</source>
+        <translation>作为部件打开(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Opens the file again and makes a part of each object, also of files opened later.</source>
+        <translation>重新打开文件，使每个对象成为一个部件；以后打开的文件也是如此。</translation>
+    </message>
+    <message>
+        <source>&amp;Keep as It Is</source>
+        <translation>保持原样(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Leaves the model as it is, and hides this bar.</source>
+        <translation>模型保持不变，并隐藏此栏。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PlaneCutTool</name>
+    <message>
+        <source>&amp;Cut Away</source>
+        <translation>切除(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Removes what is tinted, and closes the cut with a flat face.</source>
+        <translation>去掉着色的部分，并用平面封闭切口。</translation>
+    </message>
+    <message>
+        <source>&amp;Split</source>
+        <translation>分割(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Makes what is tinted a part of its own.</source>
+        <translation>把着色的部分变成单独的部件。</translation>
+    </message>
+    <message>
+        <source>S&amp;wap Sides</source>
+        <translation>交换两侧(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Turns the plane over, so that the other side is tinted.</source>
+        <translation>翻转平面，使另一侧着色。</translation>
+    </message>
+    <message>
+        <source>D&amp;one</source>
+        <translation>完成(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Hides the plane (Esc).</source>
+        <translation>隐藏平面（Esc）。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::TransformFields</name>
+    <message>
+        <source>Move, mm</source>
+        <translation>移动，毫米</translation>
+    </message>
+    <message>
+        <source>Rotate, °</source>
+        <translation>旋转，°</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>缩放</translation>
+    </message>
+    <message>
+        <source>Axes of the handles and of these numbers: the document&apos;s, or those that turn with the part.</source>
+        <translation>手柄和这些数值所用的轴：文档的轴，或随部件转动的轴。</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>轴</translation>
+    </message>
+    <message>
+        <source>Document&apos;s axes</source>
+        <translation>文档的轴</translation>
+    </message>
+    <message>
+        <source>Part&apos;s own axes</source>
+        <translation>部件自己的轴</translation>
+    </message>
+    <message>
+        <source>&amp;Apply</source>
+        <translation>应用(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Applies these numbers (Return).</source>
+        <translation>按这些数值执行更改（回车键）。</translation>
+    </message>
+    <message>
+        <source>D&amp;one</source>
+        <translation>完成(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Hides the handles (Esc).</source>
+        <translation>隐藏手柄（Esc）。</translation>
+    </message>
+    <message>
+        <source>Move along %1</source>
+        <translation>沿 %1 移动</translation>
+    </message>
+    <message>
+        <source>Rotate about %1</source>
+        <translation>绕 %1 旋转</translation>
+    </message>
+    <message>
+        <source>Scale along %1</source>
+        <translation>沿 %1 缩放</translation>
+    </message>
+</context>
+<context>
+    <name>vr::PartsPanel</name>
+    <message>
+        <source>%1 copy</source>
+        <comment>name of a copied part</comment>
+        <translation>%1 副本</translation>
+    </message>
+    <message>
+        <source>%1 / %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>Isolate</source>
+        <translation>单独显示</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>全部显示</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>复制一份</translation>
+    </message>
+    <message>
+        <source>Hold to delete</source>
+        <translation>按住以删除</translation>
+    </message>
+    <message>
+        <source>Join</source>
+        <translation>合并</translation>
+    </message>
+    <message>
+        <source>Subtract</source>
+        <translation>减去</translation>
+    </message>
+    <message>
+        <source>Intersect</source>
+        <translation>相交</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>长方体</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>球体</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>圆柱体</translation>
+    </message>
+    <message>
+        <source>Cone</source>
+        <translation>圆锥体</translation>
+    </message>
+    <message>
+        <source>Capsule</source>
+        <translation>胶囊体</translation>
+    </message>
+    <message>
+        <source>Torus</source>
+        <translation>圆环</translation>
+    </message>
+    <message>
+        <source>Trigger: chooses the part that you point at. Side button: moves the chosen part. Mark others to combine them with it.</source>
+        <translation>扳机：选择所指的部件。侧键：移动所选的部件。标记其他部件，可与它组合。</translation>
+    </message>
+    <message>
+        <source>Join with the part</source>
+        <translation>与部件合并</translation>
+    </message>
+    <message>
+        <source>Part of its own</source>
+        <translation>单独的部件</translation>
+    </message>
+    <message>
+        <source>Trigger: puts the shape at the tip, as large as the brush. Side button: moves the chosen part.</source>
+        <translation>扳机：把形状放在尖端，与笔刷一样大。侧键：移动所选部件。</translation>
+    </message>
+    <message>
+        <source>Cut away</source>
+        <translation>切除</translation>
+    </message>
+    <message>
+        <source>Keep both</source>
+        <translation>两边都保留</translation>
+    </message>
+    <message>
+        <source>Trigger: cuts the chosen part at the disc. What lies beyond the disc, away from your hand, becomes a part of its own. Side button: moves the part.</source>
+        <translation>扳机：在圆盘处切割所选部件，圆盘另一侧、远离手的部分成为单独的部件。侧键：移动部件。</translation>
+    </message>
+    <message>
+        <source>Trigger: cuts the chosen part at the disc. What lies beyond the disc, away from your hand, is removed. Side button: moves the part.</source>
+        <translation>扳机：在圆盘处切割所选部件，切去圆盘另一侧、远离手的部分。侧键：移动部件。</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>部件</translation>
+    </message>
+    <message>
+        <source>Shapes</source>
+        <translation>形状</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>切割</translation>
     </message>
 </context>
 </TS>
