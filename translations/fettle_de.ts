@@ -2141,6 +2141,14 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>Make a part of each object of the model; parts may overlap.</source>
         <translation>Aus jedem Objekt des Modells ein Teil machen; Teile dürfen sich überschneiden.</translation>
     </message>
+    <message>
+        <source>The parts overlap, so they were united.</source>
+        <translation>Die Teile überschneiden sich, deshalb wurden sie vereinigt.</translation>
+    </message>
+    <message>
+        <source>%1: the parts overlap and cannot be united. A GLB file keeps them apart.</source>
+        <translation>%1: Die Teile überschneiden sich und lassen sich nicht vereinigen. Eine GLB-Datei hält sie getrennt.</translation>
+    </message>
 </context>
 <context>
     <name>app::ReportCommand</name>
@@ -3816,7 +3824,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Cut by &amp;Plane</source>
-        <translation>An &amp;Ebene schneiden</translation>
+        <translation>An Ebene s&amp;chneiden</translation>
     </message>
     <message>
         <source>Cuts along a plane that you place with handles: removes one side, or makes two parts.</source>
@@ -10334,7 +10342,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Intersect</source>
-        <translation>Schnittmenge</translation>
+        <translation>Schnitt</translation>
     </message>
     <message>
         <source>Box</source>

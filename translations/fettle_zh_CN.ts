@@ -2127,6 +2127,14 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>Make a part of each object of the model; parts may overlap.</source>
         <translation>使模型的每个对象成为一个部件；部件可以重叠。</translation>
     </message>
+    <message>
+        <source>The parts overlap, so they were united.</source>
+        <translation>部件重叠，因此已合并。</translation>
+    </message>
+    <message>
+        <source>%1: the parts overlap and cannot be united. A GLB file keeps them apart.</source>
+        <translation>%1：部件重叠且无法合并。GLB 文件可使它们保持分开。</translation>
+    </message>
 </context>
 <context>
     <name>app::ReportCommand</name>

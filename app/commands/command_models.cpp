@@ -1,8 +1,12 @@
 #include "app/commands/command_models.h"
 
 #include "app/commands/standard_files.h"
+#include "app/model/model_export.h"
 #include "app/model/model_loader.h"
 
+#include "core/analysis/part_overlap.h"
+#include "core/boolean/mesh_boolean.h"
+#include "core/parts/part_split.h"
 #include "ui/util/error_messages.h"
 
 #include <QFileInfo>
@@ -36,5 +40,19 @@ CommandModels commandModels(const CommandOptions& options)
         }
     }
     return models;
+}
+
+PartUnion unitePartsFor(const QString& out, core::TriangleMesh& mesh)
+{
+    if (!ModelExport::joinsPartsByDefault(out) || !core::doPartsOverlap(mesh))
+        return PartUnion::NotNeeded;
+    std::vector<core::TriangleMesh> solids;
+    for (core::PartPiece& piece : core::splitByPart(mesh))
+        solids.push_back(std::move(piece.mesh));
+    core::BooleanResult all = core::combine(core::SetOperation::Union, solids);
+    if (!all.mesh)
+        return PartUnion::Failed;
+    mesh = std::move(*all.mesh);
+    return PartUnion::Done;
 }
 } // namespace app

@@ -3,6 +3,7 @@
 #include "app/classroom/class_works.h"
 #include "app/commands/command_line.h"
 #include "app/commands/command_options.h"
+#include "core/geometry/triangle_mesh.h"
 
 namespace app
 {
@@ -19,4 +20,9 @@ struct CommandModels
 /// works if it belongs to a class; "-" is standard input. Throws CommandFailure if no file was given or standard input
 /// cannot be read.
 CommandModels commandModels(const CommandOptions& options);
+
+enum class PartUnion { NotNeeded, Done, Failed };
+/// Unites the parts of the mesh if they overlap and a file of this name cannot keep them apart
+/// (ModelExport::joinsPartsByDefault()). Failed: no sound union was found, and the mesh is as it was.
+PartUnion unitePartsFor(const QString& out, core::TriangleMesh& mesh);
 } // namespace app

@@ -1,14 +1,13 @@
 // convert: reads, checks, scales if requested, checks again, and writes a model. A model that is not sound is refused,
 // or repaired if requested.
 #include "app/commands/command_line.h"
+#include "app/commands/command_models.h"
 #include "app/commands/command_unit.h"
 #include "app/commands/standard_files.h"
 #include "app/model/model_export.h"
 #include "app/model/model_loader.h"
 
 #include "core/analysis/mesh_check.h"
-#include "core/analysis/part_overlap.h"
-#include "core/boolean/mesh_boolean.h"
 #include "core/decimation/decimate.h"
 #include "core/geometry/face_geometry.h"
 #include "core/io/mesh_io.h"
@@ -178,19 +177,13 @@ void dropHidden(const ConvertOptions& options, core::TriangleMesh& mesh, const c
 /// Unites the parts if they overlap and OUT cannot keep them apart. Returns whether it did.
 bool joinParts(const ConvertOptions& options, core::TriangleMesh& mesh)
 {
-    if (!options.joinsParts || !ModelExport::joinsPartsByDefault(options.out) || !core::doPartsOverlap(mesh))
-        return false;
-    std::vector<core::TriangleMesh> solids;
-    for (core::PartPiece& piece : core::splitByPart(mesh))
-        solids.push_back(std::move(piece.mesh));
-    core::BooleanResult all = core::combine(core::SetOperation::Union, solids);
-    if (!all.mesh)
+    const PartUnion done = options.joinsParts ? unitePartsFor(options.out, mesh) : PartUnion::NotNeeded;
+    if (done == PartUnion::Failed)
         throw CommandFailure{ConvertMessages::tr("%1: its parts overlap and cannot be united. --overlaps keep writes "
                                                  "them as they are.")
                                  .arg(options.in),
                              AnswerIsNo};
-    mesh = std::move(*all.mesh);
-    return true;
+    return done == PartUnion::Done;
 }
 
 QString refusalText(const QString& file, const core::RepairResult& repaired, const core::RepairOptions& options)

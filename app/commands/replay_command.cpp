@@ -2,6 +2,7 @@
 // checks all input, then sculpts, then writes. Strokes after a command are checked when that command is done. Nothing
 // is written if there is an error.
 #include "app/commands/command_line.h"
+#include "app/commands/command_models.h"
 #include "app/commands/replay_stats.h"
 #include "app/commands/standard_files.h"
 #include "app/commands/stroke_assets.h"
@@ -312,6 +313,22 @@ QString summary(const Entries& entries, const std::vector<ReplayedDab>& dabs, co
            u'\n';
 }
 
+void writeModel(const QString& out, core::TriangleMesh mesh, core::MeshFrame frame)
+{
+    switch (unitePartsFor(out, mesh)) {
+    case PartUnion::NotNeeded:
+        break;
+    case PartUnion::Done:
+        frame.parts = {};
+        CommandLine::printRemark(ReplayMessages::tr("The parts overlap, so they were united.") + u'\n');
+        break;
+    case PartUnion::Failed:
+        CommandLine::fail(
+            ReplayMessages::tr("%1: the parts overlap and cannot be united. A GLB file keeps them apart.").arg(out));
+    }
+    core::writeMesh(toPath(out), core::placedMesh(toPath(out), mesh, frame.place), {.parts = frame.parts});
+}
+
 void run(const ReplayOptions& options, Entries& entries)
 {
     readInserted(entries, options.strokes);
@@ -345,9 +362,7 @@ void run(const ReplayOptions& options, Entries& entries)
     if (stats)
         writeReplayStats(*stats, replayed.dabs, *model.sculptor, mesh);
     if (!options.out.isEmpty())
-        core::writeMesh(toPath(options.out),
-                        core::placedMesh(toPath(options.out), mesh, model.sculptor->mesh().frame().place),
-                        {.parts = model.sculptor->mesh().frame().parts});
+        writeModel(options.out, mesh, model.sculptor->mesh().frame());
     if (stats)
         stats->commit();
     if (!options.frames.isEmpty())

@@ -5,7 +5,7 @@ _fettle()
 {
     local word=$2 previous=$3 words=
     local formats='stl obj ply off glb 3mf' read_formats='stl obj ply off glb 3mf gltf amf'
-    local model='--unit --from --help -h' lessons='first-clay mug creature'
+    local model='--unit --from --help -h' lessons='first-clay mug creature toy-car'
     if [ "$previous" = = ]; then # --unit=mm is three words
         previous=${COMP_WORDS[COMP_CWORD - 2]}
     elif [ "$word" = = ]; then

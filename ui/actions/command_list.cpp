@@ -5,6 +5,7 @@
 
 #include <QAction>
 #include <QHeaderView>
+#include <QRegularExpression>
 #include <QScrollBar>
 
 #include <algorithm>
@@ -24,16 +25,19 @@ bool containsAll(const QTreeWidgetItem* item, const QStringList& words)
     const QString text = texts.join(u' ');
     return std::ranges::all_of(words, [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
 }
-/// Returns the rank of an item, smaller is better. 0: the name is `words`. 1: the name begins with `words`, or a
-/// synonym equals `words`. 2: any other match.
+/// Returns the rank of an item, smaller is better. 0: the name is `words`. 1: the name lists `words` between commas.
+/// 2: the name begins with `words`, or a synonym equals `words`. 3: any other match.
 int rank(const QTreeWidgetItem* item, const QString& words)
 {
+    static const QRegularExpression comma(QStringLiteral("[,\u3001\uff0c]\\s*"));
     const QString name = item->text(CommandList::Name), wanted = words.trimmed();
     if (name.compare(wanted, Qt::CaseInsensitive) == 0)
         return 0;
+    if (name.split(comma).contains(wanted, Qt::CaseInsensitive))
+        return 1;
     const bool isSynonym =
         item->data(CommandList::Name, synonymsRole).toStringList().contains(wanted, Qt::CaseInsensitive);
-    return isSynonym || name.startsWith(wanted, Qt::CaseInsensitive) ? 1 : 2;
+    return isSynonym || name.startsWith(wanted, Qt::CaseInsensitive) ? 2 : 3;
 }
 } // namespace
 

@@ -39,9 +39,11 @@ std::string cleanName(std::string_view name)
         const std::size_t length = characterLength(name);
         const bool isControl =
             first < ' ' || first == del || (length == 2 && first == 0xc2 && static_cast<unsigned char>(name[1]) < 0xa0);
+        const bool isNoCharacter =
+            name.starts_with("\xef\xbf\xbe") || name.starts_with("\xef\xbf\xbf"); // U+FFFE, U+FFFF
         if (length == 0)
             clean += '?';
-        else if (isControl)
+        else if (isControl || isNoCharacter)
             clean += ' ';
         else
             clean += name.substr(0, length);

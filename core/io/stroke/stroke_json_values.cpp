@@ -98,8 +98,6 @@ void StrokeJsonReader::strokeVector(const Vec3& vector)
         m_command.centre = vector;
         break;
     case StretchKey:
-        for (const double factor : vector)
-            inRange(factor, Transform::minScale, 1 / Transform::minScale);
         m_command.scale = vector;
         break;
     case StretchAxesKey:
@@ -164,8 +162,10 @@ bool StrokeJsonReader::number(double value)
     } else if (m_inVector) {
         if (m_count == vectorLength())
             refuse(Kind::WrongType);
-        m_vector[m_count++] =
-            isColorKey() ? wholeIn(value, 255) : inRange(value, -maxSampleMagnitude, maxSampleMagnitude);
+        const bool isScale = m_level == Level::Stroke && m_key == StretchKey;
+        m_vector[m_count++] = isColorKey() ? wholeIn(value, 255)
+                              : isScale    ? inRange(value, Transform::minScale, 1 / Transform::minScale)
+                                           : inRange(value, -maxSampleMagnitude, maxSampleMagnitude);
     } else if (m_level == Level::Sample) {
         sampleNumber(value);
     } else if (m_level == Level::Stroke) {

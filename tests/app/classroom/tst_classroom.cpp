@@ -1128,7 +1128,7 @@ void TestClassroom::theTeachersDialog_writesTheFile()
     for (const char* box : {"class.new.cube", "class.tool.stamp", "class.tool.mask", "classQuestions"})
         dialog->findChild<QAbstractButton*>(QLatin1StringView(box))->click();
     auto* lesson = dialog->findChild<QComboBox*>(QStringLiteral("classLesson"));
-    QCOMPARE(lesson->count(), 5); // none, three bundled lessons, from a file
+    QCOMPARE(lesson->count(), 6); // none, four bundled lessons, from a file
     lesson->setCurrentIndex(2);
     Q_EMIT lesson->activated(2);
     QVERIFY(fault().isEmpty());

@@ -1450,7 +1450,7 @@ void TestCommandLine::replay_refusals_data()
     QTest::newRow("placement") << strokes(R"("tool":"pull","radius":1,"place":"there")")
                                << QStringLiteral("place: \"there\" is none of point, nearest, ray");
     QTest::newRow("command") << QByteArray(R"({"format":"fettle-strokes","version":1,"strokes":[{"command":"melt"}]})")
-                             << QStringLiteral("command: \"melt\" is none of move, rotate, scale, ");
+                             << QStringLiteral("command: \"melt\" is none of move, rotate, transform, scale, ");
     QTest::newRow("plane of a command")
         << QByteArray(R"({"format":"fettle-strokes","version":1,"strokes":[{"command":"mirror","plane":"none"}]})")
         << QStringLiteral("plane: \"none\" is none of x, y, z");

@@ -69,7 +69,7 @@ private Q_SLOTS:
             const LessonAnswer answer = lesson({QStringLiteral("--language"), QString::fromLatin1(language)});
             QCOMPARE(answer.status, 0);
             QVERIFY(answer.out.contains(QString::fromUtf8(title)));
-            QCOMPARE(answer.out.count(QLatin1Char('\n')), 3);
+            QCOMPARE(answer.out.count(QLatin1Char('\n')), 4);
         }
     }
 
@@ -200,8 +200,8 @@ private Q_SLOTS:
         QVERIFY2(rows[3].startsWith(QStringLiteral("first-clay,") + ball) &&
                      rows[3].endsWith(QStringLiteral(",height_mm,125.0,,100.0,false")),
                  qPrintable(rows[3]));
-        QCOMPARE(QJsonDocument::fromJson(lesson({QStringLiteral("--json")}).out.toUtf8()).array().size(), 3);
-        QCOMPARE(lesson({QStringLiteral("--csv")}).out.count(QLatin1Char('\n')), 4);
+        QCOMPARE(QJsonDocument::fromJson(lesson({QStringLiteral("--json")}).out.toUtf8()).array().size(), 4);
+        QCOMPARE(lesson({QStringLiteral("--csv")}).out.count(QLatin1Char('\n')), 5);
     }
 
     void language_isThatOfTheWholeAnswer()

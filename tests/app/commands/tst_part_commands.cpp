@@ -44,6 +44,7 @@ private Q_SLOTS:
     void hiddenParts_areInGlbOnly();
     void replay_paintsOneObject();
     void replay_insertsParts();
+    void replay_unitesOverlappingParts();
 
 private:
     Answer run(const QString& line) const
@@ -180,6 +181,19 @@ void TestPartCommands::replay_insertsParts()
         names.push_back(part.name);
     QVERIFY2(names == std::vector<std::string>({"", "Last", "two", "two 2"}), names.back().c_str());
     QVERIFY(core::checkMesh(read.mesh).printReady() && core::doPartsOverlap(read.mesh));
+}
+
+void TestPartCommands::replay_unitesOverlappingParts()
+{
+    writeStrokes("none.json", "");
+    const Answer done = run(QStringLiteral("replay --strokes none.json --in two.3mf --parts --out out.stl"));
+    QVERIFY2(done.status == 0 && (done.out + done.err).contains(QStringLiteral("united")), qPrintable(done.out));
+    const core::MeshReport report = core::checkMesh(core::readMesh(at("out.stl")));
+    QVERIFY(report.printReady());
+    QVERIFY(std::abs(*report.volume - 15) < 1e-3);
+    const Answer apart = run(QStringLiteral("replay --strokes none.json --in two.3mf --parts --out out.glb"));
+    QVERIFY2(apart.status == 0 && apart.err.isEmpty(), qPrintable(apart.err));
+    QCOMPARE(core::readModel(at("out.glb"), {.keepsObjects = true}).parts.size(), std::size_t(2));
 }
 
 FETTLE_TEST(TestPartCommands)

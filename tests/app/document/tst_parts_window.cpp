@@ -295,11 +295,11 @@ void TestPartsWindow::handles_comeWithAnInsertedPart()
     insert.combination = core::Insert::Combination::Part;
     const QAction* action = program.window.action(QStringLiteral("model.transform"));
     apply(program, insert);
-    QCOMPARE(names(program).size(), 3);
+    QTRY_COMPARE(names(program).size(), 3);
     QVERIFY(!action->isChecked());
     Q_EMIT program.window.commandRequested(insert);
     QTRY_VERIFY_WITH_TIMEOUT(action->isChecked(), longestWait);
-    QCOMPARE(names(program).size(), 4);
+    QTRY_COMPARE(names(program).size(), 4);
     const auto* gizmo = program.window.findChild<ui::Gizmo*>();
     QTRY_VERIFY(gizmo->frame() && (gizmo->frame()->centre - insert.centre).norm() < 0.1);
 }

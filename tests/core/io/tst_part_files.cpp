@@ -313,7 +313,7 @@ void TestPartFiles::gltfOfOthers_becomesPartsIfWanted()
               json.erase("extensions");
               json.erase("extensionsUsed");
               json["nodes"][0]["name"] = longName;
-              json["nodes"][1]["name"] = "\x01 a\nb\x7f";
+              json["nodes"][1]["name"] = "\x01 a\nb\xef\xbf\xbf";
               json["nodes"][2].erase("name");
           }));
     const ReadResult one = core::readModel(file("b.glb"));

@@ -41,6 +41,7 @@ struct CutStage
                          [this](const core::ModelCommand& command) { requests.push_back(command); });
         viewport->setPatchSource([this] { return std::exchange(next, std::nullopt); });
         viewport->setReducesMotion(true);
+        actions.get(QStringLiteral("edit.stop"))->setEnabled(false); // as while nothing runs
         viewport->showModel({Vec3::Constant(-radius), Vec3::Constant(radius)});
         window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&window));
