@@ -231,7 +231,8 @@ foreach(LANGUAGE en de zh_CN)
         list(APPEND FETTLE_RESOURCE_FILES help/${LANGUAGE}/${PAGE}.md)
     endforeach()
     foreach(PICTURE
-            class export handles history lesson palette presets print recovery repair simulator start time-lapse unit window)
+            class export handles history lesson palette presets print recovery repair simulator start time-lapse unit
+            window)
         list(APPEND FETTLE_RESOURCE_FILES help/${LANGUAGE}/pictures/${PICTURE}.png) # made by TestGuidePictures
     endforeach()
 endforeach()

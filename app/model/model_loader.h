@@ -65,7 +65,7 @@ class ModelLoader
 public:
     /// A callback that gets the name of each stage at its beginning.
     using OnStage = std::function<void(const QString& what)>;
-    /// What becomes of the objects of a file that is not a document of Fettle.
+    /// Ways of reading the objects of a file that is not a document of Fettle.
     enum class Objects { AsOnePart, AsParts };
 
     /// Reads, checks and builds a model for the window, with its centre at the origin; the mesh's frame keeps the place

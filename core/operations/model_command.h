@@ -59,7 +59,7 @@ struct Insert
         Centre, ///< centre of its bounding box at `centre`
         Floor   ///< centre of the bottom of its bounding box at `centre`
     };
-    /// How the solids are combined. Join, Subtract and Intersect are exact (mesh_boolean.h). All but Apart allow any
+    /// Ways of combining the solids. Join, Subtract and Intersect are exact (mesh_boolean.h). All but Apart allow any
     /// overlap.
     enum class Combination {
         Apart,     ///< the inserted solid must be outside this one or wholly in one of its voids, without touching it

@@ -8,7 +8,7 @@
 
 namespace core
 {
-/// What a Transform of a part moves, for its preview and its handles. Space: document, mm.
+/// The vertices that a Transform of a part moves, for its preview and its handles. Space: document, mm.
 struct TransformRegion
 {
     Box box;   ///< of the vertices that move; empty if none does
@@ -20,7 +20,7 @@ struct TransformRegion
     std::shared_ptr<const Footprint> vertices;
 };
 
-/// Returns what a Transform of the part moves; `part`: nothing means all parts, with the document's axes. Cost:
-/// O(mesh).
+/// Returns the region that a Transform of the part moves; `part`: nothing means all parts, with the document's axes.
+/// Cost: O(mesh).
 TransformRegion transformRegionOf(const Mesh& mesh, std::optional<PartId> part);
 } // namespace core

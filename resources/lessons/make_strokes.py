@@ -141,12 +141,14 @@ def toy_car():
     hand = Hand()
     hand.command("transform", centre=[0, 0, 0], scale=[1, 0.3, 0.5])
     yield "body", hand.take()
-    hand.command("insert", primitive="box", width=50, height=24, depth=44, where="centre", centre=[-8, 26, 0], combine="join")
+    size = {"width": 50, "height": 24, "depth": 44}
+    hand.command("insert", primitive="box", **size, where="centre", centre=[-8, 26, 0], combine="join")
     yield "cabin", hand.take()
     hand.command("trim", outline=[[4, 38.5, 0], [24, 44, 0], [18, 15.5, 0]], along=[0, 0, -1])
     yield "windscreen", hand.take()
     for x, z in ((28, 25), (-28, 25), (28, -25), (-28, -25)):
-        hand.command("insert", primitive="cylinder", radius=14, height=10, axis="z", where="centre", centre=[x, -14, z], combine="part")
+        wheel = {"primitive": "cylinder", "radius": 14, "height": 10, "axis": "z"}
+        hand.command("insert", **wheel, where="centre", centre=[x, -14, z], combine="part")
     yield "wheels", hand.take()
     hand.command("combine_parts", operation="union", parts=[1, 2, 3, 4])
     hand.command("place_on_bed")
@@ -155,7 +157,8 @@ def toy_car():
 
 def main():
     here = os.path.dirname(os.path.abspath(__file__))
-    for folder, steps in {"first-clay": first_clay(), "mug": mug(), "creature": creature(), "toy-car": toy_car()}.items():
+    lessons = {"first-clay": first_clay(), "mug": mug(), "creature": creature(), "toy-car": toy_car()}
+    for folder, steps in lessons.items():
         for name, strokes in steps:
             text = ",\n".join(json.dumps(stroke, separators=(",", ":")) for stroke in strokes)
             with open(os.path.join(here, folder, name + ".json"), "w", encoding="utf-8") as file:

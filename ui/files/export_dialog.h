@@ -11,7 +11,7 @@ namespace ui
 {
 class Settings;
 
-/// What the export dialog needs to know.
+/// Facts about the document that the export dialog depends on.
 struct ExportContext
 {
     const ModelInfo& modelInfo;

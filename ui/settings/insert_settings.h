@@ -4,7 +4,7 @@
 
 namespace ui
 {
-/// How an inserted model or primitive is combined with the present one, in the order of the list.
+/// Ways of combining an inserted model or primitive with the present one, in the order of the list.
 enum class InsertUse { Part, Join, Subtract, Intersect, Apart };
 
 inline constexpr std::array<Named<InsertUse>, 5> insertUses{{{InsertUse::Part, "part"},

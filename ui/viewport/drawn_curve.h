@@ -12,7 +12,7 @@ enum class CurveShape {
     Polygon ///< straight lines between clicks
 };
 
-/// What happens to an area of the view.
+/// Uses of an area of the view.
 enum class AreaUse { Mask, Unmask, Hide, Trim, Split };
 
 /// An area that was drawn over the view.

@@ -28,8 +28,8 @@ enum class HandMode {
 };
 inline constexpr std::size_t handModeCount = 4;
 
-/// What the sculpting hand does with trigger and side button. While a panel has another use for them, the rows of
-/// taskRows() replace those of any preset.
+/// Tasks of the sculpting hand's trigger and side button. While a panel has another use for them than sculpting, the
+/// rows of taskRows() replace those of any preset.
 enum class HandTask {
     Sculpt,
     ChoosePart, ///< makes parts of the model active

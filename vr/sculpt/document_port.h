@@ -84,7 +84,7 @@ struct SurfaceQueryResult
     std::shared_ptr<const core::Footprint> footprint; ///< footprint of a ray brush that hits; else null
 };
 
-/// What moves if the active part is moved, as core::transformRegionOf() finds it. Space: document, mm.
+/// The vertices that move with the active part, as core::transformRegionOf() finds them. Space: document, mm.
 struct MovablePart
 {
     core::Vec3 centre = core::Vec3::Zero();          ///< place about which to turn

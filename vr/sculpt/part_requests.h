@@ -10,7 +10,7 @@ namespace vr
 /// Returns the request to the document for an action at the parts panel; none if the action needs none. Thread: any.
 std::optional<DocumentRequest> requestOf(const PartsPanel& panel, const PanelAction& action);
 
-/// What the request of a hand's task depends on.
+/// A use of the wand's tip for a task of the hand.
 struct TipUse
 {
     Pose tip; ///< pose of the wand's tip, room space

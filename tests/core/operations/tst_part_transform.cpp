@@ -149,7 +149,7 @@ void TestPartTransform::masked_staysBitForBit()
     QVERIFY(largestError(before, *mesh, transform) <= 2);
 }
 
-/// Where the mask is soft, the turn is by a share of the angle, so that no vertex comes nearer to the axis.
+/// A soft mask makes the turn a share of the angle, so that no vertex comes nearer to the axis.
 void TestPartTransform::softMask_bendsAlongAnArc()
 {
     const std::unique_ptr<Mesh> mesh = maskedBar(true);
