@@ -44,13 +44,14 @@ bool addsPart(const core::FileEntry& entry)
 
 DocumentParts::DocumentParts(Document* document) : m_document(document)
 {
-    connect(document, &Document::historyChanged, this, &DocumentParts::refresh);
+    connect(&document->worker(), &SculptWorker::partsChanged, this, &DocumentParts::setList);
     connect(&document->history(), &DocumentHistory::moved, this, &DocumentParts::followHistory);
     connect(document, &Document::stepped, this, [this] { m_index = m_document->history().stack().index(); });
     connect(document, &Document::opened, this, [this] {
         m_index = m_document->history().stack().index();
         m_shownBefore.clear();
-        refresh();
+        m_active = m_list.all().front().id; // as SculptWorker::setModel() chooses
+        Q_EMIT changed();
     });
 }
 
@@ -71,12 +72,7 @@ void DocumentParts::activate(core::PartId part)
 
 void DocumentParts::activateLast()
 {
-    m_document->worker().post([this](core::Sculptor& sculptor) {
-        m_mailbox.post([this, list = sculptor.mesh().frame().parts] {
-            setList(list);
-            activate(list.all().back().id);
-        });
-    });
+    activate(m_list.all().back().id);
 }
 
 void DocumentParts::pick(const core::Ray& ray)
@@ -122,21 +118,10 @@ void DocumentParts::findOverlap(const std::function<void(bool doOverlap)>& answe
     });
 }
 
-/// Asks the mesh thread for the present list.
-void DocumentParts::refresh()
-{
-    m_document->worker().post([this](core::Sculptor& sculptor) {
-        m_mailbox.post([this, list = sculptor.mesh().frame().parts] { setList(list); });
-    });
-}
-
 void DocumentParts::setList(const core::PartList& list)
 {
-    const bool isGone = !list.find(m_active);
-    if (list == m_list && !isGone)
-        return;
     m_list = list;
-    if (isGone) {
+    if (!list.find(m_active)) {
         m_active = list.all().front().id;
         m_document->worker().activate(m_active);
     }

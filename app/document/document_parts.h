@@ -16,8 +16,8 @@ namespace app
 class Document;
 struct ModelChangeRequest;
 
-/// The parts of the document, as the mesh thread last reported them, and the active part: the one that strokes and
-/// commands change. Undo and redo activate the part that they change. Thread: gui.
+/// The parts of the document, and the active part: the one that strokes and commands change. The list is that of the
+/// last step, undo or redo that was confirmed. Undo and redo activate the part that they change. Thread: gui.
 class DocumentParts : public QObject
 {
     Q_OBJECT
@@ -52,7 +52,6 @@ Q_SIGNALS:
     void regionFound(const core::TransformRegion& region);
 
 private:
-    void refresh();
     void setList(const core::PartList& list);
     void followHistory();
 

@@ -104,9 +104,9 @@ void ModelChanger::finish(const ModelChangeRequest& request, ModelChangeOutcome 
         });
     m_document->queue().whenRecorded([this, request, outcome = std::move(outcome), delta, step] {
         m_document->history().push(step, delta);
-        Q_EMIT m_document->stepped(*step.marks.recordedStep);
         if (outcome.change.addedPart)
             m_document->parts().activateLast();
+        Q_EMIT m_document->stepped(*step.marks.recordedStep);
         end(request, outcome);
     });
 }

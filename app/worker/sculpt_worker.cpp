@@ -81,6 +81,7 @@ void SculptWorker::post(std::function<void(core::Sculptor&)> job)
         if (!m_sculptor)
             return;
         job(*m_sculptor);
+        reportParts();
         if (flushPatch())
             m_scan.start();
     }));
@@ -211,6 +212,7 @@ void SculptWorker::install(std::shared_ptr<core::Sculptor> sculptor, std::shared
     m_runner.setSculptor(m_sculptor.get());
     const core::MeshPatch whole = m_sculptor->wholePatch();
     m_scan.reset(&m_sculptor->mesh(), whole);
+    reportParts();
     notify([this, facts = m_scan.facts()] { Q_EMIT modelSet(facts); });
     m_publisher.putWhole(whole);
 }
@@ -237,5 +239,15 @@ bool SculptWorker::flushPatch()
     if (patch)
         m_scan.extend(*patch);
     return patch.has_value();
+}
+
+/// Emits partsChanged() if the list differs from the one reported last. Strokes and questions do not change the list.
+void SculptWorker::reportParts()
+{
+    const core::PartList& parts = m_sculptor->mesh().frame().parts;
+    if (parts == m_parts)
+        return;
+    m_parts = parts;
+    notify([this, parts] { Q_EMIT partsChanged(parts); });
 }
 } // namespace app

@@ -70,6 +70,8 @@ Q_SIGNALS:
     void strokeFinished(const app::StrokeReport& report);
     /// Answers confirm().
     void confirmed();
+    /// Emitted when the list of parts has changed, before modelSet() or the confirmed() of the change.
+    void partsChanged(const core::PartList& parts);
     /// Answers ask(Source::Desktop, ...). `footprint`: footprint of the question's brush if it follows the surface and
     /// the ray hits; null otherwise. `epoch`: epoch of the last patch that viewers got before the answer.
     void answeredDesktop(const std::optional<core::SurfaceHit>& hit,
@@ -100,6 +102,7 @@ private:
     void notify(std::function<void()> notification);
     void betweenSubsteps();
     bool flushPatch(); ///< returns whether there was a patch
+    void reportParts();
 
     ui::ThreadMailbox m_mailbox;
     JobQueue m_queue;
@@ -109,6 +112,7 @@ private:
     std::shared_ptr<core::Sculptor> m_sculptor;
     std::shared_ptr<core::Journal> m_journal;
     core::PartId m_part = 0; ///< the active part
+    core::PartList m_parts;  ///< the list that partsChanged() last reported
     StrokeRunner m_runner;
     PatchPublisher m_publisher;
     MeshFactsScan m_scan;

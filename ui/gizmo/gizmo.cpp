@@ -20,7 +20,6 @@ Gizmo::Gizmo(Viewport* viewport, GizmoShape::Handles handles)
     , m_viewport(viewport)
     , m_handles(handles)
 {
-    setObjectName(QStringLiteral("gizmo"));
     setAttribute(Qt::WA_TransparentForMouseEvents);
     hide();
     viewport->installEventFilter(this);

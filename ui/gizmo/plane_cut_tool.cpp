@@ -30,6 +30,7 @@ PlaneCutTool::PlaneCutTool(const Actions& actions, Viewport* viewport)
     , m_gizmo(new Gizmo(viewport, GizmoShape::Handles::WithoutScale))
     , m_bar(makeBar())
 {
+    m_gizmo->setObjectName(QStringLiteral("planeCutGizmo"));
     connect(m_action, &QAction::toggled, this, &PlaneCutTool::setOn);
     connect(m_gizmo, &Gizmo::ended, m_action, [this] { m_action->setChecked(false); });
     for (const auto changed : {&Gizmo::dragged, &Gizmo::dropped})

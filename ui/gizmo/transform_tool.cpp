@@ -27,6 +27,7 @@ TransformTool::TransformTool(const Actions& actions, Viewport* viewport)
     , m_gizmo(new Gizmo(viewport))
     , m_fields(new TransformFields(viewport))
 {
+    m_gizmo->setObjectName(QStringLiteral("transformGizmo"));
     connect(m_action, &QAction::toggled, this, &TransformTool::setOn);
     connect(m_gizmo, &Gizmo::ended, m_action, [this] { m_action->setChecked(false); });
     connect(m_gizmo, &Gizmo::frameMoved, this, [this] {

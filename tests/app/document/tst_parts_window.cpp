@@ -249,7 +249,7 @@ void TestPartsWindow::handles_moveTheActivePart()
     openTwoBalls(program, folder);
     const auto before = hashes(program);
     program.window.action(QStringLiteral("model.transform"))->trigger();
-    const auto* gizmo = program.window.findChild<ui::Gizmo*>();
+    const auto* gizmo = program.window.findChild<ui::Gizmo*>(QStringLiteral("transformGizmo"));
     QTRY_VERIFY_WITH_TIMEOUT(gizmo->frame().has_value(), longestWait);
     QVERIFY((gizmo->frame()->centre - core::Vec3(30, 0, 0)).norm() < 0.1);
     ui::Viewport* view = program.window.viewport();
@@ -300,7 +300,7 @@ void TestPartsWindow::handles_comeWithAnInsertedPart()
     Q_EMIT program.window.commandRequested(insert);
     QTRY_VERIFY_WITH_TIMEOUT(action->isChecked(), longestWait);
     QTRY_COMPARE(names(program).size(), 4);
-    const auto* gizmo = program.window.findChild<ui::Gizmo*>();
+    const auto* gizmo = program.window.findChild<ui::Gizmo*>(QStringLiteral("transformGizmo"));
     QTRY_VERIFY(gizmo->frame() && (gizmo->frame()->centre - insert.centre).norm() < 0.1);
 }
 

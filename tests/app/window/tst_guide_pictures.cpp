@@ -326,7 +326,7 @@ void TestGuidePictures::takeHandles(Program& program)
 {
     QAction* action = program.window.action(QStringLiteral("model.transform"));
     action->trigger();
-    const auto* gizmo = program.window.findChild<ui::Gizmo*>();
+    const auto* gizmo = program.window.findChild<ui::Gizmo*>(QStringLiteral("transformGizmo"));
     QTRY_VERIFY_WITH_TIMEOUT(gizmo->isVisible(), longestWait);
     const ui::Viewport* view = program.window.viewport();
     take(program.window, QStringLiteral("handles"), QRect(view->mapTo(&program.window, QPoint()), view->size()));
