@@ -51,12 +51,13 @@ QString optionOf(core::Primitive::Measure measure)
 }
 
 /// The options of primitives, besides those of their measures.
-const QString profileOption = QStringLiteral("profile"), edgeOption = QStringLiteral("edge-length");
+const QString profileOption = QStringLiteral("profile"), pathOption = QStringLiteral("path"),
+              edgeOption = QStringLiteral("edge-length");
 
 /// Returns the options of primitives.
 QStringList primitiveOptions()
 {
-    QStringList options = {profileOption, edgeOption};
+    QStringList options = {profileOption, pathOption, edgeOption};
     for (std::size_t i = 0; i < core::Primitive::measures; ++i)
         options << optionOf(static_cast<core::Primitive::Measure>(i));
     return options;
@@ -76,27 +77,26 @@ void addPrimitiveOptions(QCommandLineParser& parser)
         parser.addOption({optionOf(static_cast<core::Primitive::Measure>(i)), descriptions[i], QStringLiteral("MM")});
     parser.addOption({profileOption, NewMessages::tr("Profile of a lathe: points of radius and height in mm."),
                       QStringLiteral("POINTS")});
+    parser.addOption(
+        {pathOption, NewMessages::tr("Path of a tube: points of x, y, z and radius in mm."), QStringLiteral("POINTS")});
     parser.addOption({edgeOption, NewMessages::tr("Length of a primitive's edges in mm (default: automatic)."),
                       QStringLiteral("MM")});
 }
 
-/// Reads a profile as in "10,0 8,20".
-std::vector<core::ProfilePoint> profileIn(const QString& text)
+/// Reads points of `Size` numbers, as in "10,0 8,20". `refusal`: the sentence for other texts; %1 is the text.
+template <std::size_t Size> std::vector<std::array<double, Size>> pointsIn(const QString& text, const QString& refusal)
 {
-    std::vector<core::ProfilePoint> profile;
+    std::vector<std::array<double, Size>> points;
     for (const QString& point : text.simplified().split(u' ', Qt::SkipEmptyParts)) {
-        const QStringList numbers = point.split(u',');
-        bool isRadius = false, isHeight = false;
-        const double radius = QLocale::c().toDouble(numbers[0], &isRadius),
-                     height = QLocale::c().toDouble(numbers.value(1), &isHeight);
-        if (!isRadius || !isHeight || numbers.size() != 2)
-            CommandLine::fail(
-                NewMessages::tr("new: --profile must be points of radius and height, as in \"10,0 8,20\", "
-                                "not \"%1\".")
-                    .arg(text));
-        profile.push_back({radius, height});
+        const QStringList words = point.split(u',');
+        bool isRead = words.size() == qsizetype(Size);
+        std::array<double, Size>& numbers = points.emplace_back();
+        for (std::size_t i = 0; i < Size && isRead; ++i)
+            numbers[i] = QLocale::c().toDouble(words[qsizetype(i)], &isRead);
+        if (!isRead)
+            CommandLine::fail(refusal.arg(text));
     }
-    return profile;
+    return points;
 }
 
 TriangleMesh primitiveOf(core::Primitive::Kind kind, const CommandOptions& options)
@@ -115,12 +115,23 @@ TriangleMesh primitiveOf(core::Primitive::Kind kind, const CommandOptions& optio
             options.number(option, measure == core::Primitive::Measure::TopRadius ? 0 : core::ModelLimits::minExtent,
                            core::ModelLimits::maxExtent);
     }
-    if (kind == core::Primitive::Kind::Lathe) {
-        known << profileOption;
-        if (!options.has(profileOption))
+    if (kind == core::Primitive::Kind::Lathe || kind == core::Primitive::Kind::Tube) {
+        known << (kind == core::Primitive::Kind::Lathe ? profileOption : pathOption);
+        if (!options.has(known.last()))
             CommandLine::fail(
-                NewMessages::tr("new: %1 needs --%2.").arg(QString::fromUtf8(core::name(kind)), profileOption));
-        primitive.profile = profileIn(options.text(profileOption));
+                NewMessages::tr("new: %1 needs --%2.").arg(QString::fromUtf8(core::name(kind)), known.last()));
+    }
+    if (kind == core::Primitive::Kind::Lathe) {
+        const QString refusal = NewMessages::tr("new: --profile must be points of radius and height, as in "
+                                                "\"10,0 8,20\", not \"%1\".");
+        for (const auto& [radius, height] : pointsIn<2>(options.text(profileOption), refusal))
+            primitive.profile.push_back({radius, height});
+    }
+    if (kind == core::Primitive::Kind::Tube) {
+        const QString refusal = NewMessages::tr("new: --path must be points of x, y, z and radius, as in "
+                                                "\"0,0,0,2 9,5,0,1\", not \"%1\".");
+        for (const auto& [x, y, z, radius] : pointsIn<4>(options.text(pathOption), refusal))
+            primitive.path.push_back({{x, y, z}, radius});
     }
     if (options.has(edgeOption))
         primitive.edge = options.number(edgeOption, core::ModelLimits::minExtent, core::ModelLimits::maxExtent);

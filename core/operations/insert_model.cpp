@@ -41,14 +41,19 @@ double longest(const Box& box)
 }
 
 /// Returns the model to insert; nothing, with the reason in `change`, if it is a primitive that cannot be made.
-std::optional<TriangleMesh> modelOf(const Insert& command, ModelChange& change)
+std::optional<TriangleMesh> modelOf(const Insert& command, ModelChange& change, const JobControl& control)
 {
     if (!command.primitive)
         return command.model;
-    change.primitive = makePrimitive(*command.primitive);
+    change.primitive = makePrimitive(*command.primitive, control);
     if (!change.primitive.mesh)
         change.refusal = ModelRefusal::Primitive;
     return std::exchange(change.primitive.mesh, std::nullopt);
+}
+
+bool isTube(const Insert& command)
+{
+    return command.primitive && command.primitive->kind == Primitive::Kind::Tube;
 }
 
 /// Returns the vector by which the inserted model is moved. Beside the present model it is set on the same floor (least
@@ -57,7 +62,7 @@ Vec3 offsetOf(const Insert& command, const Mesh& mesh, const Box& present, const
 {
     switch (command.place) {
     case Insert::Place::AsItIs:
-        return -mesh.frame().place;
+        return isTube(command) ? Vec3(Vec3::Zero()) : Vec3(-mesh.frame().place);
     case Insert::Place::Centre:
         return command.centre - added.center();
     case Insert::Place::Floor:
@@ -174,7 +179,7 @@ void insertModel(Mesh& mesh, const Insert& command, ModelChange& change, const J
         change.refusal = ModelRefusal::TooManyParts;
         return;
     }
-    const auto made = modelOf(command, change);
+    const auto made = modelOf(command, change, control.part(0, 0));
     if (!made)
         return;
     change.report = checkMesh(*made, control.part(0, afterJudging));

@@ -55,7 +55,7 @@ struct Insert
 {
     enum class Place {
         Beside, ///< in +x direction with a gap, on the same floor, box centres level in z
-        AsItIs, ///< where the inserted model's file has it
+        AsItIs, ///< where the inserted model's file has it; a tube where its path is
         Centre, ///< centre of its bounding box at `centre`
         Floor   ///< centre of the bottom of its bounding box at `centre`
     };

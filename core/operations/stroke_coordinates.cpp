@@ -55,8 +55,13 @@ Stroke StrokeCoordinates::inDocument(const Stroke& stroke, const Mesh& mesh) con
 ModelChange StrokeCoordinates::apply(const Mesh& mesh, ModelCommand command, PartId part)
 {
     const Vec3 by = offset(mesh);
-    if (auto* const insert = std::get_if<Insert>(&command))
+    if (auto* const insert = std::get_if<Insert>(&command)) {
         insert->centre -= by;
+        if (insert->primitive) {
+            for (TubePoint& p : insert->primitive->path)
+                p.position -= by;
+        }
+    }
     if (auto* const transform = std::get_if<Transform>(&command))
         transform->centre -= by;
     const auto shiftArea = [&](auto& any) {

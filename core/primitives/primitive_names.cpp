@@ -10,7 +10,7 @@ namespace
 using PrimitiveKind = Primitive::Kind;
 using Measure = Primitive::Measure;
 
-constexpr std::string_view kindNames[] = {"box", "ball", "cylinder", "cone", "capsule", "torus", "lathe"};
+constexpr std::string_view kindNames[] = {"box", "ball", "cylinder", "cone", "capsule", "torus", "lathe", "tube"};
 static_assert(std::size(kindNames) == Primitive::kinds);
 constexpr std::string_view measureNames[] = {"width", "height", "depth", "radius", "top_radius", "tube_radius"};
 static_assert(std::size(measureNames) == Primitive::measures);
@@ -54,6 +54,7 @@ std::span<const Primitive::Measure> measuresOf(Primitive::Kind kind)
     case PrimitiveKind::Torus:
         return torusMeasures;
     case PrimitiveKind::Lathe:
+    case PrimitiveKind::Tube:
         break;
     }
     return {};

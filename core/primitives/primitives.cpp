@@ -1,9 +1,13 @@
-// Primitives: a box is a grid, a ball an icosphere; all others are surfaces of revolution, whose profiles are divided
-// into parts of about one edge length.
+// Primitives: a box is a grid, a ball an icosphere, a tube a class of its own; all others are surfaces of revolution,
+// whose profiles are divided into parts of about one edge length.
 
 #include "core/primitives/primitives.h"
 
 #include "core/analysis/mesh_check.h"
+#include "core/analysis/nesting.h"
+#include "core/boolean/mesh_boolean.h"
+#include "core/geometry/face_geometry.h"
+#include "core/geometry/lattice_placement.h"
 #include "core/primitives/grid_box.h"
 #include "core/primitives/model_limits.h"
 #include "core/stroke/radial_symmetry.h"
@@ -26,6 +30,9 @@ constexpr double automaticFaces = 20'000;
 constexpr double maxEdgePerRadius = 1.3; ///< longest edge on a ring of 8 vertices, as a share of its radius
 /// Longest edge as a share of the largest radius, or of that of a torus's tube. Keeps 98 % of the volume.
 constexpr double maxEdgePerRound = 1.0 / 6;
+/// Least radius of a tube, and distance of two of its points, as shares of the largest coordinate: so that float32 has
+/// about 100 steps for it.
+constexpr double leastPerReach = 1e-5;
 const double faceShare = std::sqrt(3.0) / 4;
 
 /// Returns the number of parts into which a length is divided: parts of at most 1.25 edges.
@@ -142,6 +149,64 @@ double areaOfRevolution(const ProfilePoints& profile)
     return area;
 }
 
+/// Returns about the area of a tube, from the straight lines between its points.
+double areaOfTube(const std::vector<TubePoint>& path)
+{
+    double area = 2 * pi * (path.front().radius * path.front().radius + path.back().radius * path.back().radius);
+    for (std::size_t i = 1; i < path.size(); ++i)
+        area += pi * (path[i - 1].radius + path[i].radius) * (path[i].position - path[i - 1].position).norm();
+    return area;
+}
+
+/// Drops the voids that are smaller than a cube of this side: rounding leaves them where pieces of a tube nearly
+/// coincide.
+void dropTinyVoids(TriangleMesh& mesh, double side)
+{
+    const Components shells = componentsOf(mesh.points.size(), mesh.triangles);
+    if (shells.count == 1)
+        return;
+    std::vector<double> volumes(shells.count); // a void's is negative
+    const auto place = [&](Slot v) { return Vec3((mesh.points[v] - mesh.points.front()).cast<double>()); };
+    for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+        const auto& [a, b, c] = mesh.triangles[f];
+        volumes[shells.ofFace[f]] += place(a).dot(place(b).cross(place(c))) / 6;
+    }
+    TriangleMesh kept;
+    std::vector<Slot> renamed(mesh.points.size(), noSlot);
+    for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+        const double volume = volumes[shells.ofFace[f]];
+        if (volume < 0 && volume > -side * side * side)
+            continue;
+        Triangle t = mesh.triangles[f];
+        for (Slot& v : t) {
+            if (renamed[v] == noSlot) {
+                renamed[v] = static_cast<Slot>(kept.points.size());
+                kept.points.push_back(mesh.points[v]);
+            }
+            v = renamed[v];
+        }
+        kept.triangles.push_back(t);
+    }
+    mesh = std::move(kept);
+}
+
+/// Returns the union of a tube's pieces, on the lattice that an import of it would have, so that it can be opened as it
+/// is.
+std::optional<TriangleMesh> unionOf(std::vector<TriangleMesh> pieces, const JobControl& control)
+{
+    Box box;
+    for (const TriangleMesh& piece : pieces)
+        box.extend(boxOf(piece));
+    const LatticePlacement placement = placeOnLattice(box);
+    if (!placement.moved.isZero(0)) // an import would move it to the origin
+        return combine(SetOperation::Union, pieces, control).mesh;
+    for (TriangleMesh& piece : pieces) {
+        for (Vec3f& p : piece.points)
+            p = placement.lattice.toPoint(placement.toLattice(p));
+    }
+    return combineOn(placement.lattice, SetOperation::Union, pieces, control).mesh;
+}
+
 class PrimitiveMaker
 {
 public:
@@ -163,10 +228,14 @@ public:
         return m_result;
     }
 
-    PrimitiveResult run()
+    PrimitiveResult run(const JobControl& control)
     {
         if (judged().fault != PrimitiveFault::None)
             return std::move(m_result);
+        if (m_primitive.kind == PrimitiveKind::Tube) {
+            makeTube(control);
+            return std::move(m_result);
+        }
         m_result.mesh = surface();
         for (Vec3f& p : m_result.mesh->points) {
             const Vec3f upright = p;
@@ -199,6 +268,39 @@ private:
             m_result.fault = PrimitiveFault::CapsuleTooLow;
         if (m_primitive.kind == PrimitiveKind::Lathe && !isProfileGood())
             m_result.fault = PrimitiveFault::Profile;
+        if (m_primitive.kind == PrimitiveKind::Tube && !isPathGood())
+            m_result.fault = PrimitiveFault::Path;
+    }
+
+    bool isPathGood() const
+    {
+        const std::vector<TubePoint>& path = m_primitive.path;
+        const auto reachOf = [](const TubePoint& p) { return p.position.cwiseAbs().maxCoeff(); };
+        double reach = 0;
+        for (const TubePoint& p : path)
+            reach = std::max(reach, p.position.allFinite() ? reachOf(p) : INFINITY);
+        const double least = std::max(ModelLimits::minExtent, leastPerReach * reach);
+        const auto isThin = [&](const TubePoint& p) { return !(p.radius >= least && isExtent(p.radius)); };
+        const auto isNear = [&](const TubePoint& a, const TubePoint& b) {
+            return (a.position - b.position).norm() < least;
+        };
+        return path.size() >= 2 && path.size() <= PrimitiveLimits::maxProfile && reach <= ModelLimits::maxExtent &&
+               std::ranges::none_of(path, isThin) && std::ranges::adjacent_find(path, isNear) == path.end();
+    }
+
+    /// Makes one solid of the tube's pieces.
+    void makeTube(const JobControl& control)
+    {
+        constexpr auto mostFaces = static_cast<std::size_t>(PrimitiveLimits::maxFaces);
+        std::vector<TriangleMesh> solids = Tube(m_primitive.path, m_edge).solids(mostFaces, control);
+        if (solids.size() == 1)
+            m_result.mesh = std::move(solids.front());
+        else if (!solids.empty())
+            m_result.mesh = unionOf(std::move(solids), control);
+        if (m_result.mesh)
+            dropTinyVoids(*m_result.mesh, m_edge);
+        if (!m_result.mesh)
+            m_result.fault = PrimitiveFault::PathMeets;
     }
 
     bool isProfileGood() const
@@ -250,6 +352,10 @@ private:
             return m_radius * maxEdgePerRound;
         case PrimitiveKind::Torus:
             return std::min(m_tubeRadius * maxEdgePerRound, maxEdgePerRadius * (m_radius - m_tubeRadius));
+        case PrimitiveKind::Tube: {
+            const auto [thin, thick] = std::ranges::minmax(m_primitive.path, {}, &TubePoint::radius);
+            return std::min(thick.radius * maxEdgePerRound, maxEdgePerRadius * thin.radius);
+        }
         default:
             return longestEdge(outline());
         }
@@ -266,6 +372,8 @@ private:
             return 2 * pi * m_radius * m_height;
         case PrimitiveKind::Torus:
             return 4 * pi * pi * m_radius * m_tubeRadius;
+        case PrimitiveKind::Tube:
+            return areaOfTube(m_primitive.path);
         default:
             return areaOfRevolution(outline());
         }
@@ -319,8 +427,8 @@ PrimitiveResult judgePrimitive(const Primitive& primitive)
     return PrimitiveMaker(primitive).judged();
 }
 
-PrimitiveResult makePrimitive(const Primitive& primitive)
+PrimitiveResult makePrimitive(const Primitive& primitive, const JobControl& control)
 {
-    return PrimitiveMaker(primitive).run();
+    return PrimitiveMaker(primitive).run(control);
 }
 } // namespace core

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/primitives/revolved_surface.h"
+#include "core/primitives/tube.h"
 
 #include <array>
 #include <optional>
@@ -11,10 +12,10 @@
 namespace core
 {
 /// A solid given by its measures, in the document's unit. The centre of its box is the origin; a solid of revolution
-/// has the y axis. A value type.
+/// has the y axis. A tube lies where its path is. A value type.
 struct Primitive
 {
-    enum class Kind { Cuboid, Ball, Cylinder, Cone, Capsule, Torus, Lathe };
+    enum class Kind { Cuboid, Ball, Cylinder, Cone, Capsule, Torus, Lathe, Tube };
     enum class Measure {
         Width,     ///< of a box, along x
         Height,    ///< along y; a capsule's with its round ends
@@ -23,14 +24,15 @@ struct Primitive
         TopRadius, ///< of a cone; 0: it has a point
         TubeRadius ///< of a torus
     };
-    static constexpr std::size_t kinds = 7, measures = 6;
+    static constexpr std::size_t kinds = 8, measures = 6;
 
     Kind kind = Kind::Cuboid;
     std::array<double, measures> lengths = {10, 10, 10, 5, 0, 2}; ///< in the order of Measure
     /// Profile of a lathe, from one end to the other. Ends off the axis are closed by flat discs.
     std::vector<ProfilePoint> profile;
-    double edge = 0; ///< length that edges have approximately; 0: so that there are about 20,000 triangles
-    int axis = 1;    ///< axis of the document that gets the primitive's y axis: 0, 1 or 2; the others follow cyclically
+    std::vector<TubePoint> path; ///< of a tube
+    double edge = 0;             ///< length that edges have approximately; 0: so that there are about 20,000 triangles
+    int axis = 1; ///< axis of the document that gets the primitive's y axis: 0, 1 or 2; the others follow cyclically
 
     double& length(Measure measure) { return lengths[static_cast<std::size_t>(measure)]; }
     double length(Measure measure) const { return lengths[static_cast<std::size_t>(measure)]; }
@@ -41,7 +43,7 @@ std::string_view name(Primitive::Kind kind);
 std::optional<Primitive::Kind> primitiveNamed(std::string_view name);
 /// Returns the key used in files and on the command line, for example "tube_radius".
 std::string_view name(Primitive::Measure measure);
-/// Returns the measures that a kind has; a lathe has only its profile.
+/// Returns the measures that a kind has; a lathe has only its profile, a tube its path.
 std::span<const Primitive::Measure> measuresOf(Primitive::Kind kind);
 
 /// Reasons why a primitive cannot be made.
@@ -51,6 +53,8 @@ enum class PrimitiveFault {
     TubeTooThick,  ///< the radius of a torus is not larger than that of its tube
     CapsuleTooLow, ///< the height of a capsule is not larger than twice its radius
     Profile,       ///< not 2 to maxProfile points, a radius below 0, or one of 0 between the ends, or points coincide
+    Path,          ///< not 2 to maxProfile points, neighbours coincide, or a radius is too small for its place
+    PathMeets,     ///< the tube crosses itself so often that its pieces cannot be united
     ProfileMeets,  ///< the profile crosses or touches itself, or has walls too thin for the edges
     EdgeTooLong,   ///< edges longer than `limit` would not follow the shape
     TooManyFaces   ///< about `faces` would be needed
@@ -67,16 +71,19 @@ struct PrimitiveResult
 
 struct PrimitiveLimits
 {
-    static constexpr std::size_t maxProfile = 1000;
+    static constexpr std::size_t maxProfile = 1000; ///< number of points, also of a path
     static constexpr double maxFaces = 2'000'000;
 };
 
-/// Returns whether the measures are possible, without the mesh. Only makePrimitive() finds ProfileMeets. Thread: any.
+/// Returns whether the measures are possible, without the mesh. Only makePrimitive() finds ProfileMeets and PathMeets.
+/// Thread: any.
 PrimitiveResult judgePrimitive(const Primitive& primitive);
 
 /// Makes the solid's surface. Edges are between half as long as requested and 1.8 times as long, but shorter around the
 /// point of a slim cone. Sharp edges of the solid are edges of the mesh. Vertices are on the exact surface, and enclose
 /// at least 98 % of its volume. Symmetric bit for bit about the three planes through the origin, as far as the solid
-/// is. The same bits on every machine. Thread: any. Cost: O(mesh).
-PrimitiveResult makePrimitive(const Primitive& primitive);
+/// is. Not so a tube: where it bends, edges are longer on the outside and shorter on the inside, and where it crosses
+/// itself, pieces of it are united (mesh_boolean.h), without voids smaller than an edge. Only a tube can be cancelled;
+/// it then has the fault PathMeets. The same bits on every machine. Thread: any. Cost: O(mesh).
+PrimitiveResult makePrimitive(const Primitive& primitive, const JobControl& control = {});
 } // namespace core

@@ -28,7 +28,7 @@ _fettle()
         lesson:--language) words='en de zh_CN' ;;
         help:*) words='new check convert boolean replay report sheet lesson brush' ;;
         boolean:boolean) words='union subtract intersect' ;;
-        new:new) words='ball cube torus slab vase head tablet box cylinder cone capsule lathe' ;;
+        new:new) words='ball cube torus slab vase head tablet box cylinder cone capsule lathe tube' ;;
         lesson:lesson) words=$lessons ;;
         brush:brush)
             words='clay-buildup raked-clay carve swell panel fine-line ridge polish plane-off big-move horn pores scales
@@ -38,8 +38,8 @@ _fettle()
     if [[ $word == -* && $COMP_CWORD -gt 1 ]]; then
         case ${COMP_WORDS[1]} in
         new)
-            words='--size --width --height --depth --radius --top-radius --tube-radius --profile --edge-length --to
-                   --no-clobber --help -h' ;;
+            words='--size --width --height --depth --radius --top-radius --tube-radius --profile --path --edge-length
+                   --to --no-clobber --help -h' ;;
         check) words="$model --json --csv --print --nozzle --overhang --bed" ;;
         convert)
             words="$model --to --no-clobber --size --up --triangles --repair --legalise --legalize --wrap --large-holes

@@ -47,7 +47,7 @@ const FolderRule folderRules[] = {
                     "core/sculpt/edit core/sculpt/verify core/sculpt/remesh core/sculpt/deform core/sculpt/fuse "
                     "core/sculpt/copy"},
     {"core/decimation", "core/util core/geometry core/parts core/analysis core/mesh core/sculpt/verify"},
-    {"core/primitives", "core/geometry core/analysis core/stroke"},
+    {"core/primitives", "core/util core/geometry core/analysis core/boolean core/stroke"},
     {"core/area", "core/util core/geometry core/stroke core/mesh"},
     {"core/operations", "core/util core/geometry core/parts core/analysis core/boolean core/stroke core/mesh "
                         "core/sculpt/edit core/sculpt/verify core/sculpt/remesh core/primitives core/area"},

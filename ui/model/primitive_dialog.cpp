@@ -25,7 +25,7 @@ using core::Primitive;
 using Measure = core::Primitive::Measure;
 
 constexpr double shareOfModel = 0.25; ///< size of a new primitive, in longest sides of the model
-constexpr int profileLines = 5;       ///< number of lines of the profile that are shown
+constexpr int pointLines = 5;         ///< number of lines of a profile or path that are shown
 
 /// Places in the order of the list.
 constexpr core::Insert::Place placeChoices[] = {core::Insert::Place::Beside, core::Insert::Place::Centre,
@@ -76,32 +76,42 @@ private:
             m_measures[i] = addNumber(core::name(measure).data(), PrimitiveMessages::measure(measure),
                                       millimetreField(defaults[i], 0));
         }
-        addProfile(size);
+        m_profile = addPoints("profile", tr("Profile: radius, height"),
+                              tr("One point a line: its distance from the axis and its height, in millimetres."), size,
+                              {{0.3, 0}, {0.5, 0.4}, {0.25, 0.8}, {0.35, 1}});
+        m_path = addPoints("path", tr("Path: X, Y, Z, radius"),
+                           tr("One point a line: its place, and the radius of the tube there, in millimetres."), size,
+                           {{-0.5, 0, 0, 0.1}, {-0.2, 0.4, 0, 0.12}, {0.2, 0.4, 0, 0.12}, {0.5, 0, 0, 0.06}});
         m_axis = addList(
             "axis", tr("Its axis"),
             {ModelDialogs::tr("Y, upwards"), ModelDialogs::tr("X, to the right"), ModelDialogs::tr("Z, to the front")});
         m_edge = addNumber("edge", tr("Edge length"), millimetreField(0, 0));
         m_edge->setSpecialValueText(tr("Automatic"));
         connect(m_kind, &QComboBox::currentIndexChanged, this, [this] { showKind(); });
-        connect(m_profile, &QPlainTextEdit::textChanged, this, [this] { judge(); });
         for (QDoubleSpinBox* box : m_measures)
             connect(box, &QDoubleSpinBox::valueChanged, this, [this] { judge(); });
         connect(m_edge, &QDoubleSpinBox::valueChanged, this, [this] { judge(); });
     }
 
-    void addProfile(double size)
+    /// Adds a field of points, each a line of numbers. `points`: the first text, in sizes.
+    QPlainTextEdit* addPoints(const char* name, const QString& label, const QString& tip, double size,
+                              std::initializer_list<std::vector<double>> points)
     {
-        m_profile = named(new QPlainTextEdit, "profile");
-        m_profile->setTabChangesFocus(true);
-        m_profile->setToolTip(tr("One point a line: its distance from the axis and its height, in millimetres."));
-        m_profile->setAccessibleDescription(m_profile->toolTip());
-        m_profile->setFixedHeight(profileLines * fontMetrics().lineSpacing() + 2 * fontMetrics().height() / 2);
-        const auto line = [size](double radius, double height) {
-            return plainLocale().toString(radius * size, 'f', 2) + u' ' + plainLocale().toString(height * size, 'f', 2);
-        };
-        m_profile->setPlainText(
-            QStringList({line(0.3, 0), line(0.5, 0.4), line(0.25, 0.8), line(0.35, 1)}).join(u'\n'));
-        form()->addRow(tr("Profile: radius, height"), m_profile);
+        auto* field = named(new QPlainTextEdit, name, tip);
+        field->setTabChangesFocus(true);
+        field->setAccessibleDescription(tip);
+        field->setFixedHeight(pointLines * fontMetrics().lineSpacing() + 2 * fontMetrics().height() / 2);
+        QStringList lines;
+        for (const std::vector<double>& point : points) {
+            QStringList words;
+            for (const double number : point)
+                words << plainLocale().toString(number * size, 'f', 2);
+            lines << words.join(u' ');
+        }
+        field->setPlainText(lines.join(u'\n'));
+        form()->addRow(label, field);
+        connect(field, &QPlainTextEdit::textChanged, this, [this] { judge(); });
+        return field;
     }
 
     void addPlace()
@@ -126,6 +136,11 @@ private:
 
     Primitive::Kind kind() const { return static_cast<Primitive::Kind>(m_kind->currentIndex()); }
 
+    bool hasAxis() const
+    {
+        return kind() != Primitive::Kind::Cuboid && kind() != Primitive::Kind::Ball && kind() != Primitive::Kind::Tube;
+    }
+
     /// Shows the rows of the shape's measures.
     void showKind()
     {
@@ -133,7 +148,11 @@ private:
         for (std::size_t i = 0; i < Primitive::measures; ++i)
             form()->setRowVisible(m_measures[i], std::ranges::count(measures, static_cast<Measure>(i)) > 0);
         form()->setRowVisible(m_profile, kind() == Primitive::Kind::Lathe);
-        form()->setRowVisible(m_axis, kind() != Primitive::Kind::Cuboid && kind() != Primitive::Kind::Ball);
+        form()->setRowVisible(m_path, kind() == Primitive::Kind::Tube);
+        form()->setRowVisible(m_axis, hasAxis());
+        const bool isTube = kind() == Primitive::Kind::Tube; // lies where its path is
+        m_place->setEnabled(!isTube);
+        m_at.setEnabled(!isTube && m_place->currentIndex() > 0);
         QDoubleSpinBox* height = m_measures[static_cast<std::size_t>(Measure::Height)];
         const double diameter = 2 * m_measures[static_cast<std::size_t>(Measure::Radius)]->value();
         if (kind() == Primitive::Kind::Capsule && height->value() <= diameter)
@@ -142,20 +161,22 @@ private:
         adjustSize();
     }
 
-    /// Returns the points that were typed. A line that is not two numbers becomes a point with a negative radius, which
-    /// no profile may have.
-    std::vector<core::ProfilePoint> profile() const
+    /// Returns the points that were typed, of `size` numbers each. A line of anything else becomes a point of numbers
+    /// that no measure may be.
+    static std::vector<std::vector<double>> pointsIn(const QPlainTextEdit& field, qsizetype size)
     {
         static const QRegularExpression space(QStringLiteral("[\\s;]+"));
-        std::vector<core::ProfilePoint> points;
-        for (const QString& line : m_profile->toPlainText().split(u'\n', Qt::SkipEmptyParts)) {
+        std::vector<std::vector<double>> points;
+        for (const QString& line : field.toPlainText().split(u'\n', Qt::SkipEmptyParts)) {
             const QStringList words = line.split(space, Qt::SkipEmptyParts);
             if (words.isEmpty())
                 continue;
-            bool isRadius = false, isHeight = false;
-            const double radius = numberOf(words[0], isRadius), height = numberOf(words.value(1), isHeight);
-            points.push_back(isRadius && isHeight && words.size() == 2 ? core::ProfilePoint{radius, height}
-                                                                       : core::ProfilePoint{-1, 0});
+            std::vector<double>& point = points.emplace_back(static_cast<std::size_t>(size), -1);
+            bool isRead = words.size() == size;
+            for (qsizetype i = 0; i < size && isRead; ++i)
+                point[static_cast<std::size_t>(i)] = numberOf(words[i], isRead);
+            if (!isRead)
+                point.assign(point.size(), -1);
         }
         return points;
     }
@@ -173,10 +194,16 @@ private:
         result.kind = kind();
         for (std::size_t i = 0; i < Primitive::measures; ++i)
             result.lengths[i] = m_measures[i]->value();
-        if (result.kind == Primitive::Kind::Lathe)
-            result.profile = profile();
+        if (result.kind == Primitive::Kind::Lathe) {
+            for (const std::vector<double>& p : pointsIn(*m_profile, 2))
+                result.profile.push_back({p[0], p[1]});
+        }
+        if (result.kind == Primitive::Kind::Tube) {
+            for (const std::vector<double>& p : pointsIn(*m_path, 4))
+                result.path.push_back({{p[0], p[1], p[2]}, p[3]});
+        }
         result.edge = m_edge->value();
-        if (result.kind != Primitive::Kind::Cuboid && result.kind != Primitive::Kind::Ball)
+        if (hasAxis())
             result.axis = axisChoices[m_axis->currentIndex()];
         return result;
     }
@@ -184,7 +211,8 @@ private:
     core::Insert insertion() const
     {
         core::Insert insert;
-        insert.place = placeChoices[m_place->currentIndex()];
+        insert.place =
+            kind() == Primitive::Kind::Tube ? core::Insert::Place::AsItIs : placeChoices[m_place->currentIndex()];
         insert.centre = m_at.value();
         insert.combination = combinationOf(m_combination);
         insert.primitive = primitive();
@@ -203,7 +231,7 @@ private:
 
     QComboBox *m_kind, *m_axis, *m_place, *m_combination;
     std::array<QDoubleSpinBox*, Primitive::measures> m_measures;
-    QPlainTextEdit* m_profile;
+    QPlainTextEdit *m_profile, *m_path;
     QDoubleSpinBox* m_edge;
     Coordinates m_at;
     QLabel* m_problem;

@@ -36,6 +36,8 @@ QString PrimitiveMessages::kind(core::Primitive::Kind kind)
         return tr("Torus");
     case core::Primitive::Kind::Lathe:
         return tr("Turned profile");
+    case core::Primitive::Kind::Tube:
+        return tr("Tube");
     }
     return {};
 }
@@ -75,6 +77,12 @@ QString PrimitiveMessages::problem(const core::PrimitiveResult& result)
     case core::PrimitiveFault::Profile:
         return tr("A profile needs 2 to 1000 different points, none with a radius below 0; only its ends may be on the "
                   "axis.");
+    case core::PrimitiveFault::Path:
+        return tr(
+            "A tube needs 2 to 1000 points, each at another place than the one before it, with radii that are not "
+            "tiny beside their distance from the origin.");
+    case core::PrimitiveFault::PathMeets:
+        return tr("The tube crosses itself too often. Make it thinner, or its curve smoother.");
     case core::PrimitiveFault::ProfileMeets:
         return tr("The profile crosses or touches itself, or its walls are too thin for edges this long.");
     case core::PrimitiveFault::EdgeTooLong:

@@ -113,6 +113,10 @@ QString StrokeFileMessages::wrongType(const QString& key, core::StrokeFileError:
         return tr("\"%1\" must be a list of whole numbers, as in [0, 2]").arg(key);
     case Value::Pairs:
         return tr("\"%1\" must be a list of pairs of numbers, as in [[10, 0], [8, 20]]").arg(key);
+    case Value::Triples:
+        return tr("\"%1\" must be a list of points of three numbers, as in [[0, 0, 5], [9, 0, 5], [0, 9, 5]]").arg(key);
+    case Value::Quadruples:
+        return tr("\"%1\" must be a list of points of four numbers, as in [[0, 0, 0, 2], [9, 0, 0, 1]]").arg(key);
     case Value::TrueOrFalse:
         return tr("\"%1\" must be true or false").arg(key);
     case Value::Word:

@@ -166,7 +166,8 @@ QString PartsPanel::nameOf(core::Primitive::Kind kind)
     case Kind::Torus:
         return tr("Torus");
     case Kind::Lathe:
-        break; // has no measures, so it is not on the panel
+    case Kind::Tube:
+        break; // have no measures, so they are not on the panel
     }
     return {};
 }

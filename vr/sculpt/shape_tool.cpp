@@ -148,6 +148,7 @@ void outlineOf(const core::Insert& shape, const ModelPlacement& placement, std::
     case Primitive::Kind::Torus:
         return addTorus(radius, primitive.length(Measure::TubeRadius), edges);
     case Primitive::Kind::Lathe:
+    case Primitive::Kind::Tube:
         return;
     }
 }

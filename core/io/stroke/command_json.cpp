@@ -183,7 +183,9 @@ KeySet StrokeJsonReader::insertKeys() const
     const KeySet keys = wantsCentre ? bit(CentreKey) : 0;
     if (!(m_seen & bit(PrimitiveKey)))
         return keys | bit(ModelKey);
-    KeySet measures = m_command.primitive.kind == Primitive::Kind::Lathe ? bit(ProfileKey) : 0;
+    KeySet measures = m_command.primitive.kind == Primitive::Kind::Lathe  ? bit(ProfileKey)
+                      : m_command.primitive.kind == Primitive::Kind::Tube ? bit(PathKey)
+                                                                          : 0;
     for (const Primitive::Measure measure : measuresOf(m_command.primitive.kind))
         measures |= bit(keyOf(measure));
     return keys | bit(PrimitiveKey) | measures;

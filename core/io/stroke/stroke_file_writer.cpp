@@ -178,6 +178,12 @@ std::string keysOf(const Primitive& primitive)
             points += (points.empty() ? "" : ",") + list({p.radius, p.height});
         text += R"(,"profile":[)" + points + ']';
     }
+    if (primitive.kind == Primitive::Kind::Tube) {
+        std::string points;
+        for (const TubePoint& p : primitive.path)
+            points += (points.empty() ? "" : ",") + list({p.position.x(), p.position.y(), p.position.z(), p.radius});
+        text += R"(,"path":[)" + points + ']';
+    }
     if (primitive.edge > 0)
         text += R"(,"edge_length":)" + shortest(primitive.edge);
     if (primitive.axis != 1)

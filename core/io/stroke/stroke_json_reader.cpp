@@ -145,7 +145,7 @@ bool StrokeJsonReader::start_array(std::size_t)
         m_level = Level::Samples;
     else if (!m_inVector && !m_inOutline && m_level == Level::Stroke && m_key == OutlineKey)
         m_inOutline = true;
-    else if (!m_inVector && !m_inProfile && m_level == Level::Stroke && m_key == ProfileKey)
+    else if (!m_inVector && !m_inProfile && m_level == Level::Stroke && (m_key == ProfileKey || m_key == PathKey))
         m_inProfile = true;
     else if (!m_inVector && (vectorLength() > 0 || isPartList()))
         m_inVector = true;

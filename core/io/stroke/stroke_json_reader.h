@@ -103,7 +103,7 @@ private:
     KeySet m_seenOuter = 0, m_seenStroke = 0;
     bool m_inOutline = false; ///< true between the outer brackets of a list of points
     bool m_inVector = false;  ///< true between the brackets of a list of numbers
-    bool m_inProfile = false; ///< true between the outer brackets of a profile
+    bool m_inProfile = false; ///< true between the outer brackets of a profile or a path
     std::size_t m_count = 0;  ///< numbers read so far in the open list
     std::array<double, 4> m_vector{};
     double m_turntable = 0;

@@ -50,7 +50,7 @@ std::size_t StrokeJsonReader::vectorLength() const
     if (m_level == Level::Stroke && m_key == OutlineKey)
         return m_inOutline ? 3 : 0;
     if (m_level == Level::Stroke)
-        return m_inProfile                                                                 ? 2
+        return m_inProfile                                                                 ? (m_key == PathKey ? 4 : 2)
                : isAmong(TurnKey, StretchAxesKey)                                          ? 4
                : isAmong(ColorKey, TagKey, ByKey, CentreKey, EyeKey, AlongKey, StretchKey) ? 3
                                                                                            : 0;
@@ -120,6 +120,11 @@ void StrokeJsonReader::strokeVector(const Vec3& vector)
         if (m_command.primitive.profile.size() == PrimitiveLimits::maxProfile)
             refuse(Kind::OutOfRange);
         m_command.primitive.profile.push_back({vector.x(), vector.y()});
+        break;
+    case PathKey:
+        if (m_command.primitive.path.size() == PrimitiveLimits::maxProfile)
+            refuse(Kind::OutOfRange);
+        m_command.primitive.path.push_back({vector, m_vector[3]});
         break;
     default:
         m_command.rotation = unitRotation();

@@ -372,7 +372,7 @@ void TestCommandLine::words_thatAreOneOfSomeAreListed_data()
     row("replay --strokes s.json --frames . --every 0",
         "replay: --every must be a whole number, 1 or more, not \"0\".");
     row("new bal b.stl", "new: the shape must be one of ball, cube, torus, slab, vase, head, tablet, or with measures "
-                         "box, ball, cylinder, cone, capsule, torus, lathe, not \"bal\".");
+                         "box, ball, cylinder, cone, capsule, torus, lathe, tube, not \"bal\".");
     row("lesson nonsense", "\"nonsense\" is not a lesson: it is neither one of first-clay, mug, creature, toy-car nor "
                            "a folder or ZIP file.");
 }
@@ -444,7 +444,8 @@ void TestCommandLine::new_writesPrimitives()
     for (const char* words :
          {"box --width 10 --height 20 --depth 30", "ball --radius 5", "cylinder --radius 5 --height 20",
           "cone --radius 5 --height 20", "cone --radius 5 --height 20 --top-radius 2", "capsule --radius 5 --height 20",
-          "torus --radius 5 --tube-radius 2 --edge-length 0.3", "lathe --profile \"0,0 10,0 8,20\""}) {
+          "torus --radius 5 --tube-radius 2 --edge-length 0.3", "lathe --profile \"0,0 10,0 8,20\"",
+          "tube --path \"0,0,0,2 9,5,0,1 0,9,0,2\""}) {
         const Answer answer = make(words);
         QVERIFY2(answer.status == 0 && answer.out.isEmpty() && answer.err.isEmpty(), answer.err.constData());
         QVERIFY2(core::checkMesh(core::readMesh(at("a.ply").toStdString())).printReady(), words);
@@ -457,6 +458,8 @@ void TestCommandLine::new_writesPrimitives()
           std::pair("ball --radius 0", "--radius must be a number from"),
           std::pair("torus --radius 2 --tube-radius 3", "larger than the radius of its"),
           std::pair("lathe --profile 1,2,3", "as in \"10,0 8,20\""),
+          std::pair("tube --path 1,2,3", "as in \"0,0,0,2 9,5,0,1\""), std::pair("tube", "tube needs --path"),
+          std::pair("tube --path 0,0,0,1", "2 to 1000 points"),
           std::pair("ball --radius 5 --edge-length 3", "may be 0.833 mm long at most")}) {
         const Answer answer = make(words);
         QCOMPARE(answer.status, 2);

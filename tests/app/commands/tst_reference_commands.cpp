@@ -316,6 +316,7 @@ QString lineWith(const QString& command, const QString& option)
         {QStringLiteral("--top-radius"), QStringLiteral("cone - --to obj --radius 1 --height 1")},
         {QStringLiteral("--tube-radius"), QStringLiteral("torus - --to obj --radius 1")},
         {QStringLiteral("--profile"), QStringLiteral("lathe - --to obj")},
+        {QStringLiteral("--path"), QStringLiteral("tube - --to obj")},
         {QStringLiteral("--edge-length"), QStringLiteral("ball - --to obj --radius 1")},
     };
     if (command == QLatin1String("new") && primitives.contains(option))

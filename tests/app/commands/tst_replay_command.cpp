@@ -462,6 +462,12 @@ void TestReplayCommand::farModel_keepsTheFilesPlanes_data()
     QTest::newRow("symmetrize") << QByteArray::fromStdString(symmetrize.dump());
     const Json insert = {{"command", "insert"}, {"file", "other.ply"}, {"where", "centre"}, {"centre", {0, 2.5, 0.5}}};
     QTest::newRow("insert at a centre") << QByteArray::fromStdString(insert.dump());
+    const Json tube = {{"command", "insert"},
+                       {"primitive", "tube"},
+                       {"path", {{0, 2, 0, 0.2}, {0.5, 2.5, 0, 0.1}}},
+                       {"edge_length", 0.03},
+                       {"where", "as_it_is"}};
+    QTest::newRow("tube") << QByteArray::fromStdString(tube.dump());
 }
 
 /// The model is far away in x, so that the plane x = 0 does not meet it. The plane z = 0 cuts it.
@@ -477,6 +483,9 @@ void TestReplayCommand::farModel_keepsTheFilesPlanes()
         near["symmetry"] = "none";
     if (near.contains("centre"))
         far["centre"][0] = away;
+    if (near.contains("path"))
+        for (Json& point : far["path"])
+            point[0] = point[0].get<double>() + away;
     Replay replay;
     core::writeMesh(replay.path("other.ply").toStdString(), core::icosphere(2, 0.5));
     QVERIFY2(replay.on(potato(middle), {near}) == 0, replay.complaint.constData());

@@ -118,6 +118,7 @@ private Q_SLOTS:
     void accepts();
     void refuses_data();
     void refuses();
+    void refusal_saysTheType();
     void refusal_namesStrokeAndSample();
     void refusal_namesLineAndByteOfSyntax();
     void refusal_ofDepthIsImmediate();
@@ -461,6 +462,11 @@ void TestStrokeFile::refuses_data()
     command(R"("command":"insert","primitive":"lathe")", Kind::MissingKey, "profile");
     for (const char* bad : {"1", "\"a\"", "[1,2]", "[[1]]", "[[1,2,3]]", "[[[1]]]", "[[1,2],3]", "{}", "true"})
         command(R"("command":"insert","primitive":"lathe","profile":)" + std::string(bad), Kind::WrongType, "profile");
+    command(R"("command":"insert","primitive":"tube")", Kind::MissingKey, "path");
+    command(R"("command":"insert","primitive":"tube","path":[[0,0,0,1]],"profile":[[1,2]])", Kind::UnknownKey,
+            "profile");
+    for (const char* bad : {"1", "[1,2,3,4]", "[[1,2,3]]", "[[1,2,3,4,5]]", "[[1,2,3,\"4\"]]"})
+        command(R"("command":"insert","primitive":"tube","path":)" + std::string(bad), Kind::WrongType, "path");
 
     sample("", Kind::MissingKey, "position");
     sample(R"("position":[1,0])", Kind::WrongType, "position");
@@ -500,6 +506,28 @@ void TestStrokeFile::refuses()
     QCOMPARE(static_cast<int>(error->kind), static_cast<int>(kind));
     if (kind != Kind::Syntax)
         QCOMPARE(QString::fromStdString(error->key), key);
+}
+
+/// A value of a wrong type is refused with the type that the key takes.
+void TestStrokeFile::refusal_saysTheType()
+{
+    using Value = StrokeFileError::Value;
+    const std::pair<const char*, Value> rows[] = {
+        {R"("command":"transform","centre":[0,0,0],"scale":2)", Value::ThreeNumbers},
+        {R"("command":"transform","centre":[0,0,0],"scale_axes":2)", Value::FourNumbers},
+        {R"("command":"trim","along":2)", Value::ThreeNumbers},
+        {R"("command":"trim","eye":2)", Value::ThreeNumbers},
+        {R"("command":"trim","outline":2)", Value::Triples},
+        {R"("command":"trim","front":1)", Value::TrueOrFalse},
+        {R"("command":"insert","primitive":"tube","path":2)", Value::Quadruples},
+        {R"("command":"insert","primitive":"lathe","profile":2)", Value::Pairs},
+    };
+    for (const auto& [keys, wanted] : rows) {
+        const auto error =
+            errorOf(R"({"format":"fettle-strokes","version":1,"strokes":[{)" + std::string(keys) + "}]}");
+        QVERIFY2(error && error->kind == Kind::WrongType, keys);
+        QVERIFY2(error->wanted == wanted, keys);
+    }
 }
 
 void TestStrokeFile::refusal_namesStrokeAndSample()
@@ -598,6 +626,7 @@ void TestStrokeFile::commands_roundTrip()
 {"command":"insert","primitive":"capsule","radius":1.5,"height":4,"where":"beside"},
 {"command":"insert","primitive":"torus","radius":1.5,"tube_radius":0.5,"where":"beside"},
 {"command":"insert","primitive":"lathe","profile":[[0,-1],[2.5,0],[1,3]],"where":"beside"},
+{"command":"insert","primitive":"tube","path":[[0,0,0,2],[9,1.5,0,1]],"where":"as_it_is"},
 {"command":"fill","color":[200,120,80]},
 {"command":"remesh"},
 {"command":"remesh","detail_length":0.1},
@@ -611,7 +640,7 @@ void TestStrokeFile::commands_roundTrip()
 {"command":"trim","outline":[[0,0,5]],"along":[0,-1,0],"remove":"outside","symmetry":"none","color":[1,2,3]}]}
 )";
     const std::vector<FileEntry> entries = parseStrokes(text);
-    QCOMPARE(entries.size(), std::size_t(27));
+    QCOMPARE(entries.size(), std::size_t(28));
     std::ostringstream out;
     writeStrokes(out, entries);
     QCOMPARE(out.str(), text);
@@ -624,12 +653,14 @@ void TestStrokeFile::commands_roundTrip()
     const core::Primitive lathe = *std::get<Insert>(commandAt(15).command).primitive;
     QVERIFY(lathe.kind == core::Primitive::Kind::Lathe && lathe.profile.size() == 3 && lathe.profile[1].radius == 2.5);
     QVERIFY(!std::get<Insert>(commandAt(7).command).primitive);
-    QVERIFY(std::get<Symmetrize>(commandAt(20).command).keep == Half::Negative);
-    QCOMPARE(std::get<core::FlattenBase>(commandAt(22).command).height, 0.5);
-    QCOMPARE(std::get<core::MaskOperation>(commandAt(23).command).how, core::MaskOperation::Kind::Shrink);
-    const auto trim = std::get<core::Trim>(commandAt(25).command);
+    const core::Primitive tube = *std::get<Insert>(commandAt(16).command).primitive;
+    QVERIFY(tube.path == (std::vector<core::TubePoint>{{{0, 0, 0}, 2}, {{9, 1.5, 0}, 1}}));
+    QVERIFY(std::get<Symmetrize>(commandAt(21).command).keep == Half::Negative);
+    QCOMPARE(std::get<core::FlattenBase>(commandAt(23).command).height, 0.5);
+    QCOMPARE(std::get<core::MaskOperation>(commandAt(24).command).how, core::MaskOperation::Kind::Shrink);
+    const auto trim = std::get<core::Trim>(commandAt(26).command);
     QVERIFY(trim.area.eye == Vec3(0, 0, 99) && trim.area.outline.at(1) == Vec3(9, 0.1, 5) && !trim.color);
-    QVERIFY(std::get<core::Trim>(commandAt(26).command).area.direction == Vec3(0, -1, 0));
+    QVERIFY(std::get<core::Trim>(commandAt(27).command).area.direction == Vec3(0, -1, 0));
 
     const auto swapped =
         parseStrokes(R"({"format":"fettle-strokes","version":1,"strokes":[{"by":[1,0,0],"command":"move"}]})");

@@ -119,6 +119,8 @@ void TestPrimitiveDialog::rows_areThoseOfTheShape()
         }
         QCOMPARE(asking.in<QPlainTextEdit>("profile")->isVisible(),
                  static_cast<Primitive::Kind>(kind) == Primitive::Kind::Lathe);
+        QCOMPARE(asking.in<QPlainTextEdit>("path")->isVisible(),
+                 static_cast<Primitive::Kind>(kind) == Primitive::Kind::Tube);
     }
 }
 
