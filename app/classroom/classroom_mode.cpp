@@ -276,6 +276,7 @@ void ClassroomMode::saveThen(ClassTurn turn, std::function<void()> then)
     if (m_stage == Stage::Saving)
         return;
     m_program.window->viewport()->input()->finish();
+    m_program.document->changer().dropPreview();
     if (m_stage == Stage::Sculpting) // a turn recovered after a crash already has its place, from the note
         turn.lesson = m_lesson.stop();
     Document& document = *m_program.document;

@@ -26,7 +26,9 @@ Document::Document(SculptWorker* worker, QObject* parent)
     connect(&m_job, &BackgroundJob::idle, &m_opener, &ModelOpener::openNext, Qt::QueuedConnection);
     connect(worker, &SculptWorker::factsChanged, this, &Document::takeFacts);
     connect(&worker->strokes(), &StrokeGate::refused, this, [this] {
-        if (m_queue.isPaused(DocumentQueue::Pause::Changing))
+        if (m_changer.isPreviewing())
+            Q_EMIT noticed(tr("Apply or cancel the preview before you sculpt on."));
+        else if (m_queue.isPaused(DocumentQueue::Pause::Changing))
             Q_EMIT noticed(tr("Sculpting is paused until the model is ready."));
     });
     connect(&m_history.stack(), &QUndoStack::indexChanged, this, &Document::notifyStateChanged);
@@ -117,6 +119,7 @@ void Document::cancelJob()
 {
     m_opener.forgetNext();
     m_job.cancel();
+    m_changer.dropPreview();
 }
 
 void Document::loseHistory()

@@ -19,7 +19,7 @@ public:
     enum class Pause {
         None,
         Installing, ///< the worker has a new model, and the undo stack still describes the old one
-        Changing    ///< another thread is changing the whole model
+        Changing    ///< another thread is changing the whole model, or the mesh shows a preview of a change
     };
 
     /// The worker is not owned and must outlive the queue.

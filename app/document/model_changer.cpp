@@ -6,6 +6,8 @@
 #include "app/worker/sculpt_worker.h"
 
 #include "core/journal/journal.h"
+#include "core/operations/detached_part.h"
+#include "core/parts/part_split.h"
 #include "core/sculpt/sculptor.h"
 
 #include <QFileInfo>
@@ -23,7 +25,34 @@ std::string partNameOf(const ui::InsertRequest& insertion)
         return {};
     return core::shortened(QFileInfo(insertion.path).completeBaseName().toStdString());
 }
+
+/// Returns the parts of which the request takes something away.
+std::shared_ptr<const core::DrawArrays> glassOf(const core::Mesh& mesh, const ModelChangeRequest& request)
+{
+    const auto& command = std::get<core::CombineParts>(request.command);
+    std::vector<core::PartId> parts;
+    if (command.operation != core::SetOperation::Union)
+        parts = command.others;
+    if (command.operation == core::SetOperation::Intersection)
+        parts.push_back(request.part);
+    std::vector<core::PartPiece> pieces;
+    for (const core::PartId part : parts)
+        pieces.push_back({part, core::surfaceOf(mesh, part), {}, {}});
+    if (pieces.empty())
+        return {};
+    core::TriangleMesh glass = core::joined(pieces);
+    glass.colors.clear();
+    return std::make_shared<const core::DrawArrays>(core::drawArraysOf(glass));
+}
 } // namespace
+
+struct ModelChanger::Change
+{
+    ModelChangeRequest request;
+    ModelChangeOutcome outcome; ///< without its delta
+    std::shared_ptr<core::MeshDelta> delta;
+    StepDescription step;
+};
 
 void ModelChanger::apply(const core::ModelCommand& command)
 {
@@ -47,6 +76,47 @@ void ModelChanger::insert(const ui::InsertRequest& insertion)
         });
 }
 
+void ModelChanger::preview(core::PartId part, const core::CombineParts& command)
+{
+    if (!m_document->job().isBusy())
+        m_document->queue().enqueue([this, part, command] { start({command, {}, part, true}); });
+}
+
+void ModelChanger::previewInstead(core::SetOperation operation)
+{
+    if (!m_preview)
+        return;
+    ModelChangeRequest request = m_preview->request;
+    std::get<core::CombineParts>(request.command).operation = operation;
+    takeBack();
+    compute(request);
+}
+
+void ModelChanger::applyPreview()
+{
+    if (!m_preview)
+        return;
+    m_document->job().commit();
+    record(std::exchange(m_preview, nullptr));
+}
+
+void ModelChanger::dropPreview()
+{
+    if (!m_isPreviewing)
+        return;
+    m_document->job().cancel();
+    if (const auto change = m_preview) { // otherwise finish() ends it
+        takeBack();
+        end(change->request, change->outcome);
+    }
+}
+
+void ModelChanger::takeBack()
+{
+    m_document->worker().post(
+        [delta = std::exchange(m_preview, nullptr)->delta](core::Sculptor& sculptor) { sculptor.swap(*delta); });
+}
+
 void ModelChanger::start(ModelChangeRequest request)
 {
     BackgroundJob& job = m_document->job();
@@ -59,8 +129,15 @@ void ModelChanger::start(ModelChangeRequest request)
     m_document->queue().setPause(DocumentQueue::Pause::Changing);
     if (core::isInFrame(request.command))
         return applyInFrame(request);
-    const core::JobControl control = job.beginCancellable(CommandNames::progress(request.command));
-    m_document->worker().post([this, request = std::move(request), control](core::Sculptor& sculptor) {
+    compute(request);
+}
+
+/// Computes the change on a copy of the mesh in another thread.
+void ModelChanger::compute(const ModelChangeRequest& request)
+{
+    m_isPreviewing = request.isPreview;
+    const core::JobControl control = m_document->job().beginCancellable(CommandNames::progress(request.command));
+    m_document->worker().post([this, request, control](core::Sculptor& sculptor) {
         BackgroundJob& work = m_document->job();
         auto run = [&work, copy = ModelChangeJob::copyOf(sculptor.mesh()), request, control] {
             return ModelChangeJob::run(
@@ -88,26 +165,51 @@ void ModelChanger::finish(const ModelChangeRequest& request, ModelChangeOutcome 
 {
     if (m_document->job().wasCancelled() || !outcome.change.changes)
         return end(request, outcome);
-    m_document->job().commit();
     auto delta = std::make_shared<core::MeshDelta>(std::move(outcome.change.delta));
     const auto recordedStep = std::make_shared<const core::FileEntry>(
         core::FileCommand{request.command, request.insertion.path.toStdString(), request.part});
-    const StepDescription step{
+    StepDescription step{
         StrokeStep::textOfPart(m_document->parts().named(request), CommandNames::name(request.command)),
         {CommandNames::icon(request.command), 0, 0, recordedStep}};
-    const auto& journal = m_document->journaling().journal();
-    m_document->worker().post(
-        [delta, record = StrokeStep::forJournal(step.text, step.marks), journal](core::Sculptor& sculptor) {
-            sculptor.swap(*delta);
-            if (journal)
-                journal->changed(sculptor.mesh(), *delta, record);
+    const auto change =
+        std::make_shared<const Change>(Change{request, std::move(outcome), std::move(delta), std::move(step)});
+    if (request.isPreview)
+        return show(change);
+    m_document->job().commit();
+    m_document->worker().post([delta = change->delta](core::Sculptor& sculptor) { sculptor.swap(*delta); });
+    record(change);
+}
+
+void ModelChanger::show(const std::shared_ptr<const Change>& change)
+{
+    m_preview = change;
+    Q_EMIT m_document->job().busy(tr("Preview: %1").arg(change->step.text));
+    m_document->worker().post([this, change](core::Sculptor& sculptor) {
+        const auto operation = std::get<core::CombineParts>(change->request.command).operation;
+        const auto glass = glassOf(sculptor.mesh(), change->request);
+        sculptor.swap(*change->delta);
+        m_mailbox.post([this, change, operation, glass] {
+            if (m_preview == change)
+                Q_EMIT previewed(operation, glass);
         });
-    m_document->queue().whenRecorded([this, request, outcome = std::move(outcome), delta, step] {
-        m_document->history().push(step, delta);
-        if (outcome.change.addedPart)
+    });
+    m_document->notifyStateChanged(); // the mesh has changed; a window that is closing drops the preview
+}
+
+/// Records a change that the mesh has, and makes it a step.
+void ModelChanger::record(const std::shared_ptr<const Change>& change)
+{
+    m_document->worker().post([change, step = StrokeStep::forJournal(change->step.text, change->step.marks),
+                               journal = m_document->journaling().journal()](core::Sculptor& sculptor) {
+        if (journal)
+            journal->changed(sculptor.mesh(), *change->delta, step);
+    });
+    m_document->queue().whenRecorded([this, change] {
+        m_document->history().push(change->step, change->delta);
+        if (change->outcome.change.addedPart)
             m_document->parts().activateLast();
-        Q_EMIT m_document->stepped(*step.marks.recordedStep);
-        end(request, outcome);
+        Q_EMIT m_document->stepped(*change->step.marks.recordedStep);
+        end(change->request, change->outcome);
     });
 }
 
@@ -119,6 +221,8 @@ void ModelChanger::end(const ModelChangeRequest& request, const ModelChangeOutco
     job.end();
     if (!job.wasCancelled())
         reportOutcome(request, outcome);
+    if (std::exchange(m_isPreviewing, false))
+        Q_EMIT previewEnded();
     m_document->notifyStateChanged();
     Q_EMIT ended(!job.wasCancelled() && outcome.change.changes);
     m_document->queue().run();

@@ -102,6 +102,7 @@ void ModelOpener::recover(quint64 offer, const QString& name)
 /// asked again if that model cannot be opened.
 void ModelOpener::openMade(const Choice& choice)
 {
+    m_document->changer().dropPreview();
     if (m_document->job().isBusy() && !m_isLoading)
         Q_EMIT m_document->noticed(tr("The model that you chose will open as soon as this is done."));
     m_document->queue().enqueue([this, choice] {

@@ -20,7 +20,8 @@ struct ModelChangeRequest
     core::ModelCommand command;
     /// used only if `command` is a core::Insert without a primitive: the file that the inserted model is read from
     ui::InsertRequest insertion;
-    core::PartId part = 0; ///< the part that the command changes
+    core::PartId part = 0;  ///< the part that the command changes
+    bool isPreview = false; ///< whether the user sees the result before it becomes a step
 };
 
 /// Result of a change of the whole model.

@@ -30,6 +30,7 @@
 #include "ui/model/objects_bar.h"
 #include "ui/model/repair_dialogs.h"
 #include "ui/model/unit_bar.h"
+#include "ui/parts/combination_card.h"
 #include "ui/parts/parts_panel.h"
 #include "ui/print/print_panel.h"
 #include "ui/reference/reference_images.h"
@@ -183,6 +184,7 @@ void connectClosing(ui::MainWindow& window, Document& document, Headset* headset
     window.setIsSettled([input, &document, headset] {
         input->finish();
         headset->leave();
+        document.changer().dropPreview();
         return !input->isPressPending() && !headset->isActive() && document.queue().isSettled();
     });
     QObject::connect(headset, &Headset::reported, &window, &MainWindow::continueClosing, Qt::QueuedConnection);
@@ -194,8 +196,16 @@ void connectHistory(ui::MainWindow& window, Document& document)
 {
     QAction* undo = window.action(QStringLiteral("edit.undo"));
     QAction* redo = window.action(QStringLiteral("edit.redo"));
-    QObject::connect(undo, &QAction::triggered, &document.history(), &DocumentHistory::undo);
-    QObject::connect(redo, &QAction::triggered, &document.history(), &DocumentHistory::redo);
+    QObject::connect(undo, &QAction::triggered, &document, [&document] {
+        if (document.changer().isPreviewing())
+            document.cancelJob();
+        else
+            document.history().undo();
+    });
+    QObject::connect(redo, &QAction::triggered, &document, [&document] {
+        if (!document.changer().isPreviewing())
+            document.history().redo();
+    });
     QObject::connect(&document, &Document::historyChanged, &window, [&window, &document, undo, redo] {
         window.setUndoText(document.history().undoText());
         window.setRedoText(document.history().redoText());
@@ -218,6 +228,35 @@ void connectParts(ui::MainWindow& window, Document& document)
     QObject::connect(window.action(QStringLiteral("parts.showAll")), &QAction::triggered, parts,
                      &DocumentParts::showAll);
     QObject::connect(window.viewport()->input(), &ui::PointerInput::partPicked, parts, &DocumentParts::pick);
+}
+
+/// Shows the result of combining parts before it becomes a step.
+void connectCombinations(ui::MainWindow& window, Document& document, Headset* headset)
+{
+    using ui::CombinationCard;
+    ModelChanger* changer = &document.changer();
+    ui::Viewport* view = window.viewport();
+    auto* card = view->findChild<CombinationCard*>();
+    QObject::connect(window.findChild<ui::PartsPanel*>(), &ui::PartsPanel::combinationRequested, changer,
+                     [changer, view, headset](core::PartId part, const core::CombineParts& command) {
+                         if (headset->isActive()) // nobody there could end a preview
+                             return changer->applyTo(part, command);
+                         view->input()->setMode(ui::PointerMode::Sculpt); // ends tools that show something in the view
+                         changer->preview(part, command);
+                     });
+    QObject::connect(window.headset(), &ui::HeadsetActions::enterRequested, changer, &ModelChanger::dropPreview);
+    QObject::connect(changer, &ModelChanger::previewed, card,
+                     [card, view](core::SetOperation operation, const auto& glass) {
+                         view->showGlass(glass);
+                         card->open(operation);
+                     });
+    QObject::connect(changer, &ModelChanger::previewEnded, card, [card, view] {
+        view->showGlass({});
+        card->close();
+    });
+    QObject::connect(card, &CombinationCard::operationChosen, changer, &ModelChanger::previewInstead);
+    QObject::connect(card, &CombinationCard::applied, changer, &ModelChanger::applyPreview);
+    QObject::connect(card, &CombinationCard::cancelled, &document, &Document::cancelJob);
 }
 
 /// Tells a tool in the view what a change of the active part moves, whenever that may have changed.
@@ -267,7 +306,10 @@ void connectHistoryPanel(ui::MainWindow& window, Document& document)
         show();
     };
     setCap(panel->cap());
-    QObject::connect(panel, &HistoryPanel::jumpRequested, &document.history(), &DocumentHistory::goTo);
+    QObject::connect(panel, &HistoryPanel::jumpRequested, &document, [&document](int index) {
+        document.changer().dropPreview();
+        document.history().goTo(index);
+    });
     QObject::connect(panel, &HistoryPanel::stateRequested, new HistoryScrubber(&document), &HistoryScrubber::scrubTo);
     QObject::connect(panel, &HistoryPanel::capChanged, panel, setCap);
     QObject::connect(panel, &HistoryPanel::shown, panel, show);
@@ -412,10 +454,12 @@ void connectAll(ui::MainWindow& window, Document& document, SculptWorker& worker
     connectRepairs(window, document);
     connectUnits(window, document);
     connectObjects(window, document);
-    connectClosing(window, document, connectHeadset(window, document, worker));
+    Headset* headset = connectHeadset(window, document, worker);
+    connectClosing(window, document, headset);
     connectHistory(window, document);
     connectHistoryPanel(window, document);
     connectParts(window, document);
+    connectCombinations(window, document, headset);
     connectTransform(window, document);
     connectRegion(window.viewport()->findChild<ui::PlaneCutTool*>(), document);
     connectPalette(window, document);

@@ -13,6 +13,7 @@ constexpr int progressSteps = 100;
 void BackgroundJob::begin(const QString& what)
 {
     m_isBusy = true;
+    m_stop = std::stop_source(std::nostopstate); // forgets that an earlier job was cancelled
     Q_EMIT busy(what);
 }
 

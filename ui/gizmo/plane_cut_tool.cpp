@@ -2,10 +2,10 @@
 
 #include "ui/actions/actions.h"
 #include "ui/gizmo/gizmo.h"
-#include "ui/gizmo/view_card.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/spacing.h"
+#include "ui/widgets/view_card.h"
 
 #include "core/operations/trim.h"
 

@@ -6,7 +6,6 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QGridLayout>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -90,13 +89,5 @@ void TransformFields::setValues(const TransformValues& values)
 bool TransformFields::usesOwnAxes() const
 {
     return m_axes->currentIndex() == 1;
-}
-
-void TransformFields::keyPressEvent(QKeyEvent* event)
-{
-    if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
-        Q_EMIT entered();
-    else
-        ViewCard::keyPressEvent(event);
 }
 } // namespace ui

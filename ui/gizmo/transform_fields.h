@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/gizmo/transform_values.h"
-#include "ui/gizmo/view_card.h"
+#include "ui/widgets/view_card.h"
 
 #include <array>
 
@@ -26,12 +26,8 @@ public:
 
 Q_SIGNALS:
     void edited();
-    void entered();
     void axesChosen();
     void closed();
-
-protected:
-    void keyPressEvent(QKeyEvent* event) override;
 
 private:
     enum Row { Move, Rotate, Scale, RowCount };

@@ -253,7 +253,7 @@ void PartsPanel::chooseTag()
 
 void PartsPanel::combine(core::SetOperation operation)
 {
-    Q_EMIT requested(m_active, core::CombineParts{operation, others()});
+    Q_EMIT combinationRequested(m_active, core::CombineParts{operation, others()});
 }
 
 bool PartsPanel::eventFilter(QObject* watched, QEvent* event)

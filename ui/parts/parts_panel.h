@@ -29,6 +29,8 @@ Q_SIGNALS:
     void activated(core::PartId part);
     /// The user requests a change of a part, or of all.
     void requested(core::PartId part, const core::ModelCommand& command);
+    /// The user requests to combine the part with others.
+    void combinationRequested(core::PartId part, const core::CombineParts& command);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

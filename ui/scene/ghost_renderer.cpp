@@ -10,7 +10,8 @@ namespace ui
 namespace
 {
 // Opacity of a shape where it faces the eye, and where it turns away, 0 to 1.
-const QVector2D bodyAlphas(0.42F, 0.85F), brushAlphas(0.05F, 0.60F);
+const QVector2D bodyAlphas(0.42F, 0.85F), brushAlphas(0.05F, 0.60F), glassAlphas(0.14F, 0.70F);
+constexpr float glassDepthOffset = 2; // units of glPolygonOffset
 
 Eigen::Matrix4d sized(const Eigen::Isometry3d& pose, double size)
 {
@@ -35,7 +36,7 @@ void GhostRenderer::destroy()
     if (!m_gl)
         return;
     m_program.reset();
-    for (Shape* shape : {&m_head, &m_ball, &m_hands[0], &m_hands[1]}) {
+    for (Shape* shape : {&m_head, &m_ball, &m_glass, &m_hands[0], &m_hands[1]}) {
         shape->buffer.destroy();
         shape->arrays.reset();
     }
@@ -56,7 +57,11 @@ void GhostRenderer::upload(Shape& shape, const std::shared_ptr<const core::DrawA
 /// model, or between it and the eye, from being cut off.
 void GhostRenderer::draw(const OrbitCamera& camera)
 {
-    if (!m_avatar && !m_teacher)
+    if (!m_glassArrays && m_glass.arrays) {
+        m_glass.buffer.destroy();
+        m_glass.arrays.reset();
+    }
+    if (!m_avatar && !m_teacher && !m_glassArrays)
         return;
     m_view = camera.viewMatrix();
     m_program->bind();
@@ -84,6 +89,8 @@ void GhostRenderer::draw(const OrbitCamera& camera)
         drawBrush(*m_avatar->brush);
     if (m_teacher)
         drawBrush(*m_teacher);
+    if (m_glassArrays)
+        drawGlass();
 
     m_gl->glDisable(GL_BLEND);
     m_gl->glDepthMask(GL_TRUE);
@@ -115,6 +122,18 @@ void GhostRenderer::drawBrush(const core::Sphere& brush)
     upload(m_ball, ball);
     m_program->setUniformValue("alphas", brushAlphas);
     place(m_ball, sized(Eigen::Isometry3d(Eigen::Translation3d(brush.center)), brush.radius));
+}
+
+/// Draws both sides, so that a cutter is seen in the hollow that it has left.
+void GhostRenderer::drawGlass()
+{
+    upload(m_glass, m_glassArrays);
+    m_program->setUniformValue("alphas", glassAlphas);
+    m_gl->glDisable(GL_CULL_FACE);
+    m_gl->glEnable(GL_POLYGON_OFFSET_FILL);
+    m_gl->glPolygonOffset(glassDepthOffset, glassDepthOffset);
+    place(m_glass, Eigen::Matrix4d::Identity());
+    m_gl->glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
 void GhostRenderer::place(const Shape& shape, const Eigen::Matrix4d& toDocument)

@@ -12,10 +12,10 @@ class QOpenGLShaderProgram;
 
 namespace ui
 {
-/// Draws the avatar of the headset's user and the brush of a lesson's teacher: half transparent, after everything else,
-/// into the bound framebuffer, with OpenGL 3.3 core. The clay hides them. Plain OpenGL rather than Qt3D, so that they
-/// also appear in Layered mode and moving them costs nothing. Thread: the OpenGL context that was current at create()
-/// must be current at every call, except for the setters.
+/// Draws the avatar of the headset's user, the brush of a lesson's teacher, and solids of glass: half transparent,
+/// after everything else, into the bound framebuffer, with OpenGL 3.3 core. The clay hides them. Plain OpenGL rather
+/// than Qt3D, so that they also appear in Layered mode and moving them costs nothing. Thread: the OpenGL context that
+/// was current at create() must be current at every call, except for the setters.
 class GhostRenderer
 {
 public:
@@ -29,8 +29,10 @@ public:
     /// Sets the avatar for the next frames; nullopt hides it.
     void show(const std::optional<HeadsetAvatar>& avatar) { m_avatar = avatar; }
     void showTeacher(const std::optional<core::Sphere>& brush) { m_teacher = brush; }
+    /// Sets solids, in mm of the document, to be drawn as glass; null: none. Where they lie on the clay, it is drawn.
+    void showGlass(const std::shared_ptr<const core::DrawArrays>& glass) { m_glassArrays = glass; }
     void setDark(bool dark) { m_isDark = dark; }
-    /// Draws avatar and brush. Uploads shapes that have not been drawn before.
+    /// Draws what is set. Uploads shapes that have not been drawn before.
     void draw(const OrbitCamera& camera);
 
 private:
@@ -43,14 +45,16 @@ private:
     void upload(Shape& shape, const std::shared_ptr<const core::DrawArrays>& arrays);
     void drawBodies();
     void drawBrush(const core::Sphere& brush);
+    void drawGlass();
     void place(const Shape& shape, const Eigen::Matrix4d& toDocument);
 
     QOpenGLFunctions_3_3_Core* m_gl = nullptr;
     std::unique_ptr<QOpenGLShaderProgram> m_program;
-    Shape m_head, m_ball;
+    Shape m_head, m_ball, m_glass;
     std::array<Shape, 2> m_hands;
     std::optional<HeadsetAvatar> m_avatar;
     std::optional<core::Sphere> m_teacher;
+    std::shared_ptr<const core::DrawArrays> m_glassArrays;
     Eigen::Matrix4d m_view = Eigen::Matrix4d::Identity(); ///< view matrix of the frame that is being drawn
     bool m_isDark = false;
 };

@@ -339,6 +339,11 @@ void Scene::showTeacher(const std::optional<core::Sphere>& brush)
     m_state->ghosts.showTeacher(brush);
 }
 
+void Scene::showGlass(const std::shared_ptr<const core::DrawArrays>& glass)
+{
+    m_state->ghosts.showGlass(glass);
+}
+
 void Scene::setAppearance(const ViewAppearance& appearance, bool darkTheme)
 {
     State& s = *m_state;

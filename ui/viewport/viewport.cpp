@@ -105,6 +105,7 @@ struct Viewport::State
     std::function<std::optional<core::MeshPatch>()> patchSource;
     std::shared_ptr<const core::Footprint> shades;
     std::optional<core::Sphere> teacher;
+    std::shared_ptr<const core::DrawArrays> glass;
     std::shared_ptr<const core::Footprint> movedVertices; ///< null: none is shown moved
     core::Transform move;
     std::optional<Cut> cut;
@@ -119,7 +120,7 @@ struct Viewport::State
     void placeCursor();
     void placeKeys();
     void placeMark();
-    void placeAvatar();
+    void placeGhosts();
     void placeHighlight();
     void updateKeyboardCursorBounds(const QSize& view);
     void updateStabilizerLine();
@@ -213,10 +214,11 @@ void Viewport::State::placeMark()
         scene->hideMark();
 }
 
-void Viewport::State::placeAvatar()
+void Viewport::State::placeGhosts()
 {
     scene->showAvatar(navigation.shownAvatar());
     scene->showTeacher(teacher);
+    scene->showGlass(glass);
 }
 
 void Viewport::State::placeHighlight()
@@ -451,6 +453,12 @@ void Viewport::showTeacher(const std::optional<core::Sphere>& brush)
     Q_EMIT teacherShown(brush);
 }
 
+void Viewport::showGlass(const std::shared_ptr<const core::DrawArrays>& glass)
+{
+    m_state->glass = glass;
+    update();
+}
+
 /// Creates the scene in the first call. Qt calls it again when the widget moves to another window; the scene is kept,
 /// because it has contexts of its own.
 void Viewport::initializeGL()
@@ -501,7 +509,7 @@ void Viewport::paintGL()
     const bool surfaceChanged = s.applyPatch();
     s.placeCursor();
     s.placeMark();
-    s.placeAvatar();
+    s.placeGhosts();
     s.placeHighlight();
     if (s.cut)
         s.scene->showCut(s.cut->point, s.cut->normal);
@@ -629,7 +637,8 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease)
         m_state->input.setModifiers(static_cast<QKeyEvent*>(event)->modifiers());
-    if (event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+    const bool isForPopup = QApplication::activePopupWidget() || QApplication::activeModalWidget();
+    if (!isForPopup && event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
         m_state->spotlight.setOn(false);
         m_state->input.setMode(PointerMode::Sculpt);
         if (m_state->input.strokeOpen())

@@ -24,6 +24,7 @@
 #include "ui/model/area_actions.h"
 #include "ui/model/model_actions.h"
 #include "ui/model/model_panel.h"
+#include "ui/parts/combination_card.h"
 #include "ui/parts/parts_panel.h"
 #include "ui/preferences/preferences_actions.h"
 #include "ui/print/print_panel.h"
@@ -255,6 +256,7 @@ void MainWindow::State::connectActions()
     connectAreas(actions, viewport, &brush, request);
     connect(new TransformTool(actions, viewport), &TransformTool::requested, q, request);
     connect(new PlaneCutTool(actions, viewport), &PlaneCutTool::requested, q, request);
+    new CombinationCard(viewport);
     connectTools();
     headset = new HeadsetActions({&actions, viewport, new PartnerBar({&actions, &brush, viewport}, q)}, q);
     connectView(actions, viewport);

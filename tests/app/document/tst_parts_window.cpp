@@ -16,6 +16,7 @@
 #include "ui/gizmo/gizmo.h"
 #include "ui/model/model_panel.h"
 #include "ui/model/objects_bar.h"
+#include "ui/parts/combination_card.h"
 #include "ui/parts/parts_panel.h"
 #include "ui/settings/settings.h"
 #include "ui/viewport/viewport.h"
@@ -27,6 +28,7 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
+#include <QToolButton>
 #include <QTreeWidget>
 
 #include <future>
@@ -129,6 +131,15 @@ void press(Program& program, const char* button)
     waitUntilSettled(program);
 }
 
+/// Combines the active part with the selected ones. Returns the card that belongs to the preview.
+QWidget* preview(Program& program, const char* id)
+{
+    auto* card = program.window.findChild<ui::CombinationCard*>();
+    program.window.action(QLatin1StringView(id))->trigger();
+    [card] { QTRY_VERIFY_WITH_TIMEOUT(card->isVisible(), longestWait); }();
+    return card;
+}
+
 /// Saves a picture of the window to the file that the environment variable names, for people to look at.
 void savePicture(Program& program)
 {
@@ -154,6 +165,9 @@ private Q_SLOTS:
     void row_hidesLocksAndRenames();
     void isolate_andBack();
     void combine_joinsTheSelected();
+    void combine_isCancelled();
+    void combine_showsAnotherOperation();
+    void combine_endsBeforeTheWindowCloses();
     void commands_areRefusedInWords();
     void insertedPart_becomesTheActiveOne();
     void insertedPart_needsNoEditablePart();
@@ -364,11 +378,93 @@ void TestPartsWindow::combine_joinsTheSelected()
     program.document.parts().activate(0);
     QTRY_VERIFY(list(program)->currentItem() == list(program)->topLevelItem(0));
     list(program)->topLevelItem(1)->setSelected(true);
-    trigger(program, "parts.union");
+    QTest::keyClick(preview(program, "parts.union"), Qt::Key_Return);
+    waitUntilSettled(program);
     QTRY_COMPARE(names(program), QStringList({"Part 1"}));
+    QCOMPARE(program.document.history().undoText(), QStringLiteral("Part 1: Join"));
     program.document.history().undo();
     waitUntilSettled(program);
     QTRY_COMPARE(hashes(program), before);
+}
+
+/// A preview that is cancelled, in any of three ways, leaves the parts bit for bit, and no step.
+void TestPartsWindow::combine_isCancelled()
+{
+    const QTemporaryDir folder;
+    Program program;
+    openTwoBalls(program, folder);
+    apply(program, core::Move{{-28, 0, 0}});
+    const auto before = hashes(program);
+    const int steps = program.document.history().stack().count();
+    program.document.parts().activate(0);
+    list(program)->topLevelItem(1)->setSelected(true);
+    QStringList notices;
+    QObject::connect(&program.document, &Document::noticed, [&](const QString& sentence) { notices << sentence; });
+    const auto cancelBy = [&](const std::function<void(QWidget*)>& cancel) {
+        QWidget* card = preview(program, "parts.subtract");
+        QTRY_COMPARE(names(program), QStringList({"Part 1"}));
+        QVERIFY(hashes(program) != before);
+        program.document.strokes().addSphere(core::StrokeSettings(), core::StrokeSample());
+        QTRY_COMPARE(notices.size(), 1);
+        notices.clear();
+        cancel(card);
+        waitUntilSettled(program);
+        QTRY_VERIFY(!card->isVisible());
+        QCOMPARE(hashes(program), before);
+        QCOMPARE(program.document.history().stack().count(), steps);
+        QTRY_COMPARE(names(program), QStringList({"Part 1", "Part 1 copy"}));
+        list(program)->topLevelItem(1)->setSelected(true);
+    };
+    cancelBy([](QWidget* card) { card->findChild<QPushButton*>(QStringLiteral("combinationCancel"))->click(); });
+    cancelBy([&](QWidget*) { program.window.action(QStringLiteral("edit.stop"))->trigger(); });
+    cancelBy([&](QWidget*) { program.window.action(QStringLiteral("edit.undo"))->trigger(); });
+    trigger(program, "parts.hide"); // a later command is not cancelled, too
+    QTRY_VERIFY(!program.document.parts().list().isVisible(0));
+}
+
+void TestPartsWindow::combine_showsAnotherOperation()
+{
+    const QTemporaryDir folder;
+    Program program;
+    openTwoBalls(program, folder);
+    apply(program, core::Move{{-28, 0, 0}});
+    const auto before = hashes(program);
+    program.document.parts().activate(0);
+    list(program)->topLevelItem(1)->setSelected(true);
+    QWidget* card = preview(program, "parts.subtract");
+    savePicture(program);
+    const auto subtracted = hashes(program);
+    card->findChild<QToolButton*>(QStringLiteral("combinationIntersect"))->click();
+    QTRY_VERIFY(card->isEnabled());
+    QVERIFY(hashes(program) != subtracted);
+    card->findChild<QToolButton*>(QStringLiteral("combinationSubtract"))->click();
+    QTRY_VERIFY(card->isEnabled());
+    QCOMPARE(hashes(program), subtracted);
+    card->findChild<QPushButton*>(QStringLiteral("combinationApply"))->click();
+    waitUntilSettled(program);
+    QVERIFY(!card->isVisible());
+    QCOMPARE(hashes(program), subtracted);
+    QCOMPARE(program.document.history().undoText(), QStringLiteral("Part 1: Subtract"));
+    program.document.history().undo();
+    waitUntilSettled(program);
+    QCOMPARE(hashes(program), before);
+    program.document.history().redo();
+    waitUntilSettled(program);
+    QCOMPARE(hashes(program), subtracted);
+}
+
+void TestPartsWindow::combine_endsBeforeTheWindowCloses()
+{
+    const QTemporaryDir folder;
+    Program program;
+    openTwoBalls(program, folder);
+    program.document.parts().activate(0);
+    list(program)->topLevelItem(1)->setSelected(true);
+    preview(program, "parts.union");
+    program.document.savedState().setSaved(program.document.history().stack().index());
+    program.window.close();
+    QTRY_VERIFY(!program.window.isVisible());
+    QTRY_COMPARE(hashes(program).size(), std::size_t(2));
 }
 
 void TestPartsWindow::commands_areRefusedInWords()

@@ -1,8 +1,10 @@
-#include "ui/gizmo/view_card.h"
+#include "ui/widgets/view_card.h"
 
 #include "ui/widgets/spacing.h"
 
-#include <QEvent>
+#include <QAbstractButton>
+#include <QApplication>
+#include <QKeyEvent>
 
 namespace ui
 {
@@ -27,6 +29,17 @@ void ViewCard::showEvent(QShowEvent* event)
     QFrame::showEvent(event);
     place();
     raise();
+}
+
+void ViewCard::keyPressEvent(QKeyEvent* event)
+{
+    const bool isReturn = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (!isReturn)
+        QFrame::keyPressEvent(event);
+    else if (auto* button = qobject_cast<QAbstractButton*>(QApplication::focusWidget()); button && isAncestorOf(button))
+        button->click();
+    else
+        Q_EMIT entered();
 }
 
 void ViewCard::place()

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <QFrame>
+
+namespace ui
+{
+/// A frame with controls in the lower right corner of the view, as large as they need. Hidden at first. Thread: gui.
+class ViewCard : public QFrame
+{
+    Q_OBJECT
+
+public:
+    ViewCard(QWidget* view, const char* name);
+
+Q_SIGNALS:
+    /// Return was pressed, and no button has the focus.
+    void entered();
+
+protected:
+    /// Adapts the size to the controls that are visible.
+    void place();
+
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+};
+} // namespace ui
