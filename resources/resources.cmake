@@ -121,6 +121,7 @@ set(FETTLE_RESOURCE_FILES
     icons/point.svg
     icons/pinch.svg
     icons/place-on-bed.svg
+    icons/place-solid.svg
     icons/play.svg
     icons/plus.svg
     icons/preferences.svg
@@ -175,6 +176,7 @@ set(FETTLE_RESOURCE_FILES
     icons/tint.svg
     icons/tool-names.svg
     icons/trash.svg
+    icons/tube.svg
     icons/turn-down.svg
     icons/turn-left.svg
     icons/turn-right.svg

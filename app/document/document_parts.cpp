@@ -78,8 +78,22 @@ void DocumentParts::activateLast()
 void DocumentParts::pick(const core::Ray& ray)
 {
     m_document->worker().post([this, ray](core::Sculptor& sculptor) {
-        if (const auto part = sculptor.partAt(ray))
-            m_mailbox.post([this, part] { activate(*part); });
+        if (const auto met = sculptor.visibleHit(ray))
+            m_mailbox.post([this, part = met->part] { activate(part); });
+    });
+}
+
+void DocumentParts::findSurface(
+    const std::vector<core::Ray>& rays,
+    const std::function<void(const std::vector<std::optional<core::SurfaceHit>>& hits)>& answer)
+{
+    m_document->worker().post([this, rays, answer](core::Sculptor& sculptor) {
+        std::vector<std::optional<core::SurfaceHit>> hits;
+        for (const core::Ray& ray : rays) {
+            const auto met = sculptor.visibleHit(ray);
+            hits.push_back(met ? std::optional(met->hit) : std::nullopt);
+        }
+        m_mailbox.post([answer, hits = std::move(hits)] { answer(hits); });
     });
 }
 

@@ -31,6 +31,10 @@ public:
     std::optional<core::Part> named(const ModelChangeRequest& request) const;
     /// Makes the last part active, which was just added to the mesh.
     void activateLast();
+    /// Calls `answer` with where the rays first meet a visible part, nullopt for one that meets none, if the document
+    /// still exists then.
+    void findSurface(const std::vector<core::Ray>& rays,
+                     const std::function<void(const std::vector<std::optional<core::SurfaceHit>>& hits)>& answer);
 
 public Q_SLOTS:
     /// Makes a part active. Has no effect if there is no such part.

@@ -34,6 +34,7 @@
 #include "ui/parts/parts_panel.h"
 #include "ui/print/print_panel.h"
 #include "ui/reference/reference_images.h"
+#include "ui/shapes/view_tool.h"
 #include "ui/util/format_filters.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
@@ -272,6 +273,16 @@ template <class Tool> void connectRegion(Tool* tool, Document& document)
     QObject::connect(&document.job(), &BackgroundJob::idle, tool, [tool] { tool->setBusy(false); });
 }
 
+/// Tells a tool that draws in the view where the model is, and what has become of its request. While a long job runs,
+/// it can request nothing.
+void connectViewTool(ui::ViewTool* tool, Document& document)
+{
+    QObject::connect(tool, &ui::ViewTool::surfaceWanted, &document.parts(), &DocumentParts::findSurface);
+    QObject::connect(&document.changer(), &ModelChanger::ended, tool, &ui::ViewTool::endRequest);
+    QObject::connect(&document.job(), &BackgroundJob::busy, tool, [tool] { tool->setEnabled(false); });
+    QObject::connect(&document.job(), &BackgroundJob::idle, tool, [tool] { tool->setEnabled(true); });
+}
+
 void connectTransform(ui::MainWindow& window, Document& document)
 {
     using ui::TransformTool;
@@ -461,6 +472,8 @@ void connectAll(ui::MainWindow& window, Document& document, SculptWorker& worker
     connectParts(window, document);
     connectCombinations(window, document, headset);
     connectTransform(window, document);
+    for (ui::ViewTool* tool : window.viewport()->findChildren<ui::ViewTool*>())
+        connectViewTool(tool, document);
     connectRegion(window.viewport()->findChild<ui::PlaneCutTool*>(), document);
     connectPalette(window, document);
     connectMetadata(window, document);

@@ -385,19 +385,16 @@ std::optional<SurfaceHit> Sculptor::hit(const Ray& ray) const
     return firstHit(*m_mesh, m_engine->surface.octree(), ray);
 }
 
-std::optional<PartId> Sculptor::partAt(const Ray& ray)
+std::optional<Sculptor::PartHit> Sculptor::visibleHit(const Ray& ray)
 {
     const PartId before = activePart();
-    std::optional<PartId> found;
-    double least = std::numeric_limits<double>::infinity();
+    std::optional<PartHit> found;
     for (const Part& part : m_mesh->frame().parts.all()) {
         if (!part.isVisible)
             continue;
         activate(part.id);
-        if (const auto at = hit(ray); at && at->distance < least) {
-            least = at->distance;
-            found = part.id;
-        }
+        if (const auto at = hit(ray); at && (!found || at->distance < found->hit.distance))
+            found = PartHit{part.id, *at};
     }
     activate(before);
     return found;

@@ -63,8 +63,14 @@ public:
     /// Returns the first intersection of the ray with a face that it enters from outside; nothing if there is none.
     /// Cost: O(faces near the ray).
     std::optional<SurfaceHit> hit(const Ray& ray) const;
-    /// Returns the visible part that the ray meets first; nothing if there is none. Cost: a hit() for each part.
-    std::optional<PartId> partAt(const Ray& ray);
+    /// A place on the surface of a part.
+    struct PartHit
+    {
+        PartId part;
+        SurfaceHit hit;
+    };
+    /// Returns where the ray first meets a visible part; nothing if it meets none. Cost: a hit() for each part.
+    std::optional<PartHit> visibleHit(const Ray& ray);
     /// Returns the surface point nearest to `point`, if it is no farther than `within` (mm). Cost: O(faces in that
     /// ball).
     std::optional<SurfaceHit> nearest(const Vec3& point, double within) const;

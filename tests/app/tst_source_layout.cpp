@@ -68,10 +68,12 @@ const FolderRule folderRules[] = {
     {"ui/input", "core/stroke core/mesh ui/settings ui/scene"},
     {"ui/viewport", "core/parts core/stroke core/mesh core/render ui/util ui/settings ui/widgets ui/actions ui/scene "
                     "ui/input"},
-    {"ui/gizmo", "core/geometry core/parts core/operations ui/settings ui/widgets ui/actions ui/scene ui/input "
+    {"ui/gizmo", "core/geometry core/parts core/operations ui/util ui/settings ui/widgets ui/actions ui/scene ui/input "
                  "ui/viewport"},
     {"ui/model",
      "core/primitives core/analysis core/repair core/operations ui/settings ui/widgets ui/actions ui/viewport"},
+    {"ui/shapes", "core/geometry core/primitives core/mesh core/operations ui/util ui/settings ui/widgets ui/actions "
+                  "ui/scene ui/input ui/viewport ui/model"},
     {"ui/files", "core/primitives core/util core/drawing core/operations core/io ui/util ui/settings ui/widgets "
                  "ui/actions ui/scene "
                  "ui/model"},
@@ -93,7 +95,7 @@ const FolderRule folderRules[] = {
     {"ui/help", "ui/settings ui/widgets ui/actions ui/files ui/lesson"},
     {"ui/window",
      "core/primitives core/operations core/io ui/util ui/settings ui/widgets ui/actions ui/scene ui/viewport "
-     "ui/gizmo ui/model ui/files ui/brush ui/reference ui/drawing ui/print ui/history ui/parts ui/lesson "
+     "ui/gizmo ui/model ui/shapes ui/files ui/brush ui/reference ui/drawing ui/print ui/history ui/parts ui/lesson "
      "ui/preferences ui/classroom ui/headset ui/help"},
     {"vr/util", "core/geometry"},
     {"vr/gl", ""},
@@ -141,9 +143,8 @@ const FolderRule folderRules[] = {
      "ui/lesson ui/headset ui/window vr/openxr vr/input vr/frame vr/scene vr/panels vr/sculpt vr/simulator app/worker "
      "app/document app/commands"},
     {"app/window",
-     "ui/util ui/viewport ui/gizmo ui/model ui/brush ui/reference ui/drawing ui/print ui/history ui/parts ui/headset "
-     "ui/window app/worker "
-     "app/recovery app/document app/analysis app/classroom app/lesson app/headset"},
+     "ui/util ui/viewport ui/gizmo ui/model ui/shapes ui/brush ui/reference ui/drawing ui/print ui/history ui/parts "
+     "ui/headset ui/window app/worker app/recovery app/document app/analysis app/classroom app/lesson app/headset"},
     {"app",
      "app/classroom app/commands app/document app/headset app/import app/platform app/recovery app/window app/worker"
      " ui/scene ui/settings ui/util ui/viewport ui/widgets ui/window vr/openxr"},

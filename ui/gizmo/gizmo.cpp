@@ -1,6 +1,7 @@
 #include "ui/gizmo/gizmo.h"
 
 #include "ui/input/pointer_input.h"
+#include "ui/util/pointer_events.h"
 #include "ui/viewport/viewport.h"
 
 #include <QKeyEvent>
@@ -95,19 +96,11 @@ bool Gizmo::eventFilter(QObject* watched, QEvent* event)
 {
     if (!m_frame)
         return false;
+    if (const QSinglePointEvent* pointer = pointerEventIn(*event); pointer && handlePointer(*pointer)) {
+        event->accept();
+        return true;
+    }
     switch (event->type()) {
-    case QEvent::MouseMove:
-    case QEvent::MouseButtonPress:
-    case QEvent::MouseButtonDblClick:
-    case QEvent::MouseButtonRelease:
-    case QEvent::TabletMove:
-    case QEvent::TabletPress:
-    case QEvent::TabletRelease:
-        if (handlePointer(*static_cast<QSinglePointEvent*>(event))) {
-            event->accept();
-            return true;
-        }
-        break;
     case QEvent::Wheel:
         return isDragging();
     case QEvent::ShortcutOverride: // claims the keys of a drag, which would otherwise trigger actions
@@ -149,8 +142,7 @@ bool Gizmo::handlePointer(const QSinglePointEvent& event)
 {
     if (event.isEndEvent() && std::exchange(m_releaseFollows, false))
         return true;
-    const bool isPress = event.isBeginEvent() || event.type() == QEvent::MouseButtonDblClick;
-    if (isPress)
+    if (isPress(event))
         return press(event);
     if (m_drag && event.isUpdateEvent())
         moveTo(event.position(), event.modifiers());

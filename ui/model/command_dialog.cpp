@@ -106,16 +106,24 @@ Coordinates addCoordinates(CommandDialog* dialog)
             dialog->addNumber("z", ModelDialogs::tr("Z, to the front"), millimetreField(0))};
 }
 
-QComboBox* addCombinations(CommandDialog* dialog)
+void fillCombinations(QComboBox* list)
 {
-    QComboBox* list = dialog->addList("combine", ModelDialogs::tr("Combine"),
-                                      {ModelDialogs::tr("As a part of its own"), ModelDialogs::tr("Join"),
-                                       ModelDialogs::tr("Subtract"), ModelDialogs::tr("Intersect"),
-                                       ModelDialogs::tr("In the same part, without touching")});
+    list->addItems({ModelDialogs::tr("As a part of its own"), ModelDialogs::tr("Join"), ModelDialogs::tr("Subtract"),
+                    ModelDialogs::tr("Intersect"), ModelDialogs::tr("In the same part, without touching")});
     static_assert(insertUses.size() == std::size(combinations));
     list->setCurrentIndex(static_cast<int>(Settings().get(&Setting::insertUse)));
-    QObject::connect(dialog, &QDialog::accepted, list,
-                     [list] { Settings().set(&Setting::insertUse, static_cast<InsertUse>(list->currentIndex())); });
+}
+
+void storeCombination(const QComboBox* list)
+{
+    Settings().set(&Setting::insertUse, static_cast<InsertUse>(list->currentIndex()));
+}
+
+QComboBox* addCombinations(CommandDialog* dialog)
+{
+    QComboBox* list = dialog->addList("combine", ModelDialogs::tr("Combine"), {});
+    fillCombinations(list);
+    QObject::connect(dialog, &QDialog::accepted, list, [list] { storeCombination(list); });
     return list;
 }
 

@@ -72,10 +72,13 @@ struct Coordinates
 
 Coordinates addCoordinates(CommandDialog* dialog);
 
-/// Adds a list of the ways to combine an inserted model with the present one. The last accepted choice is stored in the
-/// settings.
+/// Fills a list with the ways to combine an inserted model with the present one, and selects the last choice.
+void fillCombinations(QComboBox* list);
+/// Stores the choice in the settings.
+void storeCombination(const QComboBox* list);
+/// Adds such a list. The choice is stored when the dialog is accepted.
 QComboBox* addCombinations(CommandDialog* dialog);
-/// Returns the choice in a list of addCombinations().
+/// Returns the choice in such a list.
 core::Insert::Combination combinationOf(const QComboBox* list);
 /// Returns whether the choice only has an effect where the two models overlap.
 bool needsOverlap(const QComboBox* list);

@@ -1,6 +1,7 @@
 #include "ui/viewport/brush_drag.h"
 
 #include "ui/util/error_messages.h"
+#include "ui/util/pointer_events.h"
 #include "ui/viewport/viewport.h"
 
 #include <QKeyEvent>
@@ -46,19 +47,11 @@ void BrushDrag::begin(core::Parameter parameter)
 
 bool BrushDrag::eventFilter(QObject* watched, QEvent* event)
 {
+    if (const QSinglePointEvent* pointer = pointerEventIn(*event); pointer && handlePointer(*pointer)) {
+        event->accept();
+        return true;
+    }
     switch (event->type()) {
-    case QEvent::MouseMove:
-    case QEvent::MouseButtonPress:
-    case QEvent::MouseButtonDblClick:
-    case QEvent::MouseButtonRelease:
-    case QEvent::TabletMove:
-    case QEvent::TabletPress:
-    case QEvent::TabletRelease:
-        if (handlePointer(*static_cast<QSinglePointEvent*>(event))) {
-            event->accept();
-            return true;
-        }
-        break;
     case QEvent::ShortcutOverride: // claims Esc, which would otherwise trigger an action
     case QEvent::KeyPress:
         if (isActive() && handleKey(static_cast<QKeyEvent*>(event)->key())) {

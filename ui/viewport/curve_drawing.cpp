@@ -1,10 +1,11 @@
 #include "ui/viewport/curve_drawing.h"
 
+#include "ui/util/pointer_events.h"
 #include "ui/viewport/area_bar.h"
 #include "ui/viewport/viewport.h"
+#include "ui/widgets/view_hint.h"
 
 #include <QKeyEvent>
-#include <QLabel>
 #include <QLineF>
 #include <QPainter>
 #include <QPainterPath>
@@ -18,7 +19,6 @@ namespace
 {
 constexpr double closingDistance = 8; ///< pixels from a polygon's first corner at which a click closes it
 constexpr double leastSize = 3;       ///< pixels; a smaller curve is begun again
-constexpr int hintMargin = 12;        ///< pixels from the view's top
 constexpr int barMargin = 6;          ///< pixels from the hint to the bar
 constexpr double cornerRadius = 3;    ///< pixels
 constexpr QColor warning(215, 60, 45, 80), selecting(60, 120, 215, 80);
@@ -51,14 +51,11 @@ QString hintFor(AreaUse areaUse, const AreaBar& bar, bool isOutside)
 CurveDrawing::CurveDrawing(Viewport* viewport)
     : QWidget(viewport)
     , m_viewport(viewport)
-    , m_hint(new QLabel(this))
+    , m_hint(new ViewHint("curveHint", this))
     , m_bar(new AreaBar(viewport))
 {
     setObjectName(QStringLiteral("curveDrawing"));
     setAttribute(Qt::WA_TransparentForMouseEvents);
-    m_hint->setObjectName(QStringLiteral("curveHint"));
-    m_hint->setStyleSheet(
-        QStringLiteral("background: rgba(28, 30, 33, 225); color: white; border-radius: 4px; padding: 4px 8px;"));
     hide();
     viewport->installEventFilter(this);
     connect(m_bar, &AreaBar::shapeChanged, this, [this] {
@@ -108,19 +105,11 @@ void CurveDrawing::cancel()
 
 bool CurveDrawing::eventFilter(QObject* watched, QEvent* event)
 {
+    if (const QSinglePointEvent* pointer = pointerEventIn(*event); pointer && handlePointer(*pointer)) {
+        event->accept();
+        return true;
+    }
     switch (event->type()) {
-    case QEvent::MouseMove:
-    case QEvent::MouseButtonPress:
-    case QEvent::MouseButtonDblClick:
-    case QEvent::MouseButtonRelease:
-    case QEvent::TabletMove:
-    case QEvent::TabletPress:
-    case QEvent::TabletRelease:
-        if (handlePointer(*static_cast<QSinglePointEvent*>(event))) {
-            event->accept();
-            return true;
-        }
-        break;
     case QEvent::Wheel:
         if (isActive() && !m_points.isEmpty())
             return true;
@@ -186,7 +175,7 @@ bool CurveDrawing::handlePointer(const QSinglePointEvent& event)
     if (movesView || isMovingView)
         return false;
     setShift(event.modifiers() & Qt::ShiftModifier);
-    if (event.isBeginEvent() || event.type() == QEvent::MouseButtonDblClick) // Qt calls a double click an update
+    if (isPress(event))
         press(event);
     else if (event.isUpdateEvent())
         moveTo(event.position());
@@ -275,11 +264,7 @@ void CurveDrawing::setShift(bool isHeld)
 
 void CurveDrawing::showHint()
 {
-    m_hint->setText(hintFor(*m_use, *m_bar, isOutside()));
-    m_hint->setMaximumWidth(width());
-    m_hint->setWordWrap(m_hint->sizeHint().width() > width());
-    m_hint->adjustSize();
-    m_hint->move((width() - m_hint->width()) / 2, hintMargin);
+    m_hint->showText(hintFor(*m_use, *m_bar, isOutside()), width());
     m_bar->adjustSize();
     m_bar->move((width() - m_bar->width()) / 2, m_hint->geometry().bottom() + barMargin);
 }

@@ -7,12 +7,12 @@
 #include <optional>
 
 class QKeyEvent;
-class QLabel;
 class QSinglePointEvent;
 
 namespace ui
 {
 class AreaBar;
+class ViewHint;
 class Viewport;
 
 /// Lets the user draw a closed curve over the view, and tints the side of it that counts: inside or outside, as chosen;
@@ -54,7 +54,7 @@ private:
     void showHint();
 
     Viewport* m_viewport;
-    QLabel* m_hint;
+    ViewHint* m_hint;
     AreaBar* m_bar;
     std::optional<AreaUse> m_use; ///< use of the area that is awaited or drawn; nullopt: none
     QPolygonF m_points;           ///< of the pointer, or the corners of a polygon

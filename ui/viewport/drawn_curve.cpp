@@ -57,7 +57,7 @@ QPolygonF curveBetween(CurveShape shape, const QPointF& from, const QPointF& to,
     return from == to ? QPolygonF() : partOnTheRight(around, {from, to});
 }
 
-QPolygonF simplified(const QPolygonF& curve)
+QPolygonF simplified(const QPolygonF& curve, double tolerance)
 {
     if (curve.size() < 3)
         return curve;

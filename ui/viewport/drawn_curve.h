@@ -28,8 +28,9 @@ struct DrawnArea
 /// of the view; a line's curve reaches far beyond it. Empty if it has no area. Units: logical pixels.
 QPolygonF curveBetween(CurveShape shape, const QPointF& from, const QPointF& to, const QSizeF& view);
 
-/// Returns the curve without the points that are at most a pixel from the line through those that remain (Douglas and
-/// Peucker 1973). A mouse tells whole pixels, so the points of a straight line are up to a pixel from the line through
-/// two of them; with a smaller limit the curve would have steps. First and last point remain. Cost: quadratic at worst.
-QPolygonF simplified(const QPolygonF& curve);
+/// Returns the curve without the points that are at most `tolerance` (pixels) from the line through those that remain
+/// (Douglas and Peucker 1973). A mouse tells whole pixels, so the points of a straight line are up to a pixel from the
+/// line through two of them; with a tolerance below 1 the curve would have steps. First and last point remain. Cost:
+/// quadratic at worst.
+QPolygonF simplified(const QPolygonF& curve, double tolerance = 1);
 } // namespace ui

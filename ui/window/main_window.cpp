@@ -32,6 +32,8 @@
 #include "ui/scene/scene.h"
 #include "ui/settings/settings.h"
 #include "ui/settings/stored_brush.h"
+#include "ui/shapes/solid_tool.h"
+#include "ui/shapes/tube_tool.h"
 #include "ui/util/error_messages.h"
 #include "ui/viewport/appearance_actions.h"
 #include "ui/viewport/input_actions.h"
@@ -256,6 +258,8 @@ void MainWindow::State::connectActions()
     connectAreas(actions, viewport, &brush, request);
     connect(new TransformTool(actions, viewport), &TransformTool::requested, q, request);
     connect(new PlaneCutTool(actions, viewport), &PlaneCutTool::requested, q, request);
+    connect(new TubeTool(actions, &brush, viewport), &TubeTool::requested, q, request);
+    connect(new SolidTool(actions, viewport), &SolidTool::requested, q, request);
     new CombinationCard(viewport);
     connectTools();
     headset = new HeadsetActions({&actions, viewport, new PartnerBar({&actions, &brush, viewport}, q)}, q);

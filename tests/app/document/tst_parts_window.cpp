@@ -19,10 +19,12 @@
 #include "ui/parts/combination_card.h"
 #include "ui/parts/parts_panel.h"
 #include "ui/settings/settings.h"
+#include "ui/shapes/tube_card.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/side_panel.h"
 
 #include <QAction>
+#include <QComboBox>
 #include <QFile>
 #include <QLabel>
 #include <QPushButton>
@@ -168,6 +170,7 @@ private Q_SLOTS:
     void combine_isCancelled();
     void combine_showsAnotherOperation();
     void combine_endsBeforeTheWindowCloses();
+    void tube_isDrawnInTheView();
     void commands_areRefusedInWords();
     void insertedPart_becomesTheActiveOne();
     void insertedPart_needsNoEditablePart();
@@ -465,6 +468,42 @@ void TestPartsWindow::combine_endsBeforeTheWindowCloses()
     program.window.close();
     QTRY_VERIFY(!program.window.isVisible());
     QTRY_COMPARE(hashes(program).size(), std::size_t(2));
+}
+
+/// A curve over the ball becomes a tube that is a part of its own, in one step, and has the handles then.
+void TestPartsWindow::tube_isDrawnInTheView()
+{
+    const QTemporaryDir folder;
+    Program program;
+    openTwoBalls(program, folder);
+    trigger(program, "view.front");
+    trigger(program, "view.frame");
+    const auto before = hashes(program);
+    ui::Viewport* view = program.window.viewport();
+    program.window.action(QStringLiteral("model.tube"))->trigger();
+    const QPointF from(view->width() * 0.15, view->height() * 0.5);
+    const auto at = [&](double share) {
+        return (from + QPointF(share * view->width() * 0.7, view->height() * 0.2 * std::sin(share * 9))).toPoint();
+    };
+    sendMouse(view, QEvent::MouseButtonPress, at(0), Qt::LeftButton);
+    for (int i = 1; i <= 60; ++i) {
+        QMouseEvent move(QEvent::MouseMove, at(i / 60.0), view->mapToGlobal(at(i / 60.0)), Qt::NoButton, Qt::LeftButton,
+                         {});
+        QCoreApplication::sendEvent(view, &move);
+    }
+    QTest::mouseRelease(view, Qt::LeftButton, {}, at(1));
+    auto* card = view->findChild<ui::TubeCard*>();
+    QTRY_VERIFY_WITH_TIMEOUT(card->isVisible(), longestWait);
+    card->findChild<QComboBox*>(QStringLiteral("tubeCombination"))->setCurrentIndex(0);
+    savePicture(program);
+    QTest::keyClick(view, Qt::Key_Return);
+    QTRY_COMPARE_WITH_TIMEOUT(names(program), QStringList({"Part 1", "Part 1 copy", "Tube"}), longestWait);
+    waitUntilSettled(program);
+    QCOMPARE(program.document.parts().active(), PartId(2));
+    QTRY_VERIFY(program.window.action(QStringLiteral("model.transform"))->isChecked());
+    program.document.history().undo();
+    waitUntilSettled(program);
+    QCOMPARE(hashes(program), before);
 }
 
 void TestPartsWindow::commands_areRefusedInWords()

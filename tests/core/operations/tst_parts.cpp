@@ -261,14 +261,14 @@ void TestParts::ray_findsTheVisiblePartInFront()
 {
     Sculptor sculptor(threeBalls());
     const core::Ray ray{{50, 0, 0}, {-1, 0, 0}};
-    QCOMPARE(sculptor.partAt(ray), std::optional<PartId>(2));
+    QCOMPARE(sculptor.visibleHit(ray)->part, PartId(2));
     QCOMPARE(sculptor.activePart(), PartId(0));
     ModelChange change = core::applyToCopy(sculptor.mesh(), core::ShowParts{{0, 1}});
     sculptor.swap(change.delta);
-    QCOMPARE(sculptor.partAt(ray), std::optional<PartId>(1));
+    QCOMPARE(sculptor.visibleHit(ray)->part, PartId(1));
     sculptor.swap(change.delta);
-    QCOMPARE(sculptor.partAt(ray), std::optional<PartId>(2));
-    QVERIFY(!sculptor.partAt({{50, 0, 0}, {1, 0, 0}}));
+    QCOMPARE(sculptor.visibleHit(ray)->part, PartId(2));
+    QVERIFY(!sculptor.visibleHit({{50, 0, 0}, {1, 0, 0}}));
 }
 
 void TestParts::hidden_partsAreNotDrawn()

@@ -1,20 +1,16 @@
-// Cuts a ball along the plane of the plane cut tool, and looks at what is left
-// of it.
+// Cuts a ball along the plane of the plane cut tool, and looks at what is left of it.
 
 #include "ui/gizmo/plane_cut_tool.h"
 
 #include "core/analysis/mesh_check.h"
 #include "core/mesh/dirty_slots.h"
-#include "core/mesh/mesh_builder.h"
 #include "core/operations/detached_part.h"
 #include "tests/support/test_main.h"
-#include "tests/ui/ui_test.h"
-#include "ui/actions/actions.h"
+#include "tests/ui/view_stage.h"
 #include "ui/gizmo/gizmo.h"
 #include "ui/gizmo/transform_tool.h"
 
 #include <QAction>
-#include <QMainWindow>
 #include <QPushButton>
 
 #include <numbers>
@@ -26,31 +22,15 @@ namespace
 {
 constexpr double radius = 30;
 
-/// A window with a ball seen from the front. It makes the cuts that the tool
-/// requests.
-struct CutStage
+/// Makes the cuts that the tool requests.
+struct CutStage : ui::ViewStage
 {
-    CutStage()
+    CutStage() : ViewStage(5), tool(new ui::PlaneCutTool(actions, viewport))
     {
-        window.setCentralWidget(viewport);
-        window.resize(700, 560);
-        tool = new ui::PlaneCutTool(actions, viewport);
         QObject::connect(tool, &ui::PlaneCutTool::regionWanted, tool,
                          [this] { tool->setRegion(core::transformRegionOf(*mesh, 0)); });
         QObject::connect(tool, &ui::PlaneCutTool::requested, tool,
                          [this](const core::ModelCommand& command) { requests.push_back(command); });
-        viewport->setPatchSource([this] { return std::exchange(next, std::nullopt); });
-        viewport->setReducesMotion(true);
-        actions.get(QStringLiteral("edit.stop"))->setEnabled(false); // as while nothing runs
-        viewport->showModel({Vec3::Constant(-radius), Vec3::Constant(radius)});
-        window.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&window));
-        viewport->navigation()->turnTo(ui::OrbitCamera::Side::Front);
-        viewport->navigation()->setProjection(ui::OrbitCamera::Projection::Orthographic);
-        const quint64 before = viewport->stats().patches;
-        next = core::wholePatchOf(*mesh);
-        viewport->patchReady();
-        QTRY_COMPARE(viewport->stats().patches, before + 1);
     }
 
     ui::Gizmo* gizmo() const { return viewport->findChild<ui::Gizmo*>(); }
@@ -60,18 +40,8 @@ struct CutStage
     /// Drags an arrow of the gizmo upwards by so many pixels.
     void raise(int pixels)
     {
-        const ui::OrbitCamera::Pixel centre = viewport->camera().project(gizmo()->frame()->centre);
-        const QPoint from = QPointF(centre.x(), centre.y() - ui::GizmoShape::length).toPoint();
-        const QPoint to = from - QPoint(0, pixels);
-        send(QEvent::MouseMove, from, Qt::NoButton, Qt::NoButton);
-        send(QEvent::MouseButtonPress, from, Qt::LeftButton, Qt::LeftButton);
-        send(QEvent::MouseMove, to, Qt::NoButton, Qt::LeftButton);
-        send(QEvent::MouseButtonRelease, to, Qt::LeftButton, Qt::NoButton);
-    }
-    void send(QEvent::Type type, const QPoint& place, Qt::MouseButton button, Qt::MouseButtons held)
-    {
-        QMouseEvent event(type, place, viewport->mapToGlobal(place), button, held, Qt::NoModifier);
-        QCoreApplication::sendEvent(viewport, &event);
+        const QPoint arrow = at(gizmo()->frame()->centre) - QPoint(0, static_cast<int>(ui::GizmoShape::length));
+        drag(arrow, QPoint(0, -pixels));
     }
 
     /// Makes the requested cut. Returns the volume that is left of the part.
@@ -84,13 +54,7 @@ struct CutStage
         return core::checkMesh(core::surfaceOf(*mesh, part)).volume.value_or(-1);
     }
 
-    QMainWindow window;
-    ui::Actions actions{&window};
-    ui::BrushSettings brush;
-    ui::Viewport* viewport = new ui::Viewport(&brush);
-    ui::PlaneCutTool* tool = nullptr;
-    std::unique_ptr<core::Mesh> mesh = core::buildMesh(core::icosphere(5, float(radius))).mesh;
-    std::optional<core::MeshPatch> next;
+    ui::PlaneCutTool* tool;
     std::vector<core::ModelCommand> requests;
 };
 

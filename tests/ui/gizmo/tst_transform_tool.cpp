@@ -4,16 +4,13 @@
 
 #include "core/analysis/mesh_check.h"
 #include "core/mesh/dirty_slots.h"
-#include "core/mesh/mesh_builder.h"
 #include "tests/support/test_main.h"
-#include "tests/ui/ui_test.h"
-#include "ui/actions/actions.h"
+#include "tests/ui/view_stage.h"
 #include "ui/gizmo/gizmo.h"
 #include "ui/gizmo/transform_fields.h"
 
 #include <QAction>
 #include <QDoubleSpinBox>
-#include <QMainWindow>
 #include <QPushButton>
 
 #include <utility>
@@ -22,69 +19,24 @@ using core::Vec3;
 
 namespace
 {
-/// A window with a ball seen from the front. It makes the changes that the tool requests.
-struct Stage
+/// Makes the changes that the tool requests.
+struct Stage : ui::ViewStage
 {
-    Stage()
+    Stage() : ViewStage(4), tool(new ui::TransformTool(actions, viewport))
     {
-        window.setCentralWidget(viewport);
-        window.resize(700, 560);
-        tool = new ui::TransformTool(actions, viewport);
         QObject::connect(tool, &ui::TransformTool::regionWanted, tool,
                          [this] { tool->setRegion(core::transformRegionOf(*mesh, 0)); });
         QObject::connect(tool, &ui::TransformTool::requested, tool, [this](const core::ModelCommand& command) {
             requests.push_back(std::get<core::Transform>(command));
         });
-        viewport->setPatchSource([this] { return std::exchange(next, std::nullopt); });
-        viewport->setReducesMotion(true);
-        actions.get(QStringLiteral("edit.stop"))->setEnabled(false); // as while nothing runs
-        viewport->showModel({Vec3::Constant(-30), Vec3::Constant(30)});
-        window.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&window));
-        viewport->navigation()->turnTo(ui::OrbitCamera::Side::Front);
-        viewport->navigation()->setProjection(ui::OrbitCamera::Projection::Orthographic);
-        showMesh();
     }
 
     ui::Gizmo* gizmo() const { return viewport->findChild<ui::Gizmo*>(); }
     ui::TransformFields* fields() const { return viewport->findChild<ui::TransformFields*>(); }
     QAction* action() const { return actions.get(QStringLiteral("model.transform")); }
 
-    QPoint at(const Vec3& point) const
-    {
-        const ui::OrbitCamera::Pixel p = viewport->camera().project(point);
-        return QPointF(p.x(), p.y()).toPoint();
-    }
     /// Returns the pixel of the arrow's tip along X; the view is from the front.
     QPoint arrow() const { return at(gizmo()->frame()->centre) + QPoint(static_cast<int>(ui::GizmoShape::length), 0); }
-
-    void press(const QPoint& p, Qt::KeyboardModifiers keys = {}, Qt::MouseButton button = Qt::LeftButton)
-    {
-        hover(p);
-        sendMouse(viewport, QEvent::MouseButtonPress, p, button, keys);
-    }
-    void hover(const QPoint& p)
-    {
-        QMouseEvent event(QEvent::MouseMove, p, viewport->mapToGlobal(p), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
-        QCoreApplication::sendEvent(viewport, &event);
-    }
-    void move(const QPoint& p, Qt::KeyboardModifiers keys = {})
-    {
-        QMouseEvent event(QEvent::MouseMove, p, viewport->mapToGlobal(p), Qt::NoButton, Qt::LeftButton, keys);
-        QCoreApplication::sendEvent(viewport, &event);
-    }
-    void release(const QPoint& p)
-    {
-        QMouseEvent event(QEvent::MouseButtonRelease, p, viewport->mapToGlobal(p), Qt::LeftButton, Qt::NoButton, {});
-        QCoreApplication::sendEvent(viewport, &event);
-    }
-    void drag(const QPoint& from, const QPoint& by, Qt::KeyboardModifiers keys = {})
-    {
-        press(from, keys);
-        for (int i = 1; i <= 10; ++i)
-            move(from + by * i / 10, keys);
-        release(from + by);
-    }
 
     /// Makes the last requested change, and shows it.
     void apply()
@@ -97,30 +49,9 @@ struct Stage
         showMesh();
         tool->refresh();
     }
-    void showMesh()
-    {
-        const quint64 before = viewport->stats().patches;
-        next = core::wholePatchOf(*mesh);
-        viewport->patchReady();
-        QTRY_COMPARE(viewport->stats().patches, before + 1);
-    }
-    QImage picture()
-    {
-        const quint64 frames = viewport->stats().frames;
-        viewport->update();
-        while (viewport->stats().frames == frames)
-            QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 100);
-        return viewport->grabFramebuffer();
-    }
     Vec3 middle() const { return core::transformRegionOf(*mesh, 0).box.center(); }
 
-    QMainWindow window;
-    ui::Actions actions{&window};
-    ui::BrushSettings brush;
-    ui::Viewport* viewport = new ui::Viewport(&brush);
-    ui::TransformTool* tool = nullptr;
-    std::unique_ptr<core::Mesh> mesh = core::buildMesh(core::icosphere(4, 30)).mesh;
-    std::optional<core::MeshPatch> next;
+    ui::TransformTool* tool;
     std::vector<core::Transform> requests;
 };
 

@@ -1,0 +1,81 @@
+#pragma once
+
+#include "core/mesh/surface_hit.h"
+#include "core/operations/model_command.h"
+
+#include <QWidget>
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+class QAction;
+class QKeyEvent;
+class QSinglePointEvent;
+
+namespace ui
+{
+class ViewHint;
+class Viewport;
+
+/// A tool that draws over the view and gets its events first, while its action is checked. Events that it does not
+/// consume move the view (PointerMode::Handles); Esc, or another mode, ends it. Drawn over its parent and transparent
+/// for the mouse. Thread: gui.
+class ViewTool : public QWidget
+{
+    Q_OBJECT
+
+public:
+    /// The viewport is the parent.
+    ViewTool(QAction* action, Viewport* viewport, const char* name);
+
+    /// Where rays meet the model, in their order; nullopt: a ray misses it.
+    using Hits = std::vector<std::optional<core::SurfaceHit>>;
+    using Answer = std::function<void(const Hits& hits)>;
+
+    /// The request that was emitted last has ended. `isMade`: the model has been changed.
+    void endRequest(bool isMade);
+
+Q_SIGNALS:
+    /// Asks where rays meet the model. `answer` may be called at any later time, also when the tool does not exist any
+    /// more.
+    void surfaceWanted(const std::vector<core::Ray>& rays, const ui::ViewTool::Answer& answer);
+    void requested(const core::ModelCommand& command);
+
+protected:
+    /// The tool is switched on or off: forgets what it has shown.
+    virtual void clear() = 0;
+    /// Shows the present state.
+    virtual void refresh() = 0;
+    /// Handle an event, and return whether it is consumed.
+    virtual bool handlePointer(const QSinglePointEvent& event) = 0;
+    virtual bool handleKey(const QKeyEvent& event) = 0;
+    /// Takes the answer to ask().
+    virtual void place(const std::vector<core::Ray>& rays, const Hits& hits) = 0;
+    /// Returns whether a button is held, so that the view must not move.
+    virtual bool isHeld() const = 0;
+
+    Viewport* viewport() const { return m_viewport; }
+    ViewHint* hint() const { return m_hint; }
+    /// Asks where the rays meet the model. Until place() is called, isAsking().
+    void ask(const std::vector<core::Ray>& rays);
+    bool isAsking() const { return m_isAsking; }
+    /// Requests a change of the model. The tool ends when it is made.
+    void request(const core::ModelCommand& command);
+    void end();
+
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    void setOn(bool on);
+    void followCamera();
+
+    QAction* m_action;
+    Viewport* m_viewport;
+    ViewHint* m_hint;
+    int m_question = 0; ///< number of the last question; an answer to an earlier one is ignored
+    bool m_isAsking = false, m_isRequested = false;
+    Eigen::Matrix4d m_view = Eigen::Matrix4d::Zero(); ///< camera's matrices when the tool was drawn
+};
+} // namespace ui
