@@ -15,7 +15,6 @@
 #include "core/analysis/mesh_check.h"
 #include "core/geometry/face_geometry.h"
 #include "core/io/mesh_io.h"
-#include "core/io/placed_mesh.h"
 #include "core/io/stroke/stroke_file.h"
 #include "core/mesh/mesh_builder.h"
 #include "core/operations/stroke_coordinates.h"
@@ -313,20 +312,25 @@ QString summary(const Entries& entries, const std::vector<ReplayedDab>& dabs, co
            u'\n';
 }
 
-void writeModel(const QString& out, core::TriangleMesh mesh, core::MeshFrame frame)
+/// Writes the visible parts, or all to a format that keeps them hidden, as Save does.
+void writeModel(const QString& out, const core::TriangleMesh& whole, const core::MeshFrame& frame)
 {
+    core::DocumentMetadata metadata;
+    metadata.frame = frame;
+    core::TriangleMesh mesh = ModelLoader::writtenSurface(out, whole, metadata);
     switch (unitePartsFor(out, mesh)) {
     case PartUnion::NotNeeded:
         break;
     case PartUnion::Done:
-        frame.parts = {};
+        metadata.frame->parts = {};
         CommandLine::printRemark(ReplayMessages::tr("The parts overlap, so they were united.") + u'\n');
         break;
     case PartUnion::Failed:
         CommandLine::fail(
             ReplayMessages::tr("%1: the parts overlap and cannot be united. A GLB file keeps them apart.").arg(out));
     }
-    core::writeMesh(toPath(out), core::placedMesh(toPath(out), mesh, frame.place), {.parts = frame.parts});
+    if (const QString problem = ModelLoader::save(out, mesh, metadata); !problem.isEmpty())
+        CommandLine::fail(problem);
 }
 
 void run(const ReplayOptions& options, Entries& entries)

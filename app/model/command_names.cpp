@@ -140,6 +140,8 @@ QString refusalOfParts(core::ModelRefusal refusal)
                                 static_cast<int>(core::PartList::maxParts));
     case core::ModelRefusal::AllMasked:
         return CommandNames::tr("The part stays as it is, because all of it is masked or hidden.");
+    case core::ModelRefusal::NoOtherPart:
+        return CommandNames::tr("A part can only be combined with others. Choose at least one more.");
     case core::ModelRefusal::PartsApart:
         return CommandNames::tr("The parts do not overlap, so nothing was subtracted.");
     default:

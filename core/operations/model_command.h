@@ -209,6 +209,7 @@ enum class ModelRefusal {
     OnePiece,    ///< the part is in one piece
     TooManyParts,
     AllMasked,   ///< the part is masked or hidden, so nothing of it would move
+    NoOtherPart, ///< no part to combine the part with, or it is itself among them
     PartsApart,  ///< no two of the parts to combine overlap, so nothing would be subtracted
     NoOutline,   ///< the curve to cut along has fewer than three corners, or no area
     NoCut,       ///< the cut would not leave one sound surface

@@ -74,7 +74,7 @@ void PartOperations::duplicate(const std::string& name)
         return refuse(ModelRefusal::TooManyParts);
     Part copy = *list().find(m_part);
     copy.id = list().freeId();
-    copy.name = shortened(name);
+    copy.name = list().freeName(name);
     std::vector<Part> parts = list().all();
     parts.insert(std::ranges::find(parts, m_part, &Part::id) + 1, copy);
     replacePart(m_mesh, copy.id, surfaceOf(m_mesh, m_part));
@@ -128,16 +128,16 @@ void PartOperations::separate()
 void PartOperations::combineWith(const CombineParts& command)
 {
     std::vector<TriangleMesh> solids = {surfaceOf(m_mesh, m_part)};
+    if (command.others.empty() || std::ranges::count(command.others, m_part) > 0)
+        return refuse(ModelRefusal::NoOtherPart);
     for (const PartId other : command.others) {
         m_change.refusal = refusalOf(m_mesh, other);
-        if (other == m_part || !hasFaces(m_mesh, other))
+        if (!hasFaces(m_mesh, other))
             refuse(ModelRefusal::NoSuchPart);
         if (m_change.refusal != ModelRefusal::None)
             return;
         solids.push_back(surfaceOf(m_mesh, other));
     }
-    if (solids.size() == 1)
-        return refuse(ModelRefusal::NoSuchPart);
     BooleanResult result = combineOn(m_mesh.lattice(), command.operation, solids, m_control);
     if (m_control.isCancelled())
         return;
@@ -176,7 +176,7 @@ void PartOperations::split(const SplitPart& command)
         return;
     Part added = *list().find(m_part);
     added.id = list().freeId();
-    added.name = shortened(command.name);
+    added.name = list().freeName(command.name);
     detached.putBack(m_mesh, m_change, m_control);
     if (m_change.refusal != ModelRefusal::None || !fitSurface(*taken, m_mesh.lattice(), m_change, m_control))
         return;

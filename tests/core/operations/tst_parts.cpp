@@ -485,9 +485,9 @@ void TestParts::combine_refuses()
     QCOMPARE(refusal(SetOperation::Difference, {1}), ModelRefusal::PartsApart);
     QCOMPARE(refusal(SetOperation::Intersection, {1}), ModelRefusal::NothingLeft);
     QCOMPARE(refusal(SetOperation::Difference, {2}), ModelRefusal::NothingLeft);
-    QCOMPARE(refusal(SetOperation::Union, {0}), ModelRefusal::NoSuchPart);
+    QCOMPARE(refusal(SetOperation::Union, {0}), ModelRefusal::NoOtherPart);
     QCOMPARE(refusal(SetOperation::Union, {7}), ModelRefusal::NoSuchPart);
-    QCOMPARE(refusal(SetOperation::Union, {}), ModelRefusal::NoSuchPart);
+    QCOMPARE(refusal(SetOperation::Union, {}), ModelRefusal::NoOtherPart);
     QCOMPARE(refusal(SetOperation::Union, {1}), ModelRefusal::None); // two pieces in one part
     applyChecked(*mesh, core::ShowParts{{0}});
     QCOMPARE(refusal(SetOperation::Union, {1}), ModelRefusal::NotEditable);
