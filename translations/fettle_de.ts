@@ -749,6 +749,10 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>Sculpting is paused until the model is ready.</source>
         <translation>Das Formen ist angehalten, bis das Modell bereit ist.</translation>
     </message>
+    <message>
+        <source>Apply or cancel the preview before you sculpt on.</source>
+        <translation>Wenden Sie die Vorschau an oder brechen Sie sie ab, bevor Sie weiter formen.</translation>
+    </message>
 </context>
 <context>
     <name>app::DrawingWorker</name>
@@ -2040,6 +2044,10 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>Nothing was split off: all of the part is on one side of the curve.</source>
         <translation>Nichts wurde abgetrennt: Das ganze Teil liegt auf einer Seite der Kurve.</translation>
+    </message>
+    <message>
+        <source>A part can only be combined with others. Choose at least one more.</source>
+        <translation>Ein Teil lässt sich nur mit anderen verbinden. Wählen Sie mindestens ein weiteres.</translation>
     </message>
 </context>
 <context>
@@ -3833,6 +3841,22 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>&amp;Area in the View</source>
         <translation>&amp;Bereich in der Ansicht</translation>
+    </message>
+    <message>
+        <source>Place a S&amp;olid</source>
+        <translation>&amp;Körper aufstellen</translation>
+    </message>
+    <message>
+        <source>Puts a box, ball, cylinder or other solid on the model or the ground, by a press and a drag.</source>
+        <translation>Stellt durch Drücken und Ziehen einen Quader, eine Kugel, einen Zylinder oder anderen Körper auf das Modell oder den Boden.</translation>
+    </message>
+    <message>
+        <source>Makes a tube along a curve that you draw over the view; each of its points gets a radius.</source>
+        <translation>Macht ein Rohr entlang einer Kurve, die Sie über die Ansicht zeichnen; jeder ihrer Punkte erhält einen Radius.</translation>
+    </message>
+    <message>
+        <source>&amp;Draw a Tube</source>
+        <translation>R&amp;ohr zeichnen</translation>
     </message>
 </context>
 <context>
@@ -8389,16 +8413,24 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Boolesch, Vereinigung, Differenz, verbinden, verknüpfen</translation>
     </message>
     <message>
-        <source>boolean, hole, drill, cube, sphere, tube, lathe</source>
-        <translation>Boolesch, Loch, bohren, Würfel, Rohr, drehen</translation>
-    </message>
-    <message>
         <source>cut, slice, divide, knife, lasso</source>
         <translation>schneiden, teilen, zerlegen, Messer, Lasso</translation>
     </message>
     <message>
         <source>lasso, select, box, polygon</source>
         <translation>Lasso, auswählen, Rechteck, Vieleck</translation>
+    </message>
+    <message>
+        <source>boolean, hole, drill, cube, sphere, lathe</source>
+        <translation>boolesch, Loch, bohren, Würfel, Kugel, drehen</translation>
+    </message>
+    <message>
+        <source>primitive, cube, sphere, cylinder, drag out</source>
+        <translation>Grundkörper, Würfel, Kugel, Zylinder, aufziehen</translation>
+    </message>
+    <message>
+        <source>pipe, rope, tail, arm, horn, spline</source>
+        <translation>Röhre, Seil, Schwanz, Arm, Horn, Spline</translation>
     </message>
 </context>
 <context>
@@ -9697,6 +9729,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>&quot;%1&quot; must be a list of pairs of numbers, as in [[10, 0], [8, 20]]</source>
         <translation>„%1“ muss eine Liste von Zahlenpaaren sein, wie in [[10, 0], [8, 20]]</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; must be a list of points of three numbers, as in [[0, 0, 5], [9, 0, 5], [0, 9, 5]]</source>
+        <translation>&quot;%1&quot; muss eine Liste von Punkten aus drei Zahlen sein, wie in [[0, 0, 5], [9, 0, 5], [0, 9, 5]]</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be a list of points of four numbers, as in [[0, 0, 0, 2], [9, 0, 0, 1]]</source>
+        <translation>&quot;%1&quot; muss eine Liste von Punkten aus vier Zahlen sein, wie in [[0, 0, 0, 2], [9, 0, 0, 1]]</translation>
+    </message>
 </context>
 <context>
     <name>app::CommandOptions</name>
@@ -9822,6 +9862,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>new: %1 has no measures but --%2.</source>
         <translation>new: %1 hat kein anderes Maß als --%2.</translation>
+    </message>
+    <message>
+        <source>Path of a tube: points of x, y, z and radius in mm.</source>
+        <translation>Verlauf eines Rohrs: Punkte aus x, y, z und Radius in mm.</translation>
+    </message>
+    <message>
+        <source>new: --path must be points of x, y, z and radius, as in &quot;0,0,0,2 9,5,0,1&quot;, not &quot;%1&quot;.</source>
+        <translation>new: --path muss aus Punkten mit x, y, z und Radius bestehen, wie in &quot;0,0,0,2 9,5,0,1&quot;, nicht &quot;%1&quot;.</translation>
     </message>
 </context>
 <context>
@@ -10030,6 +10078,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>With the middle of its bottom at</source>
         <translation>Mit der Mitte seiner Unterseite bei</translation>
     </message>
+    <message>
+        <source>Path: X, Y, Z, radius</source>
+        <translation>Verlauf: X, Y, Z, Radius</translation>
+    </message>
+    <message>
+        <source>One point a line: its place, and the radius of the tube there, in millimetres.</source>
+        <translation>Ein Punkt je Zeile: sein Ort und der Radius des Rohrs dort, in Millimetern.</translation>
+    </message>
 </context>
 <context>
     <name>ui::PrimitiveMessages</name>
@@ -10113,6 +10169,18 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>This shape would need too many triangles (%1, at most 2 million): its edges would be too short for its size.</source>
         <translation>Diese Form würde zu viele Dreiecke brauchen (%1, höchstens 2 Millionen): Ihre Kanten wären für ihre Größe zu kurz.</translation>
+    </message>
+    <message>
+        <source>Tube</source>
+        <translation>Rohr</translation>
+    </message>
+    <message>
+        <source>A tube needs 2 to 1000 points, each at another place than the one before it, with radii that are not tiny beside their distance from the origin.</source>
+        <translation>Ein Rohr braucht 2 bis 1000 Punkte, jeder an einem anderen Ort als der vor ihm, mit Radien, die neben ihrem Abstand vom Ursprung nicht winzig sind.</translation>
+    </message>
+    <message>
+        <source>The tube crosses itself too often. Make it thinner, or its curve smoother.</source>
+        <translation>Das Rohr kreuzt sich zu oft. Machen Sie es dünner oder seine Kurve glatter.</translation>
     </message>
 </context>
 <context>
@@ -10411,6 +10479,128 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Cut</source>
         <translation>Schneiden</translation>
+    </message>
+</context>
+<context>
+    <name>app::ModelChanger</name>
+    <message>
+        <source>Preview: %1</source>
+        <translation>Vorschau: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::CombinationCard</name>
+    <message>
+        <source>Join</source>
+        <translation>Vereinigen</translation>
+    </message>
+    <message>
+        <source>Subtract</source>
+        <translation>Abziehen</translation>
+    </message>
+    <message>
+        <source>Intersect</source>
+        <translation>Schneiden</translation>
+    </message>
+    <message>
+        <source>&amp;Apply</source>
+        <translation>&amp;Anwenden</translation>
+    </message>
+    <message>
+        <source>Keeps what is shown, as one step (Return).</source>
+        <translation>Behält, was zu sehen ist, als einen Schritt (Eingabetaste).</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>Abbre&amp;chen</translation>
+    </message>
+    <message>
+        <source>Leaves the parts as they were (Esc).</source>
+        <translation>Lässt die Teile, wie sie waren (Esc).</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SolidCard</name>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>A&amp;pply</source>
+        <translation>An&amp;wenden</translation>
+    </message>
+    <message>
+        <source>Makes the solid (Return).</source>
+        <translation>Macht den Körper (Eingabetaste).</translation>
+    </message>
+    <message>
+        <source>Middle, %1</source>
+        <translation>Mitte, %1</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>Abbre&amp;chen</translation>
+    </message>
+    <message>
+        <source>Makes no solid (Esc).</source>
+        <translation>Macht keinen Körper (Esc).</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SolidTool</name>
+    <message>
+        <source>Change the numbers, then apply (Return). Esc cancels.</source>
+        <translation>Ändern Sie die Zahlen, und wenden Sie sie an (Eingabetaste). Esc bricht ab.</translation>
+    </message>
+    <message>
+        <source>Press on the model or the ground, and drag to the size. Esc cancels.</source>
+        <translation>Drücken Sie auf das Modell oder den Boden, und ziehen Sie bis zur Größe. Esc bricht ab.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::TubeCard</name>
+    <message>
+        <source>Radius of the tube at the chosen point.</source>
+        <translation>Radius des Rohrs am gewählten Punkt.</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>of &amp;all points</source>
+        <translation>&amp;aller Punkte</translation>
+    </message>
+    <message>
+        <source>Gives every point this radius.</source>
+        <translation>Gibt jedem Punkt diesen Radius.</translation>
+    </message>
+    <message>
+        <source>A&amp;pply</source>
+        <translation>An&amp;wenden</translation>
+    </message>
+    <message>
+        <source>Makes the tube (Return).</source>
+        <translation>Macht das Rohr (Eingabetaste).</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>Abbre&amp;chen</translation>
+    </message>
+    <message>
+        <source>Makes no tube (Esc).</source>
+        <translation>Macht kein Rohr (Esc).</translation>
+    </message>
+</context>
+<context>
+    <name>ui::TubeTool</name>
+    <message>
+        <source>Draw the middle of a tube, on the model or beside it. Esc cancels.</source>
+        <translation>Zeichnen Sie die Mitte eines Rohrs, auf dem Modell oder daneben. Esc bricht ab.</translation>
+    </message>
+    <message>
+        <source>Drag a point or its circle; with Shift all circles. A double click on the line adds a point, Delete removes one.</source>
+        <translation>Ziehen Sie einen Punkt oder seinen Kreis; mit Umschalt alle Kreise. Ein Doppelklick auf die Linie fügt einen Punkt hinzu, Entf entfernt einen.</translation>
     </message>
 </context>
 </TS>

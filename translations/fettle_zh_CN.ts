@@ -740,6 +740,10 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>Sculpting is paused until the model is ready.</source>
         <translation>模型处理完成之前暂停雕刻。</translation>
     </message>
+    <message>
+        <source>Apply or cancel the preview before you sculpt on.</source>
+        <translation>请先应用或取消预览，再继续雕刻。</translation>
+    </message>
 </context>
 <context>
     <name>app::DrawingWorker</name>
@@ -2026,6 +2030,10 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>Nothing was split off: all of the part is on one side of the curve.</source>
         <translation>没有分离任何部分：整个部件都在曲线的同一侧。</translation>
+    </message>
+    <message>
+        <source>A part can only be combined with others. Choose at least one more.</source>
+        <translation>部件只能与其他部件组合。请至少再选择一个。</translation>
     </message>
 </context>
 <context>
@@ -3817,6 +3825,22 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     <message>
         <source>&amp;Area in the View</source>
         <translation>视图中的区域(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Place a S&amp;olid</source>
+        <translation>放置实体(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Puts a box, ball, cylinder or other solid on the model or the ground, by a press and a drag.</source>
+        <translation>按下并拖动，把长方体、球、圆柱或其他实体放到模型或地面上。</translation>
+    </message>
+    <message>
+        <source>Makes a tube along a curve that you draw over the view; each of its points gets a radius.</source>
+        <translation>沿着在视图上绘制的曲线生成管子；曲线的每个点都有自己的半径。</translation>
+    </message>
+    <message>
+        <source>&amp;Draw a Tube</source>
+        <translation>绘制管子(&amp;D)</translation>
     </message>
 </context>
 <context>
@@ -8357,16 +8381,24 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>布尔, 并集, 差集, 合并, 组合</translation>
     </message>
     <message>
-        <source>boolean, hole, drill, cube, sphere, tube, lathe</source>
-        <translation>布尔, 孔, 钻孔, 立方体, 管, 车削</translation>
-    </message>
-    <message>
         <source>cut, slice, divide, knife, lasso</source>
         <translation>切, 分割, 分开, 刀, 套索</translation>
     </message>
     <message>
         <source>lasso, select, box, polygon</source>
         <translation>套索, 选择, 方框, 多边形</translation>
+    </message>
+    <message>
+        <source>boolean, hole, drill, cube, sphere, lathe</source>
+        <translation>布尔, 孔, 钻, 立方体, 球, 车削</translation>
+    </message>
+    <message>
+        <source>primitive, cube, sphere, cylinder, drag out</source>
+        <translation>基本体, 立方体, 球, 圆柱, 拖出</translation>
+    </message>
+    <message>
+        <source>pipe, rope, tail, arm, horn, spline</source>
+        <translation>管道, 绳子, 尾巴, 手臂, 角, 样条</translation>
     </message>
 </context>
 <context>
@@ -9662,6 +9694,14 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <source>&quot;%1&quot; must be a list of pairs of numbers, as in [[10, 0], [8, 20]]</source>
         <translation>“%1”必须是数对的列表，例如 [[10, 0], [8, 20]]</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; must be a list of points of three numbers, as in [[0, 0, 5], [9, 0, 5], [0, 9, 5]]</source>
+        <translation>&quot;%1&quot; 必须是由三个数组成的点的列表，如 [[0, 0, 5], [9, 0, 5], [0, 9, 5]]</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be a list of points of four numbers, as in [[0, 0, 0, 2], [9, 0, 0, 1]]</source>
+        <translation>&quot;%1&quot; 必须是由四个数组成的点的列表，如 [[0, 0, 0, 2], [9, 0, 0, 1]]</translation>
+    </message>
 </context>
 <context>
     <name>app::CommandOptions</name>
@@ -9787,6 +9827,14 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     <message>
         <source>new: %1 has no measures but --%2.</source>
         <translation>new：%1 除 --%2 外没有其他尺寸。</translation>
+    </message>
+    <message>
+        <source>Path of a tube: points of x, y, z and radius in mm.</source>
+        <translation>管子的路径：由 x、y、z 和半径组成的点，单位毫米。</translation>
+    </message>
+    <message>
+        <source>new: --path must be points of x, y, z and radius, as in &quot;0,0,0,2 9,5,0,1&quot;, not &quot;%1&quot;.</source>
+        <translation>new：--path 必须是由 x、y、z 和半径组成的点，如 &quot;0,0,0,2 9,5,0,1&quot;，而不是 &quot;%1&quot;。</translation>
     </message>
 </context>
 <context>
@@ -9995,6 +10043,14 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <source>With the middle of its bottom at</source>
         <translation>底面中心位于</translation>
     </message>
+    <message>
+        <source>Path: X, Y, Z, radius</source>
+        <translation>路径：X、Y、Z、半径</translation>
+    </message>
+    <message>
+        <source>One point a line: its place, and the radius of the tube there, in millimetres.</source>
+        <translation>每行一个点：它的位置，以及管子在那里的半径，以毫米为单位。</translation>
+    </message>
 </context>
 <context>
     <name>ui::PrimitiveMessages</name>
@@ -10078,6 +10134,18 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     <message>
         <source>This shape would need too many triangles (%1, at most 2 million): its edges would be too short for its size.</source>
         <translation>此形状需要的三角形太多（%1，最多 200 万）：相对于其大小，边太短。</translation>
+    </message>
+    <message>
+        <source>Tube</source>
+        <translation>管子</translation>
+    </message>
+    <message>
+        <source>A tube needs 2 to 1000 points, each at another place than the one before it, with radii that are not tiny beside their distance from the origin.</source>
+        <translation>管子需要 2 到 1000 个点，每个点都与前一个点位置不同，且半径与到原点的距离相比不能过小。</translation>
+    </message>
+    <message>
+        <source>The tube crosses itself too often. Make it thinner, or its curve smoother.</source>
+        <translation>管子与自身相交过多。请把它变细，或使曲线更平滑。</translation>
     </message>
 </context>
 <context>
@@ -10374,6 +10442,128 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     <message>
         <source>Cut</source>
         <translation>切割</translation>
+    </message>
+</context>
+<context>
+    <name>app::ModelChanger</name>
+    <message>
+        <source>Preview: %1</source>
+        <translation>预览：%1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::CombinationCard</name>
+    <message>
+        <source>Join</source>
+        <translation>合并</translation>
+    </message>
+    <message>
+        <source>Subtract</source>
+        <translation>减去</translation>
+    </message>
+    <message>
+        <source>Intersect</source>
+        <translation>相交</translation>
+    </message>
+    <message>
+        <source>&amp;Apply</source>
+        <translation>应用(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Keeps what is shown, as one step (Return).</source>
+        <translation>保留所显示的结果，作为一步（回车）。</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>取消(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Leaves the parts as they were (Esc).</source>
+        <translation>部件保持原样（Esc）。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SolidCard</name>
+    <message>
+        <source>Shape</source>
+        <translation>形状</translation>
+    </message>
+    <message>
+        <source>A&amp;pply</source>
+        <translation>应用(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Makes the solid (Return).</source>
+        <translation>生成实体（回车）。</translation>
+    </message>
+    <message>
+        <source>Middle, %1</source>
+        <translation>中心 %1</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>取消(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Makes no solid (Esc).</source>
+        <translation>不生成实体（Esc）。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SolidTool</name>
+    <message>
+        <source>Change the numbers, then apply (Return). Esc cancels.</source>
+        <translation>更改数值，然后应用（回车）。按 Esc 取消。</translation>
+    </message>
+    <message>
+        <source>Press on the model or the ground, and drag to the size. Esc cancels.</source>
+        <translation>在模型或地面上按下，并拖出大小。按 Esc 取消。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::TubeCard</name>
+    <message>
+        <source>Radius of the tube at the chosen point.</source>
+        <translation>管子在所选点处的半径。</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>半径</translation>
+    </message>
+    <message>
+        <source>of &amp;all points</source>
+        <translation>所有点(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Gives every point this radius.</source>
+        <translation>使每个点都用这个半径。</translation>
+    </message>
+    <message>
+        <source>A&amp;pply</source>
+        <translation>应用(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Makes the tube (Return).</source>
+        <translation>生成管子（回车）。</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>取消(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Makes no tube (Esc).</source>
+        <translation>不生成管子（Esc）。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::TubeTool</name>
+    <message>
+        <source>Draw the middle of a tube, on the model or beside it. Esc cancels.</source>
+        <translation>在模型上或旁边画出管子的中线。按 Esc 取消。</translation>
+    </message>
+    <message>
+        <source>Drag a point or its circle; with Shift all circles. A double click on the line adds a point, Delete removes one.</source>
+        <translation>拖动点或它的圆；按住 Shift 同时改变所有圆。双击连线添加点，按 Delete 移除点。</translation>
     </message>
 </context>
 </TS>
