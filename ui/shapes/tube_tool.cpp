@@ -39,6 +39,22 @@ double lengthOf(const QPolygonF& curve)
     return length;
 }
 
+/// Drops points that are nearer to the one before them than the tube is thick there: a hand that shakes would fold it.
+/// The first and the last remain.
+void dropNear(std::vector<core::TubePoint>& path)
+{
+    const core::TubePoint last = path.back();
+    const auto isNear = [](const core::TubePoint& a, const core::TubePoint& b) {
+        return (a.position - b.position).norm() < a.radius;
+    };
+    path.erase(std::unique(path.begin(), path.end(), isNear), path.end());
+    if (path.back() == last)
+        return;
+    if (path.size() > 1 && isNear(path.back(), last))
+        path.pop_back();
+    path.push_back(last);
+}
+
 /// Returns a depth for each ray: of the surface that it meets, else one between those of the nearest rays that do.
 std::vector<double> depthsOf(const std::vector<std::optional<core::SurfaceHit>>& hits, const OrbitCamera& camera)
 {
@@ -219,6 +235,7 @@ void TubeTool::place(const std::vector<core::Ray>& rays, const Hits& hits)
         m_path.push_back({hits[i] ? hits[i]->position : core::Vec3(ray.origin + way * ray.direction),
                           m_brush->value(core::Parameter::Radius)});
     }
+    dropNear(m_path);
     m_chosen = 0;
     viewport()->setCursor(Qt::ArrowCursor);
     refresh();

@@ -70,6 +70,7 @@ private Q_SLOTS:
     void initTestCase() { SKIP_WITHOUT_GRAPHICS(); }
 
     void curve_liesOnTheModelAndBesideIt();
+    void curve_ofAShakingHandIsSmooth();
     void tube_isShownAsGlass();
     void point_isMovedByItsDot();
     void radius_isChangedByItsCircle();
@@ -113,6 +114,24 @@ void TestTubeTool::curve_liesOnTheModelAndBesideIt()
     for (const core::Vec3f& p : tube.points)
         box.extend(p.cast<double>());
     QVERIFY(box.min().x() < -44 && box.max().x() > 44 && box.max().z() > 30);
+}
+
+/// Neighbouring points are as far apart as the tube is thick, and its ends are where the curve began and ended.
+void TestTubeTool::curve_ofAShakingHandIsSmooth()
+{
+    TubeStage stage;
+    stage.action()->trigger();
+    stage.press(stage.at({-45, 3, 0}));
+    for (int x = -45; x <= 45; ++x)
+        stage.move(stage.at({double(x), x % 2 == 0 ? 1.5 : -1.5, 0}));
+    stage.release(stage.at({45, 1.5, 0}));
+    stage.apply();
+    const std::vector<core::TubePoint>& path = stage.path();
+    QCOMPARE_GE(path.size(), std::size_t(2));
+    for (std::size_t i = 1; i < path.size(); ++i)
+        QCOMPARE_GE((path[i].position - path[i - 1].position).norm(), path[i].radius);
+    QVERIFY(std::abs(path.front().position.x() + 45) < 0.5);
+    QVERIFY(std::abs(path.back().position.x() - 45) < 0.5);
 }
 
 void TestTubeTool::tube_isShownAsGlass()
