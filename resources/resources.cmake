@@ -1,5 +1,5 @@
-# fettle_add_resources(TARGET): what the program reads at run time as ":/<path below resources>": icons, shaders, the user guide.
-# On executables only: in a static library resources can be lost when it is linked.
+# fettle_add_resources(TARGET): what the program reads at run time as ":/<path below resources>": icons, shaders, the
+# user guide. On executables only: in a static library resources can be lost when it is linked.
 set(FETTLE_RESOURCE_FILES
     brushes/big-move.json
     brushes/carve.json

@@ -46,7 +46,8 @@ _fettle()
                    --inner-parts --parts --overlaps" ;;
         boolean) words="$model --out --output -o --to --no-clobber --up" ;;
         replay)
-            words='--strokes --in --parts --out -o --stats --frames --every --verify --from --to --no-clobber --help -h' ;;
+            words='--strokes --in --parts --out -o --stats --frames --every --verify --from --to --no-clobber
+                   --help -h' ;;
         report) words='--out --output -o --unit --to --no-clobber --help -h' ;;
         sheet) words="$model --out --output -o --shaded --no-clobber" ;;
         lesson)
