@@ -17,6 +17,8 @@
 #include "core/mesh/mesh_builder.h"
 #include "core/operations/combine_models.h"
 #include "core/operations/detached_part.h"
+#include "core/operations/mirror_image.h"
+#include "core/operations/surface_exchange.h"
 #include "core/operations/transform.h"
 
 #include <algorithm>
@@ -64,7 +66,7 @@ Vec3 offsetOf(const Insert& command, const Mesh& mesh, const Box& present, const
     case Insert::Place::AsItIs:
         return isTube(command) ? Vec3(Vec3::Zero()) : Vec3(-mesh.frame().place);
     case Insert::Place::Centre:
-        return command.centre - added.center();
+        return command.primitive && !isTube(command) ? command.centre : Vec3(command.centre - added.center());
     case Insert::Place::Floor:
         return command.centre - Vec3(added.center().x(), added.min().y(), added.center().z());
     case Insert::Place::Beside:
@@ -170,6 +172,28 @@ void insertAsPart(Mesh& mesh, const std::string& name, const PlacedModel& placed
     mesh.setFrame(frame);
     change.addedPart = id;
 }
+/// Returns the box around both boxes. Sets change.refusal if the added one is too far from the origin, or the result
+/// too large.
+Box wholeBox(const Box& present, const Box& added, ModelChange& change)
+{
+    const Box whole = present.merged(added);
+    const double reach = std::sqrt(added.center().squaredNorm());
+    change.refusal =
+        reach > farthestInSizes * std::max(longest(present), longest(added)) ? ModelRefusal::TooFar : refusalOf(whole);
+    return whole;
+}
+
+/// Moves the solid by `offset`, which becomes zero, and unites it with its mirror image. Returns false if it cannot.
+bool addImage(TriangleMesh& solid, Vec3& offset, const Lattice& lattice, Symmetry plane, ModelChange& change,
+              const JobControl& control)
+{
+    for (Vec3f& p : solid.points)
+        p = (p.cast<double>() + offset).cast<float>();
+    offset.setZero();
+    auto both = withMirrorImage(std::move(solid), lattice, plane, change, control);
+    solid = std::move(both).value_or(TriangleMesh());
+    return !solid.triangles.empty() && !control.isCancelled();
+}
 } // namespace
 
 void insertModel(Mesh& mesh, const Insert& command, ModelChange& change, const JobControl& control)
@@ -189,24 +213,30 @@ void insertModel(Mesh& mesh, const Insert& command, ModelChange& change, const J
         change.refusal = ModelRefusal::Unsound;
         return;
     }
-    const TriangleMesh added = withoutUnusedVertices(*made);
+    TriangleMesh added = withoutUnusedVertices(*made);
     const Box present = boxOf(mesh);
-    Box place = boxOf(added);
-    const Vec3 offset = offsetOf(command, mesh, present, place);
-    place.translate(offset);
-    if (std::sqrt(place.center().squaredNorm()) > farthestInSizes * std::max(longest(present), longest(place))) {
-        change.refusal = ModelRefusal::TooFar;
-        return;
-    }
-    const Box whole = present.merged(place);
-    change.refusal = refusalOf(whole);
+    Vec3 offset = offsetOf(command, mesh, present, boxOf(added));
+    Box place = boxOf(added).translate(offset);
+    Box whole = wholeBox(present, place, change);
     if (change.refusal != ModelRefusal::None)
         return;
+    const Symmetry plane = command.symmetry;
+    if (plane != Symmetry::None) {
+        whole.extend(mirrorImage(place, plane));
+        change.refusal = refusalOf(whole);
+        if (change.refusal != ModelRefusal::None ||
+            !addImage(added, offset, latticeFor(whole, mesh.lattice()), plane, change, control))
+            return;
+    }
+    const bool wasSymmetric = plane != Symmetry::None && !becomesPart && isSymmetric(mesh, plane);
     if (command.combination == Insert::Combination::Apart)
         insertApart(mesh, added, offset, whole, change, control);
     else if (becomesPart)
         insertAsPart(mesh, command.name, {added, offset, whole}, change, control);
     else
         combineModels(mesh, command.combination, {added, offset, whole}, change, control.part(afterJudging, 1));
+    const bool isMade = change.refusal == ModelRefusal::None && !control.isCancelled();
+    if (isMade && wasSymmetric && !isSymmetric(mesh, plane) && !mirrorHalf(mesh, plane, {control.stop, {}}))
+        change.refusal = ModelRefusal::Uncut;
 }
 } // namespace core

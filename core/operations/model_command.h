@@ -56,7 +56,7 @@ struct Insert
     enum class Place {
         Beside, ///< in +x direction with a gap, on the same floor, box centres level in z
         AsItIs, ///< where the inserted model's file has it; a tube where its path is
-        Centre, ///< centre of its bounding box at `centre`
+        Centre, ///< centre of its bounding box at `centre`; of a primitive, its own middle
         Floor   ///< centre of the bottom of its bounding box at `centre`
     };
     /// Ways of combining the solids. Join, Subtract and Intersect are exact (mesh_boolean.h). All but Apart allow any
@@ -75,6 +75,9 @@ struct Insert
     std::optional<Primitive> primitive = std::nullopt; ///< inserted in place of `model`
     /// Name of the part, UTF-8; used by Combination::Part only. If another part has it, a number is appended.
     std::string name = {};
+    /// Plane through the document's origin at which the solid is mirrored: its union with its image is inserted. A
+    /// model that was symmetric, bit for bit, remains so.
+    Symmetry symmetry = Symmetry::None;
 };
 struct Fill
 {

@@ -1,6 +1,7 @@
 #include "core/operations/stroke_coordinates.h"
 
 #include "core/mesh/mesh.h"
+#include "core/operations/mirror_image.h"
 #include "core/operations/transform.h"
 
 namespace core
@@ -8,11 +9,6 @@ namespace core
 namespace
 {
 constexpr int yAxis = 1;
-
-int axisOf(Symmetry plane)
-{
-    return static_cast<int>(plane) - static_cast<int>(Symmetry::X);
-}
 
 Vec3 snapped(const Lattice& lattice, const Vec3& p)
 {
@@ -61,6 +57,8 @@ ModelChange StrokeCoordinates::apply(const Mesh& mesh, ModelCommand command, Par
             for (TubePoint& p : insert->primitive->path)
                 p.position -= by;
         }
+        if (insert->symmetry != Symmetry::None && by[axisOf(insert->symmetry)] != 0)
+            insert->symmetry = Symmetry::None;
     }
     if (auto* const transform = std::get_if<Transform>(&command))
         transform->centre -= by;

@@ -4,7 +4,7 @@
 //   3. fit        the result to the mesh's lattice
 //   4. exchange   the faces that differ; everything else keeps its slots               surface_exchange, surgery
 //   5. choose     the pieces that are seen first, if only these are to go                        cut_pieces
-//   6. mirror     one half of the result, if the model was exactly symmetric                     symmetrize
+//   6. mirror     one half of the result, if the model was exactly symmetric                   mirror_image
 
 #include "core/operations/trim.h"
 
@@ -15,8 +15,8 @@
 #include "core/mesh/lattice_fit.h"
 #include "core/mesh/mesh_builder.h"
 #include "core/operations/cut_pieces.h"
+#include "core/operations/mirror_image.h"
 #include "core/operations/surface_exchange.h"
-#include "core/operations/symmetrize.h"
 #include "core/operations/transform.h"
 
 #include <algorithm>
@@ -31,16 +31,6 @@ constexpr double afterCutting = 0.7, afterExchanging = 0.8;
 
 /// Largest difference between the volume of a split model and that of both parts, as a share of it.
 constexpr double mostLost = 1e-4;
-
-TriangleMesh mirrored(TriangleMesh mesh, Symmetry plane)
-{
-    const int axis = static_cast<int>(plane) - static_cast<int>(Symmetry::X);
-    for (Vec3f& p : mesh.points)
-        p[axis] = 0 - p[axis];
-    for (Triangle& t : mesh.triangles)
-        std::swap(t[1], t[2]);
-    return mesh;
-}
 
 /// Returns the colour of the cut: the command's, or that of the model if it has only one.
 std::optional<Rgb> colorOfCut(const Trim& command, const Mesh& mesh)
@@ -60,7 +50,7 @@ BooleanResult cut(const Mesh& mesh, TriangleMesh solid, const Trim& command, con
     model.masks.clear();
     std::vector<TriangleMesh> solids{std::move(model), std::move(solid)};
     if (command.area.symmetry != Symmetry::None)
-        solids.push_back(mirrored(solids.back(), command.area.symmetry));
+        solids.push_back(mirrorImage(solids.back(), command.area.symmetry));
     if (command.area.side == ViewArea::Side::Inside)
         return combine(SetOperation::Difference, solids, control);
     if (solids.size() > 2) {
@@ -86,18 +76,6 @@ std::optional<std::vector<LatticePoint>> latticePlaces(const TriangleMesh& model
         return snappedTo(lattice, places);
     LatticeFit fit = fitToLattice(lattice, places, model.triangles, control);
     return fit.unsnappable == 0 ? std::optional(std::move(fit.points)) : std::nullopt;
-}
-
-/// Makes the result of a cut exactly symmetric again.
-void mirrorHalf(Mesh& mesh, Symmetry plane, ModelChange& change, const JobControl& control)
-{
-    for (const Half kept : {Half::Positive, Half::Negative}) {
-        change.refusal = ModelRefusal::None;
-        symmetrize(mesh, {plane, kept}, change, control);
-        if (change.refusal == ModelRefusal::None)
-            return;
-    }
-    change.refusal = ModelRefusal::NoCut;
 }
 
 /// Returns the volume that the mesh encloses.
@@ -204,8 +182,8 @@ bool cutAway(Mesh& mesh, const Trim& command, ModelChange& change, const JobCont
     const Mesh::Mark mark = mesh.mark();
     mesh.replaceFaces(surgery);
     control.reportProgress(afterExchanging);
-    if (wasSymmetric && !isSymmetric(mesh, plane))
-        mirrorHalf(mesh, plane, change, control.part(afterExchanging, 1));
+    if (wasSymmetric && !isSymmetric(mesh, plane) && !mirrorHalf(mesh, plane, control.part(afterExchanging, 1)))
+        change.refusal = ModelRefusal::NoCut;
     if (change.refusal != ModelRefusal::None)
         mesh.rollback(mark);
     return change.refusal == ModelRefusal::None && !control.isCancelled();

@@ -207,6 +207,19 @@ std::optional<TriangleMesh> unionOf(std::vector<TriangleMesh> pieces, const JobC
     return combineOn(placement.lattice, SetOperation::Union, pieces, control).mesh;
 }
 
+/// Returns the rotation of least angle that turns the y axis to a direction of unit length.
+Eigen::Matrix3d rotationTo(const Vec3& up)
+{
+    if (up.y() < 0) // turned by half about x first: there is no least rotation to -y
+        return rotationTo(-up) * Vec3(1, -1, -1).asDiagonal();
+    Eigen::Matrix3d rotation;
+    const double x = up.x(), y = up.y(), z = up.z(), f = 1 / (1 + y);
+    rotation << 1 - f * x * x, x, -f * x * z, //
+        -x, y, -z,                            //
+        -f * x * z, z, 1 - f * z * z;
+    return rotation;
+}
+
 class PrimitiveMaker
 {
 public:
@@ -237,10 +250,10 @@ public:
             return std::move(m_result);
         }
         m_result.mesh = surface();
-        for (Vec3f& p : m_result.mesh->points) {
-            const Vec3f upright = p;
-            for (int i = 0; i < 3; ++i)
-                p[(m_primitive.axis + i) % 3] = upright[(1 + i) % 3];
+        if (m_primitive.axis != Vec3::UnitY()) {
+            const Eigen::Matrix3d rotation = rotationOf(m_primitive);
+            for (Vec3f& p : m_result.mesh->points)
+                p = (rotation * p.cast<double>()).cast<float>();
         }
         if (m_primitive.kind == PrimitiveKind::Lathe && !checkMesh(*m_result.mesh).printReady()) {
             m_result.mesh.reset();
@@ -421,6 +434,24 @@ private:
     double m_edge = 0;
 };
 } // namespace
+
+Vec3 nearestAxis(const Vec3& direction)
+{
+    int axis = 0;
+    direction.cwiseAbs().maxCoeff(&axis);
+    return (direction[axis] < 0 ? -1 : 1) * Vec3::Unit(axis);
+}
+
+Eigen::Matrix3d rotationOf(const Primitive& primitive)
+{
+    const Vec3 up = primitive.axis.stableNormalized();
+    if (up != Vec3::UnitX() && up != Vec3::UnitZ())
+        return rotationTo(up);
+    Eigen::Matrix3d rotation = Eigen::Matrix3d::Zero();
+    for (int i = 0; i < 3; ++i)
+        rotation((i + (up == Vec3::UnitX() ? 2 : 1)) % 3, i) = 1;
+    return rotation;
+}
 
 PrimitiveResult judgePrimitive(const Primitive& primitive)
 {

@@ -32,7 +32,9 @@ struct Primitive
     std::vector<ProfilePoint> profile;
     std::vector<TubePoint> path; ///< of a tube
     double edge = 0;             ///< length that edges have approximately; 0: so that there are about 20,000 triangles
-    int axis = 1; ///< axis of the document that gets the primitive's y axis: 0, 1 or 2; the others follow cyclically
+    /// Direction in the document that the primitive's y axis gets, any length above 0. For the x or z axis the others
+    /// follow cyclically; for any other direction the primitive is turned as little as possible. Not used by a tube.
+    Vec3 axis = Vec3::UnitY();
 
     double& length(Measure measure) { return lengths[static_cast<std::size_t>(measure)]; }
     double length(Measure measure) const { return lengths[static_cast<std::size_t>(measure)]; }
@@ -75,6 +77,13 @@ struct PrimitiveLimits
     static constexpr double maxFaces = 2'000'000;
 };
 
+/// Returns the rotation of the primitive's own coordinates, in which its axis is y, to the document's; see
+/// Primitive::axis. Not for a tube. Thread: any.
+Eigen::Matrix3d rotationOf(const Primitive& primitive);
+
+/// Returns the axis of the document, forwards or backwards, that is nearest to a direction.
+Vec3 nearestAxis(const Vec3& direction);
+
 /// Returns whether the measures are possible, without the mesh. Only makePrimitive() finds ProfileMeets and PathMeets.
 /// Thread: any.
 PrimitiveResult judgePrimitive(const Primitive& primitive);
@@ -82,8 +91,9 @@ PrimitiveResult judgePrimitive(const Primitive& primitive);
 /// Makes the solid's surface. Edges are between half as long as requested and 1.8 times as long, but shorter around the
 /// point of a slim cone. Sharp edges of the solid are edges of the mesh. Vertices are on the exact surface, and enclose
 /// at least 98 % of its volume. Symmetric bit for bit about the three planes through the origin, as far as the solid
-/// is. Not so a tube: where it bends, edges are longer on the outside and shorter on the inside, and where it crosses
-/// itself, pieces of it are united (mesh_boolean.h), without voids smaller than an edge. Only a tube can be cancelled;
-/// it then has the fault PathMeets. The same bits on every machine. Thread: any. Cost: O(mesh).
+/// is and its axis is the document's. Not so a tube: where it bends, edges are longer on the outside and shorter on the
+/// inside, and where it crosses itself, pieces of it are united (mesh_boolean.h), without voids smaller than an edge.
+/// Only a tube can be cancelled; it then has the fault PathMeets. The same bits on every machine. Thread: any. Cost:
+/// O(mesh).
 PrimitiveResult makePrimitive(const Primitive& primitive, const JobControl& control = {});
 } // namespace core

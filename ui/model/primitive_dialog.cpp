@@ -204,7 +204,7 @@ private:
         }
         result.edge = m_edge->value();
         if (hasAxis())
-            result.axis = axisChoices[m_axis->currentIndex()];
+            result.axis = core::Vec3::Unit(axisChoices[m_axis->currentIndex()]);
         return result;
     }
 

@@ -5,6 +5,7 @@
 #include "ui/widgets/named.h"
 #include "ui/widgets/spacing.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QGridLayout>
@@ -28,19 +29,19 @@ constexpr double tubeShare = 0.3; ///< radius of a torus's tube, as a share of i
 
 constexpr double capsuleShare = 4; ///< height of a capsule, as a share of its radius
 
-/// Returns half the extent of a solid along an axis of the document, mm.
-double halfExtent(const Primitive& solid, int axis)
+/// Cosine of the angle within which a normal counts as an axis of the document: 2 degrees.
+constexpr double alongAxis = 0.99939;
+
+/// Returns half the extent of a solid along its axis, mm.
+double halfHeight(const Primitive& solid)
 {
-    const double radius = solid.length(Measure::Radius), height = solid.length(Measure::Height);
     switch (solid.kind) {
-    case Primitive::Kind::Cuboid:
-        return solid.length(axis == 0 ? Measure::Width : axis == 1 ? Measure::Height : Measure::Depth) / 2;
     case Primitive::Kind::Ball:
-        return radius;
+        return solid.length(Measure::Radius);
     case Primitive::Kind::Torus:
-        return axis == solid.axis ? solid.length(Measure::TubeRadius) : radius + solid.length(Measure::TubeRadius);
+        return solid.length(Measure::TubeRadius);
     default:
-        return axis == solid.axis ? height / 2 : std::max(radius, solid.length(Measure::TopRadius));
+        return solid.length(Measure::Height) / 2;
     }
 }
 } // namespace
@@ -49,6 +50,8 @@ SolidCard::SolidCard(QWidget* view)
     : ViewCard(view, "solidCard")
     , m_kind(named(new QComboBox, "solidKind", {}, tr("Shape")))
     , m_combination(named(new QComboBox, "solidCombination", {}, ModelDialogs::tr("Combine")))
+    , m_isTurned(named(new QCheckBox(tr("&Turn to the surface")), "solidTurned",
+                       tr("The solid stands at a right angle to the surface. Off: along the nearest axis.")))
     , m_problem(named(new QLabel, "solidProblem"))
     , m_apply(named(new QPushButton(tr("A&pply")), "solidApply", tr("Makes the solid (Return).")))
 {
@@ -82,7 +85,8 @@ SolidCard::SolidCard(QWidget* view)
         grid->addWidget(new QLabel(field->accessibleName()), row, 0);
         grid->addWidget(field, row, 1);
     }
-    const int last = grid->rowCount();
+    const int last = grid->rowCount() + 1;
+    grid->addWidget(m_isTurned, last - 1, 0, 1, 2);
     grid->addWidget(new QLabel(ModelDialogs::tr("Combine")), last, 0);
     grid->addWidget(m_combination, last, 1);
     grid->addWidget(m_problem, last + 1, 0, 1, 2);
@@ -96,6 +100,8 @@ SolidCard::SolidCard(QWidget* view)
     grid->addLayout(ends, last + 2, 0, 1, 2);
     connect(m_apply, &QPushButton::clicked, this, &SolidCard::applied);
     connect(this, &ViewCard::entered, this, &SolidCard::applied);
+    m_isTurned->setChecked(true);
+    connect(m_isTurned, &QCheckBox::toggled, this, &SolidCard::noteMeasure);
     connect(cancel, &QPushButton::clicked, this, &SolidCard::cancelled);
     connect(m_kind, &QComboBox::currentIndexChanged, this, [this] {
         showKind();
@@ -137,6 +143,7 @@ void SolidCard::showKind()
         m_labels[i]->setVisible(isUsed);
         m_measures[i]->setVisible(isUsed);
     }
+    m_isTurned->setEnabled(static_cast<Primitive::Kind>(m_kind->currentIndex()) != Primitive::Kind::Ball);
 }
 
 core::Primitive SolidCard::primitive() const
@@ -145,8 +152,8 @@ core::Primitive SolidCard::primitive() const
     solid.kind = static_cast<Primitive::Kind>(m_kind->currentIndex());
     for (std::size_t i = 0; i < Primitive::measures; ++i)
         solid.lengths[i] = m_measures[i]->value();
-    if (solid.kind != Primitive::Kind::Cuboid && solid.kind != Primitive::Kind::Ball)
-        solid.axis = m_axis;
+    if (solid.kind != Primitive::Kind::Ball)
+        solid.axis = axis();
     return solid;
 }
 
@@ -178,21 +185,26 @@ void SolidCard::setSize(double size)
 
 void SolidCard::putOn(const core::Vec3& point, const core::Vec3& normal)
 {
-    m_base = {point, normal};
-    normal.cwiseAbs().maxCoeff(&m_axis);
+    m_base = point;
+    m_normal = normal;
     keepBase();
+}
+
+/// Returns the direction of the solid's axis.
+core::Vec3 SolidCard::axis() const
+{
+    const core::Vec3 nearest = core::nearestAxis(m_normal);
+    return m_isTurned->isChecked() && nearest.dot(m_normal) < alongAxis ? m_normal : nearest;
 }
 
 void SolidCard::keepBase()
 {
     if (!m_base)
         return;
-    const auto& [point, normal] = *m_base;
-    core::Vec3 centre = point;
-    centre[m_axis] += (normal[m_axis] < 0 ? -1 : 1) * halfExtent(primitive(), m_axis);
-    for (int axis = 0; axis < 3; ++axis) {
-        const QSignalBlocker quiet(m_centre[std::size_t(axis)]);
-        m_centre[std::size_t(axis)]->setValue(centre[axis]);
+    const core::Vec3 centre = *m_base + halfHeight(primitive()) * axis();
+    for (int i = 0; i < 3; ++i) {
+        const QSignalBlocker quiet(m_centre[std::size_t(i)]);
+        m_centre[std::size_t(i)]->setValue(centre[i]);
     }
 }
 

@@ -5,8 +5,8 @@
 
 #include <array>
 #include <optional>
-#include <utility>
 
+class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
@@ -27,8 +27,9 @@ public:
     core::Insert insertion() const;
     /// Sets the measures of the chosen kind to those of a solid that is `size` wide on either side of its axis, mm.
     void setSize(double size);
-    /// Puts the solid on a surface: the middle of its base at `point` (mm), its axis along the document's axis that is
-    /// nearest to the normal. The base stays there when a measure changes, until a coordinate is typed.
+    /// Puts the solid on a surface: the middle of its base at `point` (mm), its axis along the unit normal or, if the
+    /// user does not want it turned, along the document's axis nearest to that. The base stays there when a measure
+    /// changes, until a coordinate is typed.
     void putOn(const core::Vec3& point, const core::Vec3& normal);
     /// Moves the middle so that the base is where putOn() has put it.
     void keepBase();
@@ -48,15 +49,16 @@ private:
     void showKind();
     void noteMeasure();
     core::Primitive primitive() const;
+    core::Vec3 axis() const;
 
     QComboBox *m_kind, *m_combination;
     std::array<QDoubleSpinBox*, core::Primitive::measures> m_measures;
     std::array<QLabel*, core::Primitive::measures> m_labels;
     std::array<QDoubleSpinBox*, 3> m_centre;
+    QCheckBox* m_isTurned;
     QLabel* m_problem;
     QPushButton* m_apply;
-    int m_axis = 1; ///< of the document, along which the solid's axis is
-    /// where the base is: a point and the normal there; nothing once a coordinate was typed
-    std::optional<std::pair<core::Vec3, core::Vec3>> m_base;
+    core::Vec3 m_normal = core::Vec3::UnitY(); ///< of the surface that the solid was put on
+    std::optional<core::Vec3> m_base;          ///< middle of the base; nothing once a coordinate was typed
 };
 } // namespace ui

@@ -7,10 +7,13 @@
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/view_hint.h"
 
-#include "core/mesh/draw_arrays.h"
+#include "core/operations/mirror_image.h"
 
 #include <QKeyEvent>
 #include <QLineF>
+
+#include <cmath>
+#include <numbers>
 
 namespace ui
 {
@@ -19,24 +22,22 @@ namespace
 constexpr double leastDrag = 4;         ///< pixels; a shorter drag makes a solid of the usual size
 constexpr double usualShare = 1.0 / 16; ///< half size of a solid that was not dragged, as a share of the view's height
 
-constexpr double mostGlass = 200'000; ///< number of triangles; a larger solid is not shown while it changes
+constexpr double around = 12; ///< pixels from the press within which the surface's direction is measured
+constexpr int aroundRays = 8;
 
-/// Returns the solid as glass where the insertion puts it.
-std::shared_ptr<const core::DrawArrays> glassOf(const core::Insert& insertion, double edge)
+constexpr double mostGlass = 200'000; ///< number of triangles; a larger solid is not shown while it changes
+/// Returns the mean of the surface's normals, so that a solid does not follow each triangle.
+core::Vec3 meanNormal(const ViewTool::Hits& hits)
 {
-    core::Primitive solid = *insertion.primitive;
-    solid.edge = edge;
-    core::PrimitiveResult made = core::makePrimitive(solid);
-    if (!made.mesh)
-        return {};
-    for (core::Vec3f& p : made.mesh->points)
-        p = (p.cast<double>() + insertion.centre).cast<float>();
-    return std::make_shared<const core::DrawArrays>(core::drawArraysOf(*made.mesh));
+    core::Vec3 sum = core::Vec3::Zero();
+    for (const auto& hit : hits)
+        sum += hit ? hit->normal : core::Vec3(core::Vec3::Zero());
+    return sum.norm() > 0.1 ? sum.normalized() : hits.front()->normal;
 }
 } // namespace
 
-SolidTool::SolidTool(const Actions& actions, Viewport* viewport)
-    : ViewTool(actions.get(QStringLiteral("model.placeSolid")), viewport, "solidTool")
+SolidTool::SolidTool(const Actions& actions, const BrushSettings* brush, Viewport* viewport)
+    : ViewTool(actions.get(QStringLiteral("model.placeSolid")), brush, viewport, "solidTool")
     , m_card(new SolidCard(viewport))
 {
     connect(m_card, &SolidCard::applied, this, &SolidTool::apply);
@@ -66,15 +67,23 @@ bool SolidTool::handlePointer(const QSinglePointEvent& event)
         m_pointer = event.position();
         if (!(event.buttons() & Qt::LeftButton)) // also if the release went to another window
             m_isPressed = false;
-        if (m_isPlaced)
+        if (m_isPlaced) {
             resize();
+            refreshSoon();
+        }
         return true;
     }
     if (m_isPlaced || !isPress(event) || event.button() != Qt::LeftButton || isAsking())
         return false;
     m_isPressed = true;
     m_from = m_pointer = event.position();
-    ask({viewport()->camera().ray({m_from.x(), m_from.y()})});
+    std::vector<core::Ray> rays{viewport()->camera().ray({m_from.x(), m_from.y()})};
+    for (int i = 0; i < aroundRays; ++i) {
+        const double angle = 2 * std::numbers::pi * i / aroundRays;
+        rays.push_back(
+            viewport()->camera().ray({m_from.x() + around * std::cos(angle), m_from.y() + around * std::sin(angle)}));
+    }
+    ask(rays);
     return true;
 }
 
@@ -92,24 +101,34 @@ core::SurfaceHit SolidTool::groundAt(const core::Ray& ray) const
 
 void SolidTool::place(const std::vector<core::Ray>& rays, const Hits& hits)
 {
-    const core::SurfaceHit base = hits.front().value_or(groundAt(rays.front()));
+    core::SurfaceHit base = hits.front().value_or(groundAt(rays.front()));
+    if (hits.front())
+        base.normal = meanNormal(hits);
+    if (isAtPlane(base.position))
+        core::putOnPlane(base.position, base.normal, symmetry());
     m_isPlaced = true;
     viewport()->setCursor(Qt::ArrowCursor);
     m_card->setSize(1);
-    m_card->putOn(base.position, base.normal);
+    m_card->putOn(base.position, base.normal.normalized());
     resize();
+    refresh();
+}
+
+core::Insert SolidTool::insertion() const
+{
+    core::Insert insertion = m_card->insertion();
+    insertion.symmetry = symmetry();
+    return insertion;
 }
 
 /// Gives the solid the size that the drag says.
 void SolidTool::resize()
 {
-    const core::Insert insertion = m_card->insertion();
     const OrbitCamera& camera = viewport()->camera();
     const double dragged = QLineF(m_from, m_pointer).length();
     const double pixels = dragged < leastDrag ? usualShare * viewport()->height() : dragged;
-    m_card->setSize(pixels / camera.pixelsPerMm(insertion.centre));
+    m_card->setSize(pixels / camera.pixelsPerMm(m_card->insertion().centre));
     m_card->keepBase();
-    refresh();
 }
 
 /// Shows the numbers, what the solid will be, and the hint.
@@ -120,21 +139,25 @@ void SolidTool::refresh()
                      width());
     if (!m_isPlaced)
         return;
-    const core::Insert insertion = m_card->insertion();
-    const core::PrimitiveResult judged = core::judgePrimitive(*insertion.primitive);
-    viewport()->showGlass(judged.fault == core::PrimitiveFault::None && judged.faces < mostGlass
-                              ? glassOf(insertion, judged.limit)
-                              : nullptr);
+    core::Primitive solid = *m_card->insertion().primitive;
+    const core::PrimitiveResult judged = core::judgePrimitive(solid);
+    solid.edge = judged.limit;
+    core::TriangleMesh glass;
+    if (judged.fault == core::PrimitiveFault::None && judged.faces < mostGlass)
+        glass = core::makePrimitive(solid).mesh.value_or(core::TriangleMesh());
+    for (core::Vec3f& p : glass.points)
+        p = (p.cast<double>() + m_card->insertion().centre).cast<float>();
+    showGlass(std::move(glass));
     m_card->show(PrimitiveMessages::problem(judged));
     m_card->raise();
 }
 
 void SolidTool::apply()
 {
-    const core::Insert insertion = m_card->insertion();
-    if (!isEnabled() || core::judgePrimitive(*insertion.primitive).fault != core::PrimitiveFault::None)
+    const core::Insert solid = insertion();
+    if (!isEnabled() || core::judgePrimitive(*solid.primitive).fault != core::PrimitiveFault::None)
         return;
     m_card->storeCombination();
-    request(insertion);
+    request(solid);
 }
 } // namespace ui

@@ -7,6 +7,7 @@
 namespace ui
 {
 class Actions;
+class BrushSettings;
 class SolidCard;
 
 /// Lets the user place a solid with measures in the view: a press on the model, or on the ground beside it, puts its
@@ -18,7 +19,7 @@ class SolidTool : public ViewTool
     Q_OBJECT
 
 public:
-    SolidTool(const Actions& actions, Viewport* viewport);
+    SolidTool(const Actions& actions, const BrushSettings* brush, Viewport* viewport);
 
 protected:
     void clear() override;
@@ -30,6 +31,7 @@ protected:
 
 private:
     core::SurfaceHit groundAt(const core::Ray& ray) const;
+    core::Insert insertion() const;
     void resize();
     void apply();
 

@@ -9,8 +9,9 @@
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/view_hint.h"
 
-#include "core/mesh/draw_arrays.h"
+#include "core/operations/mirror_image.h"
 #include "core/primitives/model_limits.h"
+#include "core/primitives/tube_path.h"
 
 #include <QKeyEvent>
 #include <QLineF>
@@ -27,6 +28,8 @@ namespace
 {
 constexpr double tolerance = 5;   ///< pixels between the drawn curve and the lines between its points
 constexpr double leastLength = 8; ///< pixels; a shorter curve is begun again
+constexpr double leastStep = 3;   ///< pixels between points where the curve is held against the model
+constexpr double mostSamples = 600;
 
 constexpr double previewFaces = 20'000; ///< about the largest number of triangles of the glass
 
@@ -39,20 +42,21 @@ double lengthOf(const QPolygonF& curve)
     return length;
 }
 
-/// Drops points that are nearer to the one before them than the tube is thick there: a hand that shakes would fold it.
-/// The first and the last remain.
-void dropNear(std::vector<core::TubePoint>& path)
+/// Returns points on the curve, a step apart.
+QPolygonF sampled(const QPolygonF& curve)
 {
-    const core::TubePoint last = path.back();
-    const auto isNear = [](const core::TubePoint& a, const core::TubePoint& b) {
-        return (a.position - b.position).norm() < a.radius;
-    };
-    path.erase(std::unique(path.begin(), path.end(), isNear), path.end());
-    if (path.back() == last)
-        return;
-    if (path.size() > 1 && isNear(path.back(), last))
-        path.pop_back();
-    path.push_back(last);
+    const double step = std::max(leastStep, lengthOf(curve) / mostSamples);
+    QPolygonF samples{curve.front()};
+    double ahead = step; // way to the next sample
+    for (qsizetype i = 1; i < curve.size(); ++i) {
+        QLineF line(curve[i - 1], curve[i]);
+        const double length = line.length();
+        double way = ahead;
+        for (; way < length; way += step)
+            samples << line.pointAt(way / length);
+        ahead = way - length;
+    }
+    return samples << curve.back();
 }
 
 /// Returns a depth for each ray: of the surface that it meets, else one between those of the nearest rays that do.
@@ -73,11 +77,28 @@ std::vector<double> depthsOf(const std::vector<std::optional<core::SurfaceHit>>&
         depths[k] = depths[*last];
     return depths;
 }
+
+/// Returns the depths as a tube of this radius can follow them: where the curve comes to the model from beside it, the
+/// depth changes faster than the tube can bend. Each is a mean of those within a radius. `ways`: along the curve, mm.
+std::vector<double> smoothed(const std::vector<double>& depths, const std::vector<double>& ways, double radius)
+{
+    std::vector<double> result(depths.size());
+    for (std::size_t i = 0; i < depths.size(); ++i) {
+        double sum = 0, weights = 0;
+        const double reach = std::min({radius, ways[i] - ways.front(), ways.back() - ways[i]});
+        for (std::size_t k = 0; k < depths.size(); ++k) {
+            const double weight = std::max(0.0, reach - std::abs(ways[k] - ways[i]));
+            sum += weight * depths[k];
+            weights += weight;
+        }
+        result[i] = weights > 0 ? sum / weights : depths[i];
+    }
+    return result;
+}
 } // namespace
 
 TubeTool::TubeTool(const Actions& actions, const BrushSettings* brush, Viewport* viewport)
-    : ViewTool(actions.get(QStringLiteral("model.tube")), viewport, "tubeTool")
-    , m_brush(brush)
+    : ViewTool(actions.get(QStringLiteral("model.tube")), brush, viewport, "tubeTool")
     , m_card(new TubeCard(viewport))
 {
     connect(m_card, &TubeCard::applied, this, &TubeTool::apply);
@@ -112,7 +133,7 @@ bool TubeTool::handleKey(const QKeyEvent& event)
         return true;
     if (isEnd) {
         apply();
-    } else if (m_path.size() > 2) {
+    } else if (m_path.size() > 2 && !isHeld()) {
         m_path.erase(m_path.begin() + static_cast<std::ptrdiff_t>(m_chosen));
         m_hot.reset();
         m_chosen = std::min(m_chosen, m_path.size() - 1);
@@ -197,7 +218,7 @@ void TubeTool::drag(const QSinglePointEvent& event)
     core::TubePoint& point = m_path[m_dragged->point];
     if (!m_dragged->isRim) {
         point.position = handles.placeAt(event.position(), m_dragged->point);
-        return refresh();
+        return refreshSoon();
     }
     const double radius = std::max(handles.radiusAt(event.position(), m_dragged->point), core::ModelLimits::minExtent);
     const double factor = radius / point.radius;
@@ -206,13 +227,13 @@ void TubeTool::drag(const QSinglePointEvent& event)
         if (event.modifiers() & Qt::ShiftModifier && &other != &point)
             other.radius *= factor;
     }
-    refresh();
+    refreshSoon();
 }
 
 /// Ends the drawn curve, and asks where its points meet the model.
 void TubeTool::endCurve()
 {
-    const QPolygonF curve = simplified(m_curve, tolerance);
+    const QPolygonF curve = sampled(simplified(m_curve, tolerance));
     const bool isLong = lengthOf(m_curve) >= leastLength;
     m_curve.clear();
     update();
@@ -227,15 +248,24 @@ void TubeTool::endCurve()
 void TubeTool::place(const std::vector<core::Ray>& rays, const Hits& hits)
 {
     const OrbitCamera& camera = viewport()->camera();
-    const std::vector<double> depths = depthsOf(hits, camera);
-    for (std::size_t i = 0; i < rays.size(); ++i) {
+    const double radius = brush()->value(core::Parameter::Radius);
+    const auto placeAt = [&](std::size_t i, double depth) -> core::Vec3 {
         const core::Ray& ray = rays[i];
         const core::Vec3 ahead = camera.viewDirection();
-        const double way = (depths[i] - (ray.origin - camera.eye()).dot(ahead)) / ray.direction.dot(ahead);
-        m_path.push_back({hits[i] ? hits[i]->position : core::Vec3(ray.origin + way * ray.direction),
-                          m_brush->value(core::Parameter::Radius)});
+        return ray.origin + (depth - (ray.origin - camera.eye()).dot(ahead)) / ray.direction.dot(ahead) * ray.direction;
+    };
+    const std::vector<double> depths = depthsOf(hits, camera);
+    std::vector<double> ways{0}; // along the curve as it is seen, mm
+    for (std::size_t i = 1; i < rays.size(); ++i)
+        ways.push_back(ways.back() + (placeAt(i, depths[i]) - placeAt(i - 1, depths[i])).norm());
+    const std::vector<double> followed = smoothed(depths, ways, radius);
+    std::vector<core::TubePoint> drawn;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        drawn.push_back({placeAt(i, followed[i]), radius});
+        if (isAtPlane(drawn.back().position))
+            drawn.back().position[core::axisOf(symmetry())] = 0;
     }
-    dropNear(m_path);
+    m_path = core::thinnedPath(drawn, std::min(tolerance / camera.pixelsPerMm(drawn.front().position), radius / 2));
     m_chosen = 0;
     viewport()->setCursor(Qt::ArrowCursor);
     refresh();
@@ -254,12 +284,10 @@ void TubeTool::refresh()
 {
     if (!m_path.empty()) {
         const core::PrimitiveResult judged = core::judgePrimitive(primitive());
-        std::shared_ptr<const core::DrawArrays> glass;
-        if (judged.fault == core::PrimitiveFault::None) {
-            const core::Tube tube(m_path, judged.limit * std::sqrt(std::max(1.0, judged.faces / previewFaces)));
-            glass = std::make_shared<const core::DrawArrays>(core::drawArraysOf(tube.swept()));
-        }
-        viewport()->showGlass(glass);
+        if (judged.fault == core::PrimitiveFault::None)
+            showGlass(core::Tube(m_path, judged.limit * std::sqrt(std::max(1.0, judged.faces / previewFaces))).swept());
+        else
+            showGlass({});
         m_card->show(m_path[m_chosen].radius, PrimitiveMessages::problem(judged));
     }
     hint()->showText(m_path.empty() ? tr("Draw the middle of a tube, on the model or beside it. Esc cancels.")
@@ -278,6 +306,7 @@ void TubeTool::apply()
     insert.primitive = primitive();
     insert.place = core::Insert::Place::AsItIs;
     insert.combination = m_card->combination();
+    insert.symmetry = symmetry();
     if (insert.combination == core::Insert::Combination::Part)
         insert.name = PrimitiveMessages::kind(core::Primitive::Kind::Tube).toStdString();
     m_card->storeCombination();

@@ -41,7 +41,6 @@ private:
     void apply();
     core::Primitive primitive() const;
 
-    const BrushSettings* m_brush;
     TubeCard* m_card;
     QPolygonF m_curve;                   ///< being drawn, logical pixels
     std::vector<core::TubePoint> m_path; ///< empty: no curve has been drawn yet

@@ -1,6 +1,9 @@
 #include "ui/shapes/view_tool.h"
 
+#include "core/mesh/draw_arrays.h"
+#include "core/operations/mirror_image.h"
 #include "ui/input/pointer_input.h"
+#include "ui/settings/brush_settings.h"
 #include "ui/util/pointer_events.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/view_hint.h"
@@ -13,9 +16,15 @@
 
 namespace ui
 {
-ViewTool::ViewTool(QAction* action, Viewport* viewport, const char* name)
+namespace
+{
+constexpr double atPlane = 6; ///< pixels from the plane of symmetry within which a place is meant to be on it
+} // namespace
+
+ViewTool::ViewTool(QAction* action, const BrushSettings* brush, Viewport* viewport, const char* name)
     : QWidget(viewport)
     , m_action(action)
+    , m_brush(brush)
     , m_viewport(viewport)
     , m_hint(new ViewHint("toolHint", this))
 {
@@ -24,6 +33,12 @@ ViewTool::ViewTool(QAction* action, Viewport* viewport, const char* name)
     hide();
     viewport->installEventFilter(this);
     connect(m_action, &QAction::toggled, this, &ViewTool::setOn);
+    m_refresh.setSingleShot(true);
+    connect(&m_refresh, &QTimer::timeout, this, [this] {
+        if (!isHidden())
+            refresh();
+    });
+    connect(brush, &BrushSettings::changed, this, &ViewTool::refreshSoon);
     connect(viewport, &Viewport::drawing, this, &ViewTool::followCamera);
     connect(viewport->input(), &PointerInput::modeChanged, this, [this](PointerMode mode) {
         if (!isHidden() && mode != PointerMode::Handles)
@@ -75,6 +90,24 @@ void ViewTool::request(const core::ModelCommand& command)
 {
     m_isRequested = true;
     Q_EMIT requested(command);
+}
+
+core::Symmetry ViewTool::symmetry() const
+{
+    return m_brush->stroke().symmetry;
+}
+
+bool ViewTool::isAtPlane(const core::Vec3& place) const
+{
+    return symmetry() != core::Symmetry::None &&
+           std::abs(place[core::axisOf(symmetry())]) * m_viewport->camera().pixelsPerMm(place) < atPlane;
+}
+
+void ViewTool::showGlass(core::TriangleMesh solid)
+{
+    const core::TriangleMesh both = core::besideImage(std::move(solid), symmetry());
+    m_viewport->showGlass(both.triangles.empty() ? nullptr
+                                                 : std::make_shared<const core::DrawArrays>(core::drawArraysOf(both)));
 }
 
 void ViewTool::endRequest(bool isMade)

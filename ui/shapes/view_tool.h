@@ -3,6 +3,7 @@
 #include "core/mesh/surface_hit.h"
 #include "core/operations/model_command.h"
 
+#include <QTimer>
 #include <QWidget>
 
 #include <functional>
@@ -15,6 +16,7 @@ class QSinglePointEvent;
 
 namespace ui
 {
+class BrushSettings;
 class ViewHint;
 class Viewport;
 
@@ -26,8 +28,8 @@ class ViewTool : public QWidget
     Q_OBJECT
 
 public:
-    /// The viewport is the parent.
-    ViewTool(QAction* action, Viewport* viewport, const char* name);
+    /// The viewport is the parent. `brush`: has the symmetry and the radius.
+    ViewTool(QAction* action, const BrushSettings* brush, Viewport* viewport, const char* name);
 
     /// Where rays meet the model, in their order; nullopt: a ray misses it.
     using Hits = std::vector<std::optional<core::SurfaceHit>>;
@@ -47,6 +49,8 @@ protected:
     virtual void clear() = 0;
     /// Shows the present state.
     virtual void refresh() = 0;
+    /// Calls refresh() when the events that have come are handled: a mouse can send more of them than can be shown.
+    void refreshSoon() { m_refresh.start(); }
     /// Handle an event, and return whether it is consumed.
     virtual bool handlePointer(const QSinglePointEvent& event) = 0;
     virtual bool handleKey(const QKeyEvent& event) = 0;
@@ -56,7 +60,14 @@ protected:
     virtual bool isHeld() const = 0;
 
     Viewport* viewport() const { return m_viewport; }
+    const BrushSettings* brush() const { return m_brush; }
     ViewHint* hint() const { return m_hint; }
+    /// The plane at which the user mirrors what is drawn.
+    core::Symmetry symmetry() const;
+    /// Returns whether a place is seen so near to the plane of symmetry that it is meant to be on it.
+    bool isAtPlane(const core::Vec3& place) const;
+    /// Shows a solid, and its mirror image, as glass; an empty one: shows none.
+    void showGlass(core::TriangleMesh solid);
     /// Asks where the rays meet the model. Until place() is called, isAsking().
     void ask(const std::vector<core::Ray>& rays);
     bool isAsking() const { return m_isAsking; }
@@ -72,8 +83,10 @@ private:
     void followCamera();
 
     QAction* m_action;
+    const BrushSettings* m_brush;
     Viewport* m_viewport;
     ViewHint* m_hint;
+    QTimer m_refresh;
     int m_question = 0; ///< number of the last question; an answer to an earlier one is ignored
     bool m_isAsking = false, m_isRequested = false;
     Eigen::Matrix4d m_view = Eigen::Matrix4d::Zero(); ///< camera's matrices when the tool was drawn

@@ -259,7 +259,7 @@ void MainWindow::State::connectActions()
     connect(new TransformTool(actions, viewport), &TransformTool::requested, q, request);
     connect(new PlaneCutTool(actions, viewport), &PlaneCutTool::requested, q, request);
     connect(new TubeTool(actions, &brush, viewport), &TubeTool::requested, q, request);
-    connect(new SolidTool(actions, viewport), &SolidTool::requested, q, request);
+    connect(new SolidTool(actions, &brush, viewport), &SolidTool::requested, q, request);
     new CombinationCard(viewport);
     connectTools();
     headset = new HeadsetActions({&actions, viewport, new PartnerBar({&actions, &brush, viewport}, q)}, q);

@@ -1,5 +1,7 @@
 #include "vr/sculpt/shape_tool.h"
 
+#include "core/operations/mirror_image.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -13,6 +15,8 @@ using core::Vec3;
 using Measure = core::Primitive::Measure;
 
 constexpr double capsuleSlimness = 0.25, tubeShare = 0.15; ///< radii as fractions of the greatest measure
+constexpr double alongAxis = 0.99; ///< cosine of 8 degrees, within which a shape is along an axis of the document
+constexpr double atPlane = 0.1;    ///< radii from the plane of symmetry, within which a shape is on it
 constexpr int ringEdges = 24, arcEdges = 6;
 
 /// Collects the edges of a shape whose axis is y and whose centre is the origin, in mm.
@@ -21,11 +25,23 @@ class Outline
 public:
     Outline(const core::Insert& shape, const ModelPlacement& placement, std::vector<Segment>& edges)
         : m_shape(shape)
+        , m_rotation(core::rotationOf(*shape.primitive))
         , m_placement(placement)
         , m_edges(edges)
     {}
 
-    void line(const Vec3& from, const Vec3& to) { m_edges.push_back({inRoom(from), inRoom(to)}); }
+    /// Adds a line and, with symmetry, its mirror image.
+    void line(const Vec3& from, const Vec3& to)
+    {
+        Vec3 a = inDocument(from), b = inDocument(to);
+        m_edges.push_back({m_placement.toRoom(a), m_placement.toRoom(b)});
+        if (m_shape.symmetry == core::Symmetry::None)
+            return;
+        const int axis = core::axisOf(m_shape.symmetry);
+        a[axis] *= -1;
+        b[axis] *= -1;
+        m_edges.push_back({m_placement.toRoom(a), m_placement.toRoom(b)});
+    }
     /// Adds an arc of a circle about `middle` through `middle + first`, towards `middle + second`, by this angle.
     void arc(const Vec3& middle, const Vec3& first, const Vec3& second, double angle)
     {
@@ -42,17 +58,11 @@ public:
     static constexpr double fullTurn = 2 * std::numbers::pi;
 
 private:
-    /// Returns a point of the shape in the room. The shape's y axis becomes the axis of the primitive, and the others
-    /// follow cyclically.
-    Vec3 inRoom(const Vec3& own) const
-    {
-        Vec3 p;
-        for (int i = 0; i < 3; ++i)
-            p[(m_shape.primitive->axis + i) % 3] = own[(1 + i) % 3];
-        return m_placement.toRoom(m_shape.centre + p);
-    }
+    /// Returns a point of the shape, given in its own coordinates, in the document.
+    Vec3 inDocument(const Vec3& own) const { return m_shape.centre + m_rotation * own; }
 
     const core::Insert& m_shape;
+    Eigen::Matrix3d m_rotation; ///< of the shape in the document
     const ModelPlacement& m_placement;
     std::vector<Segment>& m_edges;
 };
@@ -121,8 +131,14 @@ core::Insert shapeAt(Primitive::Kind kind, const Pose& tip, const BrushState& br
     core::Insert insert;
     insert.place = core::Insert::Place::Centre;
     insert.centre = placement.toModel(tip.position);
-    insert.primitive = shapeOfSize(kind, 2 * strokeSettings(brush, {}, placement).radius);
-    placement.directionToModel(tip.rotation * Vec3::UnitY()).cwiseAbs().maxCoeff(&insert.primitive->axis);
+    const double radius = strokeSettings(brush, {}, placement).radius;
+    insert.primitive = shapeOfSize(kind, 2 * radius);
+    insert.symmetry = brush.stroke.symmetry;
+    const Vec3 up = placement.directionToModel(tip.rotation * Vec3::UnitY()).normalized(), axis = core::nearestAxis(up);
+    insert.primitive->axis = axis.dot(up) > alongAxis ? axis : up;
+    const bool isMirrored = insert.symmetry != core::Symmetry::None;
+    if (isMirrored && std::abs(insert.centre[core::axisOf(insert.symmetry)]) < atPlane * radius)
+        core::putOnPlane(insert.centre, insert.primitive->axis, insert.symmetry);
     return insert;
 }
 

@@ -11,8 +11,9 @@ namespace vr
 /// Returns the shape as large as the brush: its greatest measure is the brush's diameter. Space: document, mm.
 core::Primitive shapeOfSize(core::Primitive::Kind kind, double diameter);
 
-/// Returns the command that adds a shape as large as the brush with its centre at the tip. Its axis is that of the
-/// document that is nearest to the upright of the wand, so a turned wand lays a cylinder down. `tip`: room space.
+/// Returns the command that adds a shape as large as the brush with its centre at the tip. Its axis is the upright of
+/// the wand, or the document's axis within 8 degrees of it. With symmetry it is mirrored; a shape near the plane is put
+/// on it. `tip`: room space.
 core::Insert shapeAt(core::Primitive::Kind kind, const Pose& tip, const BrushState& brush,
                      const ModelPlacement& placement);
 

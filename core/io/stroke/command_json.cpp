@@ -46,9 +46,9 @@ constexpr CommandRow commandTable[] = {
          return Mirror{static_cast<int>(d.plane) - static_cast<int>(Symmetry::X)};
      }},
     {"recentre", 0, 0, [](Draft, Settings) -> ModelCommand { return Recentre{}; }},
-    {"insert", 0, bit(WhereKey) | bit(CombineKey) | bit(NameKey), // and insertKeys()
-     [](Draft d, Settings) -> ModelCommand {
-         Insert insert{{}, d.where, d.centre, d.combination, {}, d.partName};
+    {"insert", 0, bit(WhereKey) | bit(CombineKey) | bit(NameKey) | bit(SymmetryKey), // and insertKeys()
+     [](Draft d, Settings s) -> ModelCommand {
+         Insert insert{{}, d.where, d.centre, d.combination, {}, d.partName, s.symmetry};
          if (d.file.empty())
              insert.primitive = d.primitive;
          return insert;
@@ -146,8 +146,13 @@ bool StrokeJsonReader::commandWord(const std::string& typed)
         return take(placeNames, m_command.where);
     case CombineKey:
         return take(combinationNames, m_command.combination);
-    case AxisKey:
-        return take(axisNames, m_command.primitive.axis);
+    case AxisKey: {
+        int axis = 0;
+        const bool isAxis = take(axisNames, axis);
+        if (isAxis)
+            m_command.primitive.axis = Vec3::Unit(axis);
+        return isAxis;
+    }
     case PrimitiveKey:
         return take(primitiveNames, m_command.primitive.kind);
     case HowKey:
@@ -191,6 +196,14 @@ KeySet StrokeJsonReader::insertKeys() const
     return keys | bit(PrimitiveKey) | measures;
 }
 
+/// Returns the optional keys of a primitive. Its axis is given once, and not if it would make no difference.
+KeySet StrokeJsonReader::primitiveKeys() const
+{
+    using Kind = Primitive::Kind;
+    const bool hasAxis = m_command.primitive.kind != Kind::Ball && m_command.primitive.kind != Kind::Tube;
+    return bit(EdgeLengthKey) | (hasAxis ? bit(m_seen & bit(AlongKey) ? AlongKey : AxisKey) : 0);
+}
+
 /// Builds the command. Its keys may precede "command" in the file, so only here are they checked against the command's
 /// own keys.
 void StrokeJsonReader::endCommand()
@@ -206,8 +219,8 @@ void StrokeJsonReader::endCommand()
     const bool isNamed = row.name != "insert" || m_command.combination == Insert::Combination::Part;
     const KeySet conditional = (row.name == "mask" ? bit(ColorKey) : 0) | (isNamed ? 0 : bit(NameKey));
     const KeySet required = row.required | wanted;
-    const KeySet known = bit(CommandKey) | bit(PartKey) | required | (row.optional & ~conditional) |
-                         (isPrimitive ? bit(EdgeLengthKey) | bit(AxisKey) : 0);
+    const KeySet known =
+        bit(CommandKey) | bit(PartKey) | required | (row.optional & ~conditional) | (isPrimitive ? primitiveKeys() : 0);
     requireNoneOf(~known);
     for (std::size_t i = 0; i < strokeKeys.names.size(); ++i) {
         m_key = static_cast<int>(i);

@@ -186,9 +186,14 @@ std::string keysOf(const Primitive& primitive)
     }
     if (primitive.edge > 0)
         text += R"(,"edge_length":)" + shortest(primitive.edge);
-    if (primitive.axis != 1)
-        text += R"(,"axis":")" + std::string(axisNames[static_cast<std::size_t>(primitive.axis)]) + '"';
-    return text;
+    const bool hasAxis = primitive.kind != Primitive::Kind::Ball && primitive.kind != Primitive::Kind::Tube;
+    if (!hasAxis || primitive.axis == Vec3::UnitY())
+        return text;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (primitive.axis == Vec3::Unit(axis))
+            return text + R"(,"axis":")" + std::string(axisNames[static_cast<std::size_t>(axis)]) + '"';
+    }
+    return text + R"(,"along":)" + list(primitive.axis);
 }
 
 std::string keysOf(const Transform& transform)
@@ -217,6 +222,8 @@ std::string keysOf(const Insert& insert, const std::string& file)
         text += R"(,"combine":")" + std::string(combinationNames[static_cast<std::size_t>(insert.combination)]) + '"';
     if (insert.combination == Insert::Combination::Part && !insert.name.empty())
         text += R"(,"name":)" + quoted(insert.name);
+    if (insert.symmetry != Symmetry::None)
+        text += R"(,"symmetry":")" + std::string(name(insert.symmetry)) + '"';
     return text;
 }
 

@@ -87,6 +87,7 @@ private:
     bool commandWord(const std::string& typed);
     void endCommand();
     KeySet insertKeys() const;
+    KeySet primitiveKeys() const;
     void commandNumber(double value);
     void requireNoneOf(KeySet keys);
     /// Returns the entry that is being read. A command is stored as a stroke until its object ends: its color and

@@ -114,7 +114,7 @@ void StrokeJsonReader::strokeVector(const Vec3& vector)
     case AlongKey:
         if (vector.cwiseAbs().maxCoeff() < minDirection)
             refuse(Kind::OutOfRange);
-        m_command.area.direction = vector;
+        m_command.area.direction = m_command.primitive.axis = vector;
         break;
     case ProfileKey:
         if (m_command.primitive.profile.size() == PrimitiveLimits::maxProfile)

@@ -168,6 +168,8 @@ private:
     void takeWindow(Program& program);
     void takePalette(Program& program);
     void takeHandles(Program& program);
+    void takeTube(Program& program);
+    void takeCut(Program& program);
     void takeHistory(Program& program);
     void takePresets(Program& program);
     void takePrint(Program& program);
@@ -220,6 +222,8 @@ void TestGuidePictures::pictures()
     program.window.resize(narrowSize);
     QTRY_COMPARE(program.window.size(), narrowSize);
     takeHandles(program);
+    takeTube(program);
+    takeCut(program);
     takeHistory(program);
     takePresets(program);
     takePrint(program);
@@ -330,6 +334,36 @@ void TestGuidePictures::takeHandles(Program& program)
     QTRY_VERIFY_WITH_TIMEOUT(gizmo->isVisible(), longestWait);
     const ui::Viewport* view = program.window.viewport();
     take(program.window, QStringLiteral("handles"), QRect(view->mapTo(&program.window, QPoint()), view->size()));
+    action->trigger();
+}
+
+/// Returns the middle of the view, as wide as it is high.
+static QRect middleOfView(const Program& program)
+{
+    const ui::Viewport* view = program.window.viewport();
+    const QSize size(view->height(), view->height());
+    return {view->mapTo(&program.window, QPoint((view->width() - size.width()) / 2, 0)), size};
+}
+
+/// Takes a picture of two horns of the head, one drawn and one mirrored.
+void TestGuidePictures::takeTube(Program& program)
+{
+    QAction* action = program.window.action(QStringLiteral("model.tube"));
+    action->trigger();
+    stroke(program, {{0.55, 0.3}, {0.6, 0.24}, {0.65, 0.2}, {0.69, 0.14}, {0.7, 0.08}});
+    QTRY_VERIFY_WITH_TIMEOUT(program.window.findChild<QWidget*>(QStringLiteral("tubeCard"))->isVisible(), longestWait);
+    take(program.window, QStringLiteral("tube"), middleOfView(program));
+    action->trigger();
+}
+
+/// Takes a picture of the plane that would cut the head.
+void TestGuidePictures::takeCut(Program& program)
+{
+    QAction* action = program.window.action(QStringLiteral("area.plane"));
+    action->trigger();
+    const auto* gizmo = program.window.findChild<ui::Gizmo*>(QStringLiteral("planeCutGizmo"));
+    QTRY_VERIFY_WITH_TIMEOUT(gizmo->isVisible(), longestWait);
+    take(program.window, QStringLiteral("cut"), middleOfView(program));
     action->trigger();
 }
 

@@ -456,6 +456,14 @@ void TestStrokeFile::refuses_data()
     command(R"("command":"insert","primitive":"ball")", Kind::MissingKey, "radius");
     command(R"("command":"insert","primitive":"ball","radius":1,"height":1)", Kind::UnknownKey, "height");
     command(R"("command":"insert","primitive":"ball","radius":1,"axis":"w")", Kind::UnknownValue, "axis: \"w\"");
+    command(R"("command":"insert","primitive":"ball","radius":1,"axis":"x")", Kind::UnknownKey, "axis");
+    command(R"("command":"insert","primitive":"tube","path":[[0,0,0,1],[9,0,0,1]],"along":[1,0,0])", Kind::UnknownKey,
+            "along");
+    command(R"("command":"insert","primitive":"capsule","radius":1,"height":3,"axis":"x","along":[1,0,0])",
+            Kind::UnknownKey, "axis");
+    command(R"("command":"insert","primitive":"capsule","radius":1,"height":3,"along":[0,0,0])", Kind::OutOfRange,
+            "along");
+    command(R"("command":"insert","file":"a.stl","along":[1,0,0])", Kind::UnknownKey, "along");
     command(R"("command":"insert","primitive":"torus","radius":1,"tube_radius":0)", Kind::OutOfRange, "tube_radius");
     command(R"("command":"insert","primitive":"cone","radius":1,"top_radius":-1,"height":1)", Kind::OutOfRange,
             "top_radius");
@@ -624,6 +632,8 @@ void TestStrokeFile::commands_roundTrip()
 {"command":"insert","primitive":"cylinder","radius":1.5,"height":4,"axis":"x","where":"beside"},
 {"command":"insert","primitive":"cone","radius":1.5,"top_radius":0,"height":4,"axis":"z","where":"beside"},
 {"command":"insert","primitive":"capsule","radius":1.5,"height":4,"where":"beside"},
+{"command":"insert","primitive":"capsule","radius":1.5,"height":4,"along":[1,0.5,-2],"where":"beside","symmetry":"x"},
+{"command":"insert","file":"a.stl","where":"beside","symmetry":"z"},
 {"command":"insert","primitive":"torus","radius":1.5,"tube_radius":0.5,"where":"beside"},
 {"command":"insert","primitive":"lathe","profile":[[0,-1],[2.5,0],[1,3]],"where":"beside"},
 {"command":"insert","primitive":"tube","path":[[0,0,0,2],[9,1.5,0,1]],"where":"as_it_is"},
@@ -640,7 +650,7 @@ void TestStrokeFile::commands_roundTrip()
 {"command":"trim","outline":[[0,0,5]],"along":[0,-1,0],"remove":"outside","symmetry":"none","color":[1,2,3]}]}
 )";
     const std::vector<FileEntry> entries = parseStrokes(text);
-    QCOMPARE(entries.size(), std::size_t(28));
+    QCOMPARE(entries.size(), std::size_t(30));
     std::ostringstream out;
     writeStrokes(out, entries);
     QCOMPARE(out.str(), text);
@@ -650,17 +660,19 @@ void TestStrokeFile::commands_roundTrip()
     QCOMPARE(commandAt(5).file, "a \"b\".stl");
     QVERIFY(std::get<Insert>(commandAt(7).command).place == Insert::Place::Centre);
     QVERIFY(std::get<Insert>(commandAt(8).command).combination == Insert::Combination::Subtract);
-    const core::Primitive lathe = *std::get<Insert>(commandAt(15).command).primitive;
+    const core::Primitive lathe = *std::get<Insert>(commandAt(17).command).primitive;
     QVERIFY(lathe.kind == core::Primitive::Kind::Lathe && lathe.profile.size() == 3 && lathe.profile[1].radius == 2.5);
     QVERIFY(!std::get<Insert>(commandAt(7).command).primitive);
-    const core::Primitive tube = *std::get<Insert>(commandAt(16).command).primitive;
+    const core::Primitive tube = *std::get<Insert>(commandAt(18).command).primitive;
     QVERIFY(tube.path == (std::vector<core::TubePoint>{{{0, 0, 0}, 2}, {{9, 1.5, 0}, 1}}));
-    QVERIFY(std::get<Symmetrize>(commandAt(21).command).keep == Half::Negative);
-    QCOMPARE(std::get<core::FlattenBase>(commandAt(23).command).height, 0.5);
-    QCOMPARE(std::get<core::MaskOperation>(commandAt(24).command).how, core::MaskOperation::Kind::Shrink);
-    const auto trim = std::get<core::Trim>(commandAt(26).command);
+    QVERIFY(std::get<Symmetrize>(commandAt(23).command).keep == Half::Negative);
+    QCOMPARE(std::get<core::FlattenBase>(commandAt(25).command).height, 0.5);
+    QCOMPARE(std::get<core::MaskOperation>(commandAt(26).command).how, core::MaskOperation::Kind::Shrink);
+    const auto trim = std::get<core::Trim>(commandAt(28).command);
     QVERIFY(trim.area.eye == Vec3(0, 0, 99) && trim.area.outline.at(1) == Vec3(9, 0.1, 5) && !trim.color);
-    QVERIFY(std::get<core::Trim>(commandAt(27).command).area.direction == Vec3(0, -1, 0));
+    QVERIFY(std::get<core::Trim>(commandAt(29).command).area.direction == Vec3(0, -1, 0));
+    const auto slanted = std::get<Insert>(commandAt(14).command);
+    QVERIFY(slanted.primitive->axis == Vec3(1, 0.5, -2) && slanted.symmetry == core::Symmetry::X);
 
     const auto swapped =
         parseStrokes(R"({"format":"fettle-strokes","version":1,"strokes":[{"by":[1,0,0],"command":"move"}]})");

@@ -242,7 +242,7 @@ void TestCombineModels::primitive_isInserted()
     hole.kind = Primitive::Kind::Cylinder;
     hole.length(Primitive::Measure::Radius) = 10;
     hole.length(Primitive::Measure::Height) = 200;
-    hole.axis = 0;
+    hole.axis = Vec3::UnitX();
     Insert drill = combined({}, How::Subtract);
     drill.primitive = hole;
     ModelChange change = applyToCopy(*mesh, drill);

@@ -69,7 +69,7 @@ Primitive randomPrimitive(Kind kind, unsigned seed)
     };
     Primitive p;
     p.kind = kind;
-    p.axis = static_cast<int>(seed % 3);
+    p.axis = Vec3::Unit(seed % 3);
     const double size = between(0.01, 1000);
     for (const Measure measure : measuresOf(kind))
         p.length(measure) = size * between(0.3, 3);
@@ -163,6 +163,7 @@ private Q_SLOTS:
     void randomMeasures_makeASoundEvenSolid_data();
     void randomMeasures_makeASoundEvenSolid();
     void automaticEdges_makeAbout20000Triangles_data() { randomMeasures_makeASoundEvenSolid_data(); }
+    void axis_mayBeAnyDirection();
     void automaticEdges_makeAbout20000Triangles();
     void sharpEdges_areEdgesOfTheMesh();
     void lathe_takesEitherDirection();
@@ -203,7 +204,7 @@ void TestPrimitives::randomMeasures_makeASoundEvenSolid()
         shortest = std::min(shortest, edges.shortest / p.edge);
         longest = std::max(longest, edges.longest / p.edge);
         for (int axis = 0; axis < 3; ++axis) {
-            const bool isUp = axis == p.axis;
+            const bool isUp = p.axis == Vec3::Unit(axis);
             if (!isUp || (p.kind != Kind::Cone && p.kind != Kind::Lathe))
                 QVERIFY2(isSymmetric(*made.mesh, axis), where.c_str());
         }
@@ -215,6 +216,30 @@ void TestPrimitives::randomMeasures_makeASoundEvenSolid()
     QCOMPARE_GE(shortest, static_cast<Kind>(kind) == Kind::Cone    ? 0.3
                           : static_cast<Kind>(kind) == Kind::Lathe ? 0.1
                                                                    : 0.49);
+}
+
+/// Along any direction a solid has its height, its profile and its volume.
+void TestPrimitives::axis_mayBeAnyDirection()
+{
+    std::mt19937 random(3);
+    std::normal_distribution<double> normal;
+    for (unsigned seed = 0; seed < unsigned(byEffort(60, 600)); ++seed) {
+        Primitive p = randomPrimitive(static_cast<Kind>(seed % 7), seed);
+        p.axis = Vec3::UnitY();
+        const TriangleMesh upright = *makePrimitive(p).mesh;
+        p.axis = 5 * Vec3(normal(random), seed % 5 ? normal(random) : -10, normal(random));
+        const PrimitiveResult made = makePrimitive(p);
+        const std::string where = "seed " + std::to_string(seed);
+        QVERIFY2(made.mesh && checkMesh(*made.mesh).printReady(), where.c_str());
+        const Vec3 up = p.axis.normalized();
+        const double size = checkMesh(upright).size.norm();
+        for (std::size_t i = 0; i < upright.points.size(); ++i) {
+            const Vec3 before = upright.points[i].cast<double>(), after = made.mesh->points[i].cast<double>();
+            QVERIFY2(std::abs(after.dot(up) - before.y()) < 1e-6 * size, where.c_str());
+            QVERIFY2(std::abs(after.norm() - before.norm()) < 1e-6 * size, where.c_str());
+        }
+        QVERIFY2(std::abs(*checkMesh(*made.mesh).volume / *checkMesh(upright).volume - 1) < 1e-5, where.c_str());
+    }
 }
 
 void TestPrimitives::automaticEdges_makeAbout20000Triangles()

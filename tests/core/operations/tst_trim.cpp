@@ -49,7 +49,7 @@ private Q_SLOTS:
 
 namespace
 {
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A view of a model of about one unit: perspective from an eye, or parallel.
 struct View

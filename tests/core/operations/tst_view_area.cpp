@@ -48,7 +48,7 @@ private Q_SLOTS:
 
 namespace
 {
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 using Curve = std::vector<Eigen::Vector2d>;
 
 std::unique_ptr<Mesh> document(const std::vector<TriangleMesh>& solids)

@@ -89,7 +89,7 @@ void TestPrimitiveDialog::accepted_givesMeasuresPlaceAndCombination()
     QVERIFY(cylinder.kind == Primitive::Kind::Cylinder);
     QCOMPARE(cylinder.length(Measure::Radius), 6.0);
     QCOMPARE(cylinder.length(Measure::Height), 80.0);
-    QCOMPARE(cylinder.axis, 0);
+    QCOMPARE(cylinder.axis, core::Vec3::UnitX());
     QCOMPARE(cylinder.edge, 0.8);
     QVERIFY(asking.insertion->name.empty());
     ui::Settings().set(&ui::Setting::insertUse, ui::InsertUse::Part);

@@ -10,6 +10,7 @@
 #include "ui/shapes/solid_card.h"
 
 #include <QAction>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QPushButton>
@@ -25,12 +26,16 @@ struct SolidStage : ui::ViewStage
 {
     SolidStage()
         : ViewStage(4)
-        , tool(new ui::SolidTool(actions, viewport))
+        , tool(new ui::SolidTool(actions, &brush, viewport))
         , card(viewport->findChild<ui::SolidCard*>())
         , sculptor(core::buildMesh(core::icosphere(4, 30)).mesh)
     {
-        QObject::connect(tool, &ui::ViewTool::surfaceWanted, tool,
-                         [this](const auto& rays, const auto& answer) { answer({sculptor.hit(rays[0])}); });
+        QObject::connect(tool, &ui::ViewTool::surfaceWanted, tool, [this](const auto& rays, const auto& answer) {
+            ui::ViewTool::Hits hits;
+            for (const core::Ray& ray : rays)
+                hits.push_back(sculptor.hit(ray));
+            answer(hits);
+        });
         QObject::connect(tool, &ui::ViewTool::requested, tool, [this](const core::ModelCommand& command) {
             requests.push_back(std::get<core::Insert>(command));
             tool->endRequest(true);
@@ -69,6 +74,8 @@ private Q_SLOTS:
 
     void solid_standsOnTheModel_data();
     void solid_standsOnTheModel();
+    void solid_isTurnedToTheSurface();
+    void solid_isMirrored();
     void solid_standsOnTheGround();
     void drag_givesTheSize();
     void numbers_areTyped();
@@ -104,6 +111,43 @@ void TestSolidTool::solid_standsOnTheModel()
     QVERIFY(std::abs(box.center().x()) < 0.3 && std::abs(box.center().y()) < 0.3);
 }
 
+/// On a slanted surface the solid is turned with it, unless the user wants it upright.
+void TestSolidTool::solid_isTurnedToTheSurface()
+{
+    SolidStage stage;
+    const Vec3 normal = Vec3(0.3, 0.6, 1).normalized();
+    stage.choose(Kind::Cone);
+    stage.dragAt(30 * normal, 5);
+    const core::Insert turned = stage.applied();
+    QVERIFY(turned.primitive->axis.normalized().dot(normal) > 0.995);
+    const double half = turned.primitive->length(Measure::Height) / 2;
+    QVERIFY((turned.centre - half * turned.primitive->axis.normalized() - 30 * normal).norm() < 0.5);
+    stage.dragAt(30 * normal, 5);
+    stage.in<QCheckBox>("solidTurned")->setChecked(false);
+    const core::Insert upright = stage.applied();
+    QCOMPARE(upright.primitive->axis, Vec3::UnitZ());
+    QVERIFY((upright.centre - Vec3(0, 0, half) - 30 * normal).norm() < 0.5);
+}
+
+/// With symmetry the solid is mirrored, but one that is put almost on the plane is on it.
+void TestSolidTool::solid_isMirrored()
+{
+    SolidStage stage;
+    stage.brush.setSymmetric(true);
+    const QImage before = stage.picture();
+    stage.choose(Kind::Cylinder);
+    stage.dragAt({15, 0, 0}, 5);
+    const QRect shown = changed(before, stage.picture());
+    QVERIFY(shown.left() < stage.at({-14, 0, 0}).x() && shown.right() > stage.at({14, 0, 0}).x());
+    core::ModelChange change = applyToCopy(*stage.mesh, stage.applied());
+    stage.mesh->swap(change.delta);
+    QCOMPARE(core::checkMesh(core::surfaceOf(*stage.mesh, 1)).components, std::size_t(2));
+    stage.dragAt(Vec3(4 / stage.viewport->camera().pixelsPerMm(Vec3::Zero()), 12, 0), 5);
+    const core::Insert atPlane = stage.applied();
+    QCOMPARE(atPlane.centre.x(), 0.0);
+    QCOMPARE(atPlane.primitive->axis.x(), 0.0);
+}
+
 void TestSolidTool::solid_standsOnTheGround()
 {
     SolidStage stage;
@@ -111,7 +155,7 @@ void TestSolidTool::solid_standsOnTheGround()
     stage.choose(Kind::Cylinder);
     stage.dragAt({40, -30, 10}, 5);
     const core::Insert insert = stage.applied();
-    QCOMPARE(insert.primitive->axis, 1);
+    QCOMPARE(insert.primitive->axis, Vec3::UnitY());
     const Vec3 base = insert.centre - Vec3(0, insert.primitive->length(Measure::Height) / 2, 0);
     QVERIFY2((base - Vec3(40, -30, 10)).norm() < 0.3, qPrintable(QString::number((base - Vec3(40, -30, 10)).norm())));
 }

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/operations/model_command.h"
+
+namespace core
+{
+/// Returns the coordinate that is mirrored at the plane: 0, 1 or 2. Precondition: there is a plane.
+constexpr int axisOf(Symmetry plane)
+{
+    return static_cast<int>(plane) - static_cast<int>(Symmetry::X);
+}
+
+/// Returns the surface mirrored at the plane through the origin, facing outwards.
+TriangleMesh mirrorImage(TriangleMesh surface, Symmetry plane);
+Box mirrorImage(const Box& box, Symmetry plane);
+/// Returns the surface and its mirror image in one mesh, which crosses itself where they meet. Without a plane, returns
+/// the surface.
+TriangleMesh besideImage(TriangleMesh surface, Symmetry plane);
+
+/// Moves a place onto the plane, and turns a direction into it unless it is at a right angle to the plane.
+void putOnPlane(Vec3& place, Vec3& direction, Symmetry plane);
+
+/// Returns the union of a solid and its mirror image, symmetric bit for bit, on the lattice. Returns nothing, and sets
+/// `change` unless the job was cancelled, if there is no sound one. Precondition: the solid is print-ready, and the
+/// lattice contains both. Cost: a boolean (mesh_boolean.h) if both overlap.
+std::optional<TriangleMesh> withMirrorImage(TriangleMesh solid, const Lattice& lattice, Symmetry plane,
+                                            ModelChange& change, const JobControl& control);
+
+/// Replaces the half of the mesh that allows it by the image of the other (symmetrize.h). Returns false if neither does
+/// or the job was cancelled. Precondition: a stroke of the mesh is open.
+bool mirrorHalf(Mesh& mesh, Symmetry plane, const JobControl& control);
+} // namespace core
