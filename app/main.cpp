@@ -294,8 +294,8 @@ int runWindow(int argc, char* argv[])
 
 int main(int argc, char* argv[])
 {
-    if (argc == 4 && qstrcmp(argv[1], app::importWord) == 0)
-        return app::runImport(argv[2], argv[3]);
+    if (argc == 5 && qstrcmp(argv[1], app::importWord) == 0)
+        return app::runImport(argv[2], argv[3], argv[4]);
     app::useUtf8Locale();
     nameProgram();
     app::surviveFileSizeLimit();

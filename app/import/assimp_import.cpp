@@ -5,12 +5,14 @@
 #include "app/import/fbx_scene.h"
 #include "app/import/foreign_unit.h"
 #include "app/import/import_folder.h"
+#include "app/import/import_parts.h"
 #include "app/import/import_protocol.h"
 #include "app/import/scene_mesh.h"
 #include "app/platform/resource_limits.h"
 
 #include "core/geometry/triangle_mesh.h"
 #include "core/io/mesh/number_parsing.h"
+#include "core/io/mesh/x3d_expansion.h"
 #include "core/io/mesh_io.h"
 #include "core/util/file_error.h"
 #include "core/util/worker_pool.h"
@@ -42,10 +44,19 @@ template <class Element> bool send(const std::vector<Element>& elements)
     return send(elements.data(), elements.size() * sizeof(Element));
 }
 
-int sendResult(const ImportHeader& header, const core::TriangleMesh& mesh)
+/// Sends the header with the sizes of the mesh and of its list of parts, then both.
+int sendResult(ImportHeader header, const core::TriangleMesh& mesh, const core::PartList& parts = {})
 {
+    const std::string packed = mesh.parts.empty() ? std::string() : packedParts(parts);
+    header.points = mesh.points.size();
+    header.colors = mesh.colors.size();
+    header.masks = mesh.masks.size();
+    header.labels = mesh.parts.size();
+    header.triangles = mesh.triangles.size();
+    header.partBytes = packed.size();
     const bool isSent = send(&header, sizeof header) && send(mesh.points) && send(mesh.colors) && send(mesh.masks) &&
-                        send(mesh.triangles) && send(&importEnd, sizeof importEnd) && std::fflush(stdout) == 0;
+                        send(mesh.parts) && send(mesh.triangles) && send(packed.data(), packed.size()) &&
+                        send(&importEnd, sizeof importEnd) && std::fflush(stdout) == 0;
     return isSent ? 0 : 1;
 }
 
@@ -186,30 +197,26 @@ void addNotes(const aiScene& scene, const ImportFolder::Notes& notes, const fs::
 }
 
 /// Reads a format that core reads, in this process because only it has the Draco decoder.
-int importOwn(const fs::path& path, const ImportLimits& limits)
+int importOwn(const fs::path& path, const ImportLimits& limits, bool keepsObjects)
 {
     // stacks and heaps of further threads would count against this process's memory limit
     core::WorkerPool::shared().setThreads(1);
     core::setDracoDecoder(decodedDraco);
-    const core::ReadResult result = core::readModel(path, {.up = core::UpAxis::Y});
+    const core::ReadResult result = core::readModel(path, {.up = core::UpAxis::Y, .keepsObjects = keepsObjects});
     if (result.mesh.points.size() > limits.points || result.mesh.triangles.size() > limits.triangles)
         throw std::bad_alloc();
     ImportHeader header;
     header.outcome = ImportHeader::Outcome::Read;
-    header.points = result.mesh.points.size();
-    header.colors = result.mesh.colors.size();
-    header.masks = result.mesh.masks.size();
-    header.triangles = result.mesh.triangles.size();
     header.objects = result.remarks.objects;
     header.repeatedCorners = result.remarks.repeatedCorners;
     header.facesOfFewer = result.remarks.facesOfFewer;
     header.materials = result.remarks.materials;
     header.textures = result.remarks.textures;
     header.poses = result.remarks.poses;
-    return sendResult(header, result.mesh);
+    return sendResult(header, result.mesh, result.parts);
 }
 
-int importForeign(const fs::path& path, const ImportLimits& limits)
+int importForeign(const fs::path& path, const ImportLimits& limits, bool keepsObjects)
 {
     constexpr std::size_t startSize = 1 << 16;
     const std::string start = startOf(path, startSize);
@@ -230,12 +237,12 @@ int importForeign(const fs::path& path, const ImportLimits& limits)
                                      : refuse(ImportHeader::Outcome::Outside, notes.outside);
     if (!notes.isFollowed) // the unmodified file might be read with wrong rotations
         return refuse(ImportHeader::Outcome::Refused, "the records of its models cannot be followed");
-    SceneMesh mesh(*scene, limits);
+    SceneMesh mesh(*scene, limits, keepsObjects);
     std::size_t missing = 0;
     if (isFbx)
         missing = addFbxScene(*scene, notes.models, mesh);
     else
-        mesh.addTree(*scene->mRootNode, placeOf(path, start));
+        mesh.addAll(placeOf(path, start), lowerEnding(path) == ".x3d" ? core::io::x3dNameIn : nullptr);
     if (mesh.faces() == 0 && !notes.outside.empty())
         return refuse(ImportHeader::Outcome::Outside, notes.outside);
     if (mesh.faces() == 0 && (missing > 0 || !log.first().empty()))
@@ -245,7 +252,7 @@ int importForeign(const fs::path& path, const ImportLimits& limits)
     const core::TriangleMesh result = mesh.take(header);
     addNotes(*scene, notes, path, header);
     header.unreadNodes += missing;
-    return sendResult(header, result);
+    return sendResult(header, result, mesh.parts());
 }
 } // namespace
 
@@ -254,14 +261,16 @@ bool assimpHoldsUnit(const fs::path& file)
     return holdsUnit(file);
 }
 
-int runImport(const char* file, const char* bytes)
+int runImport(const char* file, const char* bytes, const char* objects)
 {
     const fs::path path = fs::absolute(file);
     try {
         const ImportLimits limits(
             static_cast<std::uint64_t>(std::max<std::int64_t>(core::io::parseInteger(bytes).value_or(0), 0)));
         limitOwnProcess(limits.memory, limits.seconds);
-        return core::meshFormatOf(path) ? importOwn(path, limits) : importForeign(path, limits);
+        const bool keepsObjects = std::string_view(objects) == importAsParts;
+        return core::meshFormatOf(path) ? importOwn(path, limits, keepsObjects)
+                                        : importForeign(path, limits, keepsObjects);
     } catch (const std::bad_alloc&) {
         return refuse(ImportHeader::Outcome::OutOfMemory, {});
     } catch (const core::FileError& error) {

@@ -3,6 +3,7 @@
 // RotationActive. In text files it rejects negative ids, although FBX ids are signed 64-bit numbers.
 #include "app/import/fbx_models.h"
 
+#include "app/import/fbx_file.h"
 #include "app/import/fbx_records.h"
 
 #include "core/io/mesh/binary.h"
@@ -191,6 +192,14 @@ public:
         const FbxValue& value = record.values[index];
         if (const auto id = value.whole(); id && value.bytes.starts_with('-'))
             m_texts[value.at] = {value.bytes.size(), std::to_string(static_cast<std::uint64_t>(*id))};
+    }
+    /// Cuts the name of an object in a text file to its first 900 bytes. Assimp drops names of 1,024 bytes, with its
+    /// additions, or more.
+    void shortenName(const FbxRecord& object)
+    {
+        constexpr std::size_t kept = 900;
+        if (object.values.size() > 1 && object.values[1].bytes.size() > kept)
+            m_texts[object.values[1].at + kept] = {object.values[1].bytes.size() - kept, {}};
     }
     void set(const FbxRecord& property, const Vector3d& vector)
     {
@@ -510,6 +519,8 @@ FbxForAssimp fbxForAssimp(const std::filesystem::path& path, std::string_view by
             requireNumbersOf(file, object);
         if (object.name != "Model")
             continue;
+        if (!isBinaryFbx(bytes)) // in a binary file, the places of all later records would change
+            changes.shortenName(object);
         const FbxRecord* const own = recordIn(object.records, "Properties70");
         requireNumbers(file, own);
         fixer.fix({own, usual});

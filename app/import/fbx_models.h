@@ -45,6 +45,7 @@ struct FbxForAssimp
 /// Text ids are written without a sign, modulo 2^64. Binary value types unknown to Assimp are replaced by equivalent
 /// types. Repeated connections of models and meshes, and connections of unknown kinds, are changed to a kind that
 /// Assimp ignores.
+/// Names of models in text files are cut to 900 bytes, but whole in `models`.
 /// Geometric rotations are rewritten because Assimp applies the model's rotation order to them; FBX always uses XYZ.
 /// Rotations of a model with inactive rotations are rewritten in the same way; addFbxScene() drops its pre- and
 /// post-rotations.

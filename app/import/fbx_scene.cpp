@@ -138,12 +138,12 @@ public:
     std::size_t missing() const { return m_missing; }
 
 private:
-    /// Returns whether the node's name begins with the first 1,000 bytes of `name`; Assimp appends numbers to equal
-    /// names. Nodes are matched by name because Assimp skips models that it cannot read. Names of 1,024 bytes or more,
-    /// with Assimp's additions, may be missing from the node; such a file is refused.
+    /// Returns whether the node's name begins with the first 800 bytes of `name`; Assimp appends numbers to equal
+    /// names. Nodes are matched by name because Assimp skips models that it cannot read. In a binary file, names of
+    /// 1,024 bytes or more, with Assimp's additions, may be missing from the node; such a file is refused.
     static bool isNamed(const aiNode& node, std::string_view name)
     {
-        constexpr std::size_t kept = 1000;
+        constexpr std::size_t kept = 800;
         return std::string_view(node.mName.C_Str(), node.mName.length).starts_with(name.substr(0, kept));
     }
 
@@ -153,7 +153,7 @@ private:
         const ModelPlace place = placeOf(model, transforms.local, parent);
         const aiNode* above = &endOf(first);
         if (place.isVisible && model.isShown) {
-            m_mesh.addMeshesOf(*above, place.world * transforms.ofMeshes, model.meshes > 0);
+            m_mesh.addMeshesOf(*above, place.world * transforms.ofMeshes, model.name, model.meshes > 0);
             m_missing += std::max<std::size_t>(model.meshes, above->mNumMeshes) - above->mNumMeshes;
         }
         while (above->mNumChildren == 1 && isGeometricInverse(factorOf(*above->mChildren[0])))
@@ -199,7 +199,7 @@ std::size_t addFbxScene(const aiScene& scene, const std::vector<FbxModel>& model
     root.withoutScale = root.world;
     // since 5.4 Assimp puts the axes into this node's transform, partly wrong, so it is ignored
     const aiNode& top = *scene.mRootNode;
-    mesh.addMeshesOf(top, root.world);
+    mesh.addMeshesOf(top, root.world, {});
     SceneWalk walk(models, mesh);
     walk.addBelow(top, models.front(), root);
     return walk.missing();

@@ -5,8 +5,9 @@
 
 namespace app
 {
-/// Header of the import process's output. It is followed by points, colours, masks and triangles in core's memory
-/// layout, then importEnd. Writer and reader are the same program on the same machine.
+/// Header of the import process's output. It is followed by points, colours, masks, labels and triangles in core's
+/// memory layout, the bytes of the list of parts (import_parts.h), and importEnd. Writer and reader are the same
+/// program on the same machine.
 struct ImportHeader
 {
     /// Faulty: `kind`, `fault`, `unit`, `place`, `expected` and `found` describe a core::FileError.
@@ -15,7 +16,7 @@ struct ImportHeader
 
     std::uint32_t magic = magicNumber;
     Outcome outcome = Outcome::Refused;
-    std::uint64_t points = 0, colors = 0, masks = 0, triangles = 0, objects = 1;
+    std::uint64_t points = 0, colors = 0, masks = 0, labels = 0, triangles = 0, partBytes = 0, objects = 1;
     std::uint64_t repeatedCorners = 0, facesOfFewer = 0, animations = 0, subdivisions = 0, unreadNodes = 0;
     std::uint64_t place = 0, expected = 0, found = 0; ///< fields of a core::FileError
     std::uint32_t kind = 0, fault = 0, unit = 0;      ///< fields of a core::FileError, as numbers

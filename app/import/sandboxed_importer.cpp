@@ -1,6 +1,7 @@
 #include "app/import/sandboxed_importer.h"
 
 #include "app/import/assimp_import.h"
+#include "app/import/import_parts.h"
 #include "app/import/import_protocol.h"
 #include "app/platform/child_process.h"
 
@@ -69,7 +70,21 @@ bool isSound(const TriangleMesh& mesh)
     const auto isOnePerPoint = [&mesh](const auto& values) {
         return values.empty() || values.size() == mesh.points.size();
     };
-    return isOnePerPoint(mesh.colors) && isOnePerPoint(mesh.masks);
+    return isOnePerPoint(mesh.colors) && isOnePerPoint(mesh.masks) && isOnePerPoint(mesh.parts);
+}
+
+/// Returns the list of the mesh's parts; nothing if it is damaged or lacks a part of the mesh.
+std::optional<core::PartList> partsOf(const TriangleMesh& mesh, std::string_view packed)
+{
+    if (mesh.parts.empty())
+        return packed.empty() ? std::optional(core::PartList()) : std::nullopt;
+    const auto list = unpackedParts(packed);
+    std::vector<bool> isListed(std::size_t(core::maxPartId) + 1, false);
+    if (list)
+        for (const core::Part& part : list->all())
+            isListed[part.id] = true;
+    const auto hasPart = [&](core::PartId label) { return label <= core::maxPartId && isListed[label]; };
+    return std::ranges::all_of(mesh.parts, hasPart) ? list : std::nullopt;
 }
 
 /// Returns the header's message, with "?" for each byte that is not printable ASCII.
@@ -130,12 +145,18 @@ core::ReadResult resultOf(std::string_view bytes, const std::filesystem::path& p
         refuse(header, path, limits);
     core::ReadResult result;
     std::uint32_t end = 0;
+    std::vector<char> packed;
     const bool isWhole =
         reader.read(result.mesh.points, header.points) && reader.read(result.mesh.colors, header.colors) &&
-        reader.read(result.mesh.masks, header.masks) && reader.read(result.mesh.triangles, header.triangles) &&
+        reader.read(result.mesh.masks, header.masks) && reader.read(result.mesh.parts, header.labels) &&
+        reader.read(result.mesh.triangles, header.triangles) && reader.read(packed, header.partBytes) &&
         reader.read(&end, sizeof end) && end == importEnd && reader.atEnd();
     if (!isWhole || !isSound(result.mesh))
         throw errorOf(FileErrorKind::ReaderDied, path);
+    auto parts = partsOf(result.mesh, {packed.data(), packed.size()});
+    if (!parts)
+        throw errorOf(FileErrorKind::ReaderDied, path);
+    result.parts = *std::move(parts);
     for (const core::Vec3f& point : result.mesh.points)
         if (!point.allFinite())
             throw errorOf(FileErrorKind::NotANumber, path);
@@ -153,15 +174,17 @@ core::ReadResult resultOf(std::string_view bytes, const std::filesystem::path& p
 
 /// Reads a file in an import process. `bytes`: size of the file and of the files it refers to.
 core::ReadResult read(const std::string& program, const std::filesystem::path& path, std::uint64_t bytes,
-                      const std::stop_token& stop)
+                      const core::ReadOptions& options)
 {
     const ImportLimits limits(bytes);
-    ChildRequest request{{program, importWord, std::filesystem::absolute(path).string(), std::to_string(bytes)}};
+    ChildRequest request{{program, importWord, std::filesystem::absolute(path).string(), std::to_string(bytes),
+                          options.keepsObjects ? importAsParts : "one"}};
     request.time = std::chrono::seconds(2 * limits.seconds);
-    request.maxBytes = sizeof(ImportHeader) + sizeof importEnd +
-                       limits.points * (sizeof(core::Vec3f) + sizeof(core::Rgb) + sizeof(std::uint8_t)) +
-                       limits.triangles * sizeof(core::Triangle);
-    request.stop = stop;
+    request.maxBytes =
+        sizeof(ImportHeader) + sizeof importEnd + maxPackedParts +
+        limits.points * (sizeof(core::Vec3f) + sizeof(core::Rgb) + sizeof(std::uint8_t) + sizeof(core::PartId)) +
+        limits.triangles * sizeof(core::Triangle);
+    request.stop = options.stop;
     const ChildResult result = runChild(request);
     switch (result.end) {
     case ChildResult::End::Stopped:
@@ -181,11 +204,11 @@ core::ReadResult read(const std::string& program, const std::filesystem::path& p
 core::ExternalReader sandboxedImporter(const std::string& program)
 {
     return {{endings.begin(), endings.end()},
-            [program](const std::filesystem::path& path, const std::stop_token& stop) {
-                return read(program, path, std::filesystem::file_size(path), stop);
+            [program](const std::filesystem::path& path, const core::ReadOptions& options) {
+                return read(program, path, std::filesystem::file_size(path), options);
             },
-            [program](const std::filesystem::path& path, std::uint64_t bytes, const std::stop_token& stop) {
-                return read(program, path, bytes, stop);
+            [program](const std::filesystem::path& path, std::uint64_t bytes, const core::ReadOptions& options) {
+                return read(program, path, bytes, options);
             }};
 }
 

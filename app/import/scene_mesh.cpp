@@ -13,6 +13,11 @@ namespace app
 {
 namespace
 {
+std::string_view wordsOf(const aiString& text)
+{
+    return {text.C_Str(), text.length};
+}
+
 core::Rgb colorOf(const aiColor4D& color)
 {
     const auto byte = [](float x) {
@@ -31,19 +36,33 @@ Eigen::Matrix4d matrixOf(const aiNode& node)
     return matrix;
 }
 
-void SceneMesh::addTree(const aiNode& node, const Eigen::Matrix4d& above)
+void SceneMesh::addAll(const Eigen::Matrix4d& place, NameInFile nameInFile)
 {
-    const Eigen::Matrix4d transform = above * matrixOf(node);
-    addMeshesOf(node, transform);
-    for (unsigned i = 0; i < node.mNumChildren; ++i)
-        addTree(*node.mChildren[i], transform);
+    addTree(*m_scene.mRootNode, place, nameInFile, {});
 }
 
-void SceneMesh::addMeshesOf(const aiNode& node, const Eigen::Matrix4d& transform, bool countsFewer)
+void SceneMesh::addTree(const aiNode& node, const Eigen::Matrix4d& above, NameInFile nameInFile,
+                        std::string_view nameAbove)
 {
+    const Eigen::Matrix4d transform = above * matrixOf(node);
+    const std::string_view own = nameInFile ? nameInFile(wordsOf(node.mName)) : wordsOf(node.mName);
+    const std::string_view name = own.empty() ? nameAbove : own;
+    addMeshesOf(node, transform, name);
+    const bool isRoot = &node == m_scene.mRootNode;
+    for (unsigned i = 0; i < node.mNumChildren; ++i)
+        addTree(*node.mChildren[i], transform, nameInFile, isRoot ? std::string_view() : name);
+}
+
+void SceneMesh::addMeshesOf(const aiNode& node, const Eigen::Matrix4d& transform, std::string_view name,
+                            bool countsFewer)
+{
+    if (node.mNumMeshes == 0)
+        return;
     const std::size_t before = m_polygons.faces();
+    m_labels.begin(name.empty() ? wordsOf(m_scene.mMeshes[node.mMeshes[0]]->mName) : name);
     for (unsigned i = 0; i < node.mNumMeshes; ++i)
         addMesh(*m_scene.mMeshes[node.mMeshes[i]], transform, countsFewer);
+    m_labels.label(m_mesh);
     m_objects += m_polygons.faces() > before ? 1 : 0;
 }
 
@@ -109,9 +128,7 @@ core::TriangleMesh SceneMesh::take(ImportHeader& header)
     if (!m_mesh.colors.empty())
         m_mesh.colors.resize(m_mesh.points.size());
     m_polygons = {};
-    header.points = m_mesh.points.size();
-    header.colors = m_mesh.colors.size();
-    header.triangles = m_mesh.triangles.size();
+    m_parts = m_labels.finish(m_mesh);
     header.objects = std::max<std::uint64_t>(m_objects, 1);
     header.repeatedCorners = remarks.repeatedCorners;
     header.facesOfFewer = m_facesOfFewer + remarks.facesOfFewer;

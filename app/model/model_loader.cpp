@@ -104,7 +104,7 @@ LoadedModel ModelLoader::loadInPlace(const QString& path, Objects objects)
 void ModelLoader::noteObjects(LoadedModel& loaded, const Source& source, core::ReadRemarks& remarks)
 {
     const auto format = core::meshFormatOf(toPath(source.path));
-    const bool holdsObjects = format && core::holdsObjects(*format);
+    const bool holdsObjects = !format || core::holdsObjects(*format); // files of other formats may have objects
     if (!source.isChoice || !holdsObjects)
         return;
     if (source.objects == Objects::AsParts && loaded.parts.size() > 1 && !loaded.metadata.frame) {

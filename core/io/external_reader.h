@@ -12,12 +12,13 @@ struct ExternalReader
 {
     /// File name extensions in lower case without dot, best known first; none that core reads itself.
     std::vector<std::string_view> endings;
-    /// Reads a file. Throws FileError and ReadingCancelled. The result has indices in range and finite points. Points
-    /// are in mm if the file states its unit, and Y is up if the file states its up axis.
-    std::function<ReadResult(const std::filesystem::path& path, const std::stop_token& stop)> read;
-    /// Reads Draco-compressed glTF with its colours and masks; errors as read(). Empty: there is no such reader.
-    /// `bytes` is the size of the file together with all files that it references.
-    std::function<ReadResult(const std::filesystem::path& path, std::uint64_t bytes, const std::stop_token& stop)>
+    /// Reads a file. Uses the options `stop` and `keepsObjects`. Throws FileError and ReadingCancelled. The result has
+    /// indices in range, finite points, and, if the points have labels, a part for each label. Points are in mm if the
+    /// file states its unit, and Y is up if the file states its up axis.
+    std::function<ReadResult(const std::filesystem::path& path, const ReadOptions& options)> read;
+    /// Reads Draco-compressed glTF with its colours and masks; options and errors as read(). Empty: there is no such
+    /// reader. `bytes` is the size of the file together with all files that it references.
+    std::function<ReadResult(const std::filesystem::path& path, std::uint64_t bytes, const ReadOptions& options)>
         readDraco;
 };
 

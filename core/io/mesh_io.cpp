@@ -255,13 +255,13 @@ ReadResult readOwn(const std::filesystem::path& path, std::uint64_t size, MeshFo
             throw;
         bytesWithBuffers = error.expected;
     }
-    return externalReader().readDraco(path, bytesWithBuffers, options.stop);
+    return externalReader().readDraco(path, bytesWithBuffers, options);
 }
 
 ReadResult readExternal(const std::filesystem::path& path, std::uint64_t size, const ReadOptions& options)
 {
     refuseSize(path, size);
-    ReadResult result = externalReader().read(path, options.stop);
+    ReadResult result = externalReader().read(path, options);
     settle(result, {path, {}, options.stop}, false, options.up.value_or(UpAxis::Y));
     return result;
 }

@@ -76,7 +76,7 @@ struct ReadResult
     TriangleMesh mesh;
     ReadRemarks remarks;
     /// Names of the parts, and other properties if the file is a document of Fettle. The mesh has labels if there are
-    /// several parts. Formats without objects, formats of the external reader and Draco-compressed glTF have one part.
+    /// several parts. Formats without objects have one part.
     PartList parts = {};
 };
 

@@ -111,7 +111,7 @@ const FolderRule folderRules[] = {
      "vr/panels"},
     {"vr/simulator", "vr/util"},
     {"app/platform", ""},
-    {"app/import", "core/util core/geometry core/io/mesh core/io app/platform"},
+    {"app/import", "core/util core/geometry core/parts core/io/mesh core/io app/platform"},
     {"app/model", "core/primitives core/util core/geometry core/parts core/analysis core/boolean core/mesh "
                   "core/drawing core/repair core/sculpt "
                   "core/decimation core/operations core/io/stroke core/io ui/util ui/settings ui/model ui/files "

@@ -3,6 +3,7 @@
 #include "core/io/mesh/amf_document.h"
 
 #include "core/io/mesh/number_parsing.h"
+#include "core/io/mesh/object_labels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,10 +59,10 @@ struct AmfDocumentReader::Rule
     std::string_view name;
     Element element;
 
-    static const std::array<Rule, 45> all;
+    static const std::array<Rule, 46> all;
 };
 
-const std::array<AmfDocumentReader::Rule, 45> AmfDocumentReader::Rule::all{{
+const std::array<AmfDocumentReader::Rule, 46> AmfDocumentReader::Rule::all{{
     {Element::Vertices, "vertex", Element::Vertex},
     {Element::Vertex, "coordinates", Element::Coordinates},
     {Element::Volume, "triangle", Element::Triangle},
@@ -79,6 +80,7 @@ const std::array<AmfDocumentReader::Rule, 45> AmfDocumentReader::Rule::all{{
     {Element::Node, "mesh", Element::Mesh},
     {Element::Node, "instance", Element::Instance},
     {Element::Node, "color", Element::Color},
+    {Element::Node, "metadata", Element::Metadata},
     {Element::Mesh, "vertices", Element::Vertices},
     {Element::Mesh, "volume", Element::Volume},
     {Element::Vertices, "edge", Element::Curve},
@@ -308,12 +310,18 @@ void AmfDocumentReader::takeColor()
         node.colors.setObject(color);
 }
 
-/// Reads metadata of slicers: whether a slicer wrote the file (then angles are in radians), and whether a volume is
-/// solid.
+/// Reads the names of objects, and metadata of slicers: whether a slicer wrote the file (then angles are in radians),
+/// and whether a volume is solid.
 void AmfDocumentReader::takeMetadata()
 {
     const std::string_view value = trimmed(m_text);
-    if (m_open[m_open.size() - 2] == Element::Volume) {
+    const Element owner = m_open[m_open.size() - 2];
+    if (owner == Element::Node) {
+        if (m_key == "name" || m_key == "Name") // the standard's word has a capital letter
+            m_document.nodes.back().name = cleanName(value);
+        return;
+    }
+    if (owner == Element::Volume) {
         if (m_key == "slic3r.modifier" && value == "1")
             m_volume.matter = Matter::Other;
         else if (m_key == "slic3r.volume_type")
@@ -347,7 +355,6 @@ void AmfDocumentReader::endVolume()
 {
     AmfNode& node = m_document.nodes.back();
     if (m_volume.matter == Matter::Model) {
-        node.volumes += node.mesh.triangles.size() > m_volume.firstTriangle ? 1 : 0;
         node.colors.addVolume(node.mesh.triangles.size(), m_volume.color, m_volume.material);
         return;
     }

@@ -23,9 +23,9 @@ struct AmfInstance
 /// An AMF object, which has a mesh, or a constellation, which has instances.
 struct AmfNode
 {
-    std::string id;    ///< empty: no instance can refer to it
-    TriangleMesh mesh; ///< mesh in the document's unit; indices are in range
-    std::size_t volumes = 0;
+    std::string id;      ///< empty: no instance can refer to it
+    std::string name;    ///< as in the file; empty: none
+    TriangleMesh mesh;   ///< mesh in the document's unit; indices are in range
     bool isWhole = true; ///< false: a volume was left out
     std::vector<AmfInstance> instances;
     AmfColors colors;

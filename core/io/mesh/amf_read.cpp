@@ -1,5 +1,6 @@
 // Places the objects of an AMF. An object or constellation that another one refers to is placed only by those
-// references; all others are placed once, untransformed.
+// references; all others are placed once, untransformed. Slicers write a constellation of all objects. Each instance of
+// a constellation that no other refers to is therefore an object of the file.
 #include "core/io/mesh/amf_document.h"
 #include "core/io/mesh/mesh_assembly.h"
 #include "core/io/mesh/zip_reader.h"
@@ -159,10 +160,8 @@ public:
             refuseCycles(i, 0);
         const double unit = m_document.millimetres;
         for (std::size_t i = 0; i < m_document.nodes.size(); ++i)
-            if (!isNamed[i]) {
-                m_assembly.beginObject({});
+            if (!isNamed[i])
                 add(i, Eigen::Vector4d(unit, unit, unit, 1).asDiagonal(), 0);
-            }
         m_document.remarks.objects = std::max<std::size_t>(m_document.remarks.objects, 1);
         TriangleMesh mesh = m_assembly.take();
         return {std::move(mesh), m_document.remarks, m_assembly.parts()};
@@ -192,14 +191,23 @@ private:
         m_progress[node] = Progress::Done;
     }
 
+    void beginObject(std::string_view name)
+    {
+        m_assembly.beginObject(name);
+        m_hasFaces = false;
+    }
+
     void add(std::size_t index, const Eigen::Matrix4d& transform, int depth)
     {
         m_stopCheck();
         const AmfNode& node = m_document.nodes[index];
         if (++m_copies > maxCopies)
             throw tooMany("instances", maxCopies, errorWithToken({}, m_file, {}));
+        if (depth <= 1)
+            beginObject(node.name);
         m_assembly.add(node.mesh, transform);
-        m_document.remarks.objects += node.volumes;
+        m_document.remarks.objects += !m_hasFaces && !node.mesh.triangles.empty() ? 1 : 0;
+        m_hasFaces = m_hasFaces || !node.mesh.triangles.empty();
         for (std::size_t i = 0; i < node.instances.size(); ++i) {
             if (depth == maxDepth)
                 throw at(node.instances[i],
@@ -225,6 +233,7 @@ private:
     std::vector<std::vector<std::size_t>> m_named;
     std::vector<Progress> m_progress; ///< state of each node in the search for cycles
     std::size_t m_copies = 0;
+    bool m_hasFaces = false; ///< whether the present object has faces
 };
 } // namespace
 

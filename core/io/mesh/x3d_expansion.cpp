@@ -6,6 +6,7 @@
 #include "core/io/mesh/x3d_expansion.h"
 
 #include "core/io/mesh/number_parsing.h"
+#include "core/io/mesh/object_labels.h"
 #include "core/io/mesh/x3d_faces.h"
 #include "core/io/mesh/x3d_solids.h"
 
@@ -218,6 +219,12 @@ public:
 
     /// Writes a DEF attribute with a new, unique name.
     void addName() { m_text += " DEF=\"" + m_names + std::to_string(m_nextName++) + "\""; }
+    /// Writes a DEF attribute with a new, unique name that ends with the node's own, if it has one.
+    void addName(const X3dNode& node)
+    {
+        if (const std::string_view own = node.text("DEF"); !own.empty())
+            m_text += " DEF=\"" + m_names + std::to_string(m_nextName++) + '_' + escaped(cleanName(own)) + '"';
+    }
 
     static std::string escaped(std::string_view text)
     {
@@ -321,6 +328,7 @@ private:
         const std::size_t before = m_to.size();
         const bool isTransform = isIn(transforms, meant.name);
         m_to.begin(node, isTransform ? "Transform" : "Group");
+        m_to.addName(meant);
         if (isTransform)
             for (const auto& [name, count] : placing)
                 addPlacing(meant, name, count);
@@ -517,5 +525,12 @@ X3dExpansion expandX3d(const FileBytes& file, const X3dSurroundings& around)
 {
     const X3dDocument document(file);
     return X3dWriter(file, document, around).write();
+}
+
+std::string_view x3dNameIn(std::string_view written)
+{
+    constexpr char end = '_';
+    const std::size_t file = written.find(end), number = file == written.npos ? file : written.find(end, file + 1);
+    return number == written.npos ? std::string_view() : written.substr(number + 1);
 }
 } // namespace core::io

@@ -27,10 +27,12 @@ struct X3dSurroundings
 };
 
 /// Rewrites an X3D file with only those nodes that simple readers handle correctly. Groups and transforms are written
-/// out for each use (USE). A Switch is replaced by its visible child, a LOD by its finest level. Shapes keep their
-/// materials; faces become an IndexedFaceSet with the orientation given by ccw. Lengths are in metres, angles in
-/// radians; inlined files keep their own units. Shapes that are used again are referenced, not copied. An Inline refers
-/// to the first of its files that is available. Throws FileError, also if nodes contain themselves or if there are more
-/// than 2^18 nodes.
+/// out for each use (USE), and keep their names. A Switch is replaced by its visible child, a LOD by its finest level.
+/// Shapes keep their materials; faces become an IndexedFaceSet with the orientation given by ccw. Lengths are in
+/// metres, angles in radians; inlined files keep their own units. Shapes that are used again are referenced, not
+/// copied. An Inline refers to the first of its files that is available. Throws FileError, also if nodes contain
+/// themselves or if there are more than 2^18 nodes.
 X3dExpansion expandX3d(const FileBytes& file, const X3dSurroundings& around = {});
+/// Returns the name (DEF) that a group had before expandX3d() wrote it with this name; empty if it had none.
+std::string_view x3dNameIn(std::string_view written);
 } // namespace core::io

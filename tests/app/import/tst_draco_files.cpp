@@ -4,6 +4,7 @@
 #include "app/import/draco_decoder.h"
 #include "app/import/sandboxed_importer.h"
 #include "core/io/mesh_io.h"
+#include "core/parts/part_split.h"
 #include "core/util/file_error.h"
 #include "tests/support/effort.h"
 #include "tests/support/shapes.h"
@@ -269,6 +270,8 @@ private Q_SLOTS:
     void streams_areDecoded();
     void colorsAndMasks_areRead();
     void scenes_mixPackedAndPlain();
+    void objects_becomePartsIfWanted();
+    void documents_keepTheirParts();
     void sharedStreams_areInstanced();
     void sparseNumbers_replaceDecoded();
     void stripsAreDecodedToTriangles();
@@ -291,10 +294,10 @@ private:
         QFile to(m_dir.filePath(name));
         QVERIFY(to.open(QIODevice::WriteOnly) && to.write(bytes) == bytes.size());
     }
-    ReadResult read(const Model& model) const
+    ReadResult read(const Model& model, bool keepsObjects = false) const
     {
         write(QStringLiteral("model.glb"), glbOf(model));
-        return core::readModel(file(QStringLiteral("model.glb")));
+        return core::readModel(file(QStringLiteral("model.glb")), {.keepsObjects = keepsObjects});
     }
     std::optional<FileError> errorOf(const Model& model) const
     {
@@ -404,6 +407,57 @@ void TestDracoFiles::scenes_mixPackedAndPlain()
              ball().triangles.size() + cube.triangles.size() + tetrahedron.triangles.size());
     const double volume = 1e9 * (volumeIn(ball()) + volumeIn(cube) + 2 * volumeIn(tetrahedron));
     QVERIFY(std::abs(volumeIn(result.mesh) / volume - 1) < 1e-3);
+}
+
+/// The balls share all their points, which must not be merged.
+void TestDracoFiles::objects_becomePartsIfWanted()
+{
+    const QString longName(10'000, QLatin1Char('x'));
+    Model model;
+    addPacked(model, ball(), packed(ball(), {}));
+    QJsonArray nodes;
+    for (const QString& name : {QStringLiteral("Körper"), longName, QStringLiteral("a\nb")})
+        nodes.append(QJsonObject{{QStringLiteral("mesh"), 0}, {QStringLiteral("name"), name}});
+    model.json[QLatin1StringView("nodes")] = nodes;
+    const ReadResult one = read(model);
+    QVERIFY(one.mesh.parts.empty() && one.parts == core::PartList());
+    QCOMPARE(one.remarks.objects, std::size_t(3));
+    QCOMPARE(one.mesh.points.size(), ball().points.size());
+    const ReadResult parts = read(model, true);
+    QCOMPARE(parts.mesh.points.size(), 3 * ball().points.size());
+    QCOMPARE(parts.mesh.parts.size(), parts.mesh.points.size());
+    QCOMPARE(parts.parts.size(), std::size_t(3));
+    QCOMPARE(parts.parts.all()[0].name, std::string("Körper"));
+    QCOMPARE(parts.parts.all()[1].name, std::string(core::PartList::maxNameBytes, 'x'));
+    QCOMPARE(parts.parts.all()[2].name, std::string("a b"));
+}
+
+/// Another program may pack a document of Fettle and keep the extension with its list of parts.
+void TestDracoFiles::documents_keepTheirParts()
+{
+    const core::PartList list({{7, "Body", true, true, core::Rgb{1, 2, 3}}, {2, "Hat", false, false, std::nullopt}});
+    core::DocumentMetadata metadata;
+    metadata.frame.emplace().parts = list;
+    core::writeMesh(file(QStringLiteral("plain.glb")), core::joined({{7, ball(), {}, {}}, {2, ball(), {}, {}}}),
+                    {.metadata = metadata});
+    QFile plain(m_dir.filePath(QStringLiteral("plain.glb")));
+    QVERIFY(plain.open(QIODevice::ReadOnly));
+    constexpr qsizetype headerSize = 20, sizeAt = 12;
+    const QByteArray bytes = plain.readAll();
+    std::uint32_t size = 0;
+    std::copy_n(bytes.constData() + sizeAt, sizeof size, reinterpret_cast<char*>(&size));
+    const QJsonObject json = QJsonDocument::fromJson(bytes.mid(headerSize, size)).object();
+    Model model;
+    addPacked(model, ball(), packed(ball(), {}));
+    const QJsonObject node{{QStringLiteral("mesh"), 0}};
+    model.json[QLatin1StringView("nodes")] = QJsonArray{node, node};
+    model.json[QLatin1StringView("extensions")] = json[QLatin1StringView("extensions")];
+    for (const bool keepsObjects : {false, true}) {
+        const ReadResult result = read(model, keepsObjects);
+        QVERIFY(result.parts == list);
+        QCOMPARE(std::ranges::count(result.mesh.parts, core::PartId(7)), qsizetype(ball().points.size()));
+        QCOMPARE(std::ranges::count(result.mesh.parts, core::PartId(2)), qsizetype(ball().points.size()));
+    }
 }
 
 /// Nodes can share a mesh, and primitives can share a stream.

@@ -276,7 +276,8 @@ void TestSandboxedImporter::whoStops_waitsForNobody()
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
         source.request_stop();
     });
-    QVERIFY_THROWS_EXCEPTION(core::ReadingCancelled, reader.read(file(QStringLiteral("a.fbx")), source.get_token()));
+    QVERIFY_THROWS_EXCEPTION(core::ReadingCancelled,
+                             reader.read(file(QStringLiteral("a.fbx")), {.stop = source.get_token()}));
 }
 
 void TestSandboxedImporter::slowReaders_areEnded()

@@ -155,6 +155,7 @@ private Q_SLOTS:
     void threeMf_ofManyObjects();
     void obj_pointsOfSeveralObjects_areCopied();
     void amf_objectsAreParts();
+    void amf_instancesAreParts();
     void formatsWithoutObjects_keepTheOrder();
 
 private:
@@ -500,6 +501,40 @@ void TestPartFiles::amf_objectsAreParts()
     QCOMPARE(read.mesh.points.size(), 8U);
     QCOMPARE(read.parts.size(), 2U);
     QVERIFY(core::checkMesh(read.mesh).printReady());
+}
+
+/// Tests that each instance of an outermost constellation is a part, which has the name of its object, or of what is
+/// placed.
+void TestPartFiles::amf_instancesAreParts()
+{
+    const auto named = [](const std::string& name) { return "<metadata type=\"name\">" + name + "</metadata>"; };
+    const auto instance = [](int of, int x) {
+        return "<instance objectid=\"" + std::to_string(of) + "\"><deltax>" + std::to_string(x) +
+               "</deltax></instance>";
+    };
+    const std::string solid =
+        "<mesh><vertices><vertex><coordinates><x>0</x><y>0</y><z>0</z></coordinates></vertex><vertex><coordinates>"
+        "<x>1</x><y>0</y><z>0</z></coordinates></vertex><vertex><coordinates><x>0</x><y>1</y><z>0</z></coordinates>"
+        "</vertex><vertex><coordinates><x>0</x><y>0</y><z>1</z></coordinates></vertex></vertices><volume>"
+        "<triangle><v1>0</v1><v2>2</v2><v3>1</v3></triangle><triangle><v1>0</v1><v2>1</v2><v3>3</v3></triangle>"
+        "<triangle><v1>0</v1><v2>3</v2><v3>2</v3></triangle><triangle><v1>1</v1><v2>2</v2><v3>3</v3></triangle>"
+        "</volume></mesh>";
+    const std::string longName(10'000, 'n');
+    write("a.amf", "<amf unit=\"millimeter\"><metadata type=\"name\">file</metadata><object id=\"1\">" +
+                       named(longName) + solid + "</object><object id=\"2\">" + named(" Körper &amp; co ") + solid +
+                       "</object><object id=\"5\">" + named("empty") + "</object><constellation id=\"3\">" +
+                       named("pair") + instance(1, 0) + instance(1, 5) + "</constellation><constellation id=\"4\">" +
+                       instance(2, 0) + instance(3, 9) + instance(1, 90) + instance(5, 0) + "</constellation></amf>");
+    const ReadResult one = core::readModel(file("a.amf"));
+    QCOMPARE(one.remarks.objects, 3U);
+    QVERIFY(one.mesh.parts.empty());
+    const ReadResult read = core::readModel(file("a.amf"), {.keepsObjects = true});
+    const std::string cut(PartList::maxNameBytes, 'n');
+    QVERIFY(namesOf(read.parts) == std::vector<std::string>({"Körper & co", "pair", cut}));
+    const auto pieces = core::splitByPart(read.mesh);
+    QCOMPARE(pieces[0].mesh.triangles.size(), 4U);
+    QCOMPARE(pieces[1].mesh.triangles.size(), 8U);
+    QCOMPARE(pieces[2].mesh.triangles.size(), 4U);
 }
 
 void TestPartFiles::formatsWithoutObjects_keepTheOrder()
