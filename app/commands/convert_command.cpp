@@ -149,16 +149,24 @@ std::optional<ConvertOptions> parseConvertOptions(const QStringList& arguments)
     return options;
 }
 
+/// Returns whether IN would be sound if a part were made of each of its objects. Reads it again.
+bool isSoundAsParts(const ConvertOptions& options)
+{
+    const core::ReadResult read = core::readModel(toPath(options.in), {.up = options.up, .keepsObjects = true});
+    return read.parts.size() > 1 && core::checkMesh(read.mesh).printReady();
+}
+
 /// Fails if the model is not sound. `hasObjects`: whether its file has several objects, which were read as one part.
-void requireSound(const QString& file, const core::TriangleMesh& mesh, bool hasObjects = false)
+void requireSound(const ConvertOptions& options, const core::TriangleMesh& mesh, bool hasObjects = false)
 {
     const core::MeshReport report = core::checkMesh(mesh);
     if (report.printReady())
         return;
-    const QString hint = hasObjects ? ConvertMessages::tr("--parts keeps its objects apart, which may overlap then; "
-                                                          "--repair may make it watertight.")
-                                    : ConvertMessages::tr("--repair may make it watertight.");
-    throw CommandFailure{ui::ErrorMessages::refusal(file, report) + u' ' + hint, AnswerIsNo};
+    const QString hint = hasObjects && isSoundAsParts(options)
+                             ? ConvertMessages::tr("--parts keeps its objects apart, which may overlap then; "
+                                                   "--repair may make it watertight.")
+                             : ConvertMessages::tr("--repair may make it watertight.");
+    throw CommandFailure{ui::ErrorMessages::refusal(options.in, report) + u' ' + hint, AnswerIsNo};
 }
 
 /// Drops hidden parts if OUT cannot keep them hidden.
@@ -285,11 +293,11 @@ ExitStatus convertCommand(const QStringList& arguments)
         auto [mesh, remarks, parts] =
             core::readModel(toPath(options->in), {.up = options->up, .keepsObjects = options->keepsObjects});
         if (!options->repair)
-            requireSound(options->in, mesh, remarks.objects > 1 && !options->keepsObjects);
+            requireSound(*options, mesh, remarks.objects > 1 && !options->keepsObjects);
         if (const double factor = scaleFor(*options, mesh); factor != 1) {
             CommandUnit::scale(options->in, mesh, factor);
             if (!options->repair)
-                requireSound(options->in, mesh);
+                requireSound(*options, mesh);
         }
         std::optional<Repaired> repaired;
         if (options->repair)

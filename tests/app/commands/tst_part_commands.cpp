@@ -13,6 +13,7 @@
 #include <QTest>
 
 #include <cmath>
+#include <fstream>
 #include <memory>
 
 using core::Part;
@@ -38,6 +39,7 @@ class TestPartCommands : public QObject
 private Q_SLOTS:
     void init();
     void overlappingObjects_needParts();
+    void partsAreOfferedOnlyIfTheyHelp();
     void overlappingParts_areUnited_data();
     void overlappingParts_areUnited();
     void overlappingParts_areKeptIfWished();
@@ -97,6 +99,44 @@ void TestPartCommands::overlappingObjects_needParts()
     QCOMPARE(read.parts.size(), std::size_t(2));
     QVERIFY(read.parts.all()[0].name == "Low" && read.parts.all()[1].name == "High");
     QCOMPARE(*core::checkMesh(read.mesh).volume, 16.0);
+}
+
+/// Tests that the word --parts appears only where it would make the model sound.
+void TestPartCommands::partsAreOfferedOnlyIfTheyHelp()
+{
+    const core::TriangleMesh one = shapes::cube(2);
+    core::TriangleMesh open = shapes::moved(one, Vec3f(1, 1, 1));
+    open.triangles.pop_back();
+    core::writeMesh(at("surface.stl"), core::readMesh(at("two.3mf")));
+    core::writeMesh(at("object.obj"), core::readMesh(at("two.3mf")));
+    core::writeMesh(at("open.3mf"), core::joined({{0, one, {}, {}}, {1, open, {}, {}}}));
+    std::ofstream obj(at("many.obj"));
+    for (int i = 0; i <= int(PartList::maxParts); ++i) {
+        obj << "o a\n";
+        for (const Vec3f& p : one.points)
+            obj << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+        for (const core::Triangle& t : one.triangles)
+            obj << "f " << int(t[0]) - 8 << ' ' << int(t[1]) - 8 << ' ' << int(t[2]) - 8 << '\n';
+    }
+    obj.close();
+    for (const char* name : {"surface.stl", "object.obj", "open.3mf", "many.obj"}) {
+        const Answer refused = run(QStringLiteral("convert %1 out.glb").arg(QLatin1String(name)));
+        QCOMPARE(refused.status, 1);
+        QVERIFY2(refused.err.contains(QStringLiteral("--repair")) && !refused.err.contains(QStringLiteral("--parts")),
+                 qPrintable(refused.err));
+        QCOMPARE(run(QStringLiteral("convert %1 out.glb --parts").arg(QLatin1String(name))).status, 1);
+    }
+    QFile file(QString::fromStdString(at("two.3mf")));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QProcess program;
+    program.setWorkingDirectory(m_folder->path());
+    program.start(QStringLiteral(FETTLE_PROGRAM),
+                  QProcess::splitCommand(QStringLiteral("convert - out.glb --from 3mf")));
+    program.write(file.readAll());
+    program.closeWriteChannel();
+    QVERIFY(program.waitForFinished(-1));
+    QCOMPARE(program.exitCode(), 1);
+    QVERIFY(program.readAllStandardError().contains("--parts"));
 }
 
 void TestPartCommands::overlappingParts_areUnited_data()
