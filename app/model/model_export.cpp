@@ -140,13 +140,17 @@ ExportOutcome ModelExport::readBack(const ExportRequest& request, const core::Tr
                        "may be changing the file.")
                         .arg(QDir::toNativeSeparators(request.path)),
                     {}};
-        const bool areApart = holdsOneSurface(request.path) && core::doPartsOverlap(written, control.part(1, 1));
-        if (!verdict.report.printReady() && !areApart)
-            return {ui::ErrorMessages::refusal(request.path, verdict.report), {}};
+        const bool areApart =
+            !request.joinsParts && holdsOneSurface(request.path) && core::doPartsOverlap(written, control.part(1, 1));
+        // surfaces of different parts may intersect then, but each part must still be sound
+        const core::MeshReport report = areApart ? core::checkMesh(written, control.part(1, 1)) : verdict.report;
+        if (control.isCancelled())
+            throw core::ReadingCancelled();
+        if (!report.printReady())
+            return {ui::ErrorMessages::refusal(request.path, report), {}};
         if (areApart)
             return {{}, apartText(request.path)};
-        return {{},
-                verdictText(request, verdict.report, !mesh.colors.empty() && !ModelLoader::holdsColors(request.path))};
+        return {{}, verdictText(request, report, !mesh.colors.empty() && !ModelLoader::holdsColors(request.path))};
     } catch (const core::FileError& error) {
         return {ui::ErrorMessages::sentence(error), {}};
     }

@@ -114,6 +114,8 @@ private Q_SLOTS:
     void parts_areJoinedForPrintIfTheyOverlap();
     void parts_stayApartIfWished_data();
     void parts_stayApartIfWished();
+    void parts_areSoundEvenIfTheyStayApart();
+    void parts_thatDecimationMakesOverlapAreToldOf();
     void parts_areObjectsOfPrusaSlicer();
     void dialog_offersToUniteOverlappingParts();
     void parts_eachKeepTheirShareOfTriangles();
@@ -481,6 +483,46 @@ void TestModelExport::parts_stayApartIfWished()
     const core::ReadResult read = core::readModel(request.path.toStdString(), {.keepsObjects = true});
     QCOMPARE(read.parts.size(), objects);
     QCOMPARE(read.mesh.triangles.size(), faces);
+}
+
+/// Tests that a part that intersects itself is not excused by overlapping another part.
+void TestModelExport::parts_areSoundEvenIfTheyStayApart()
+{
+    for (const float distance : {15.0f, 30.0f}) {
+        ExportRequest request = requestOfTwo(path("unsound.stl"), distance);
+        request.joinsParts = false;
+        core::Mesh& mesh = *request.mesh;
+        core::Slot left = 0;
+        for (core::Slot v = 0; v < mesh.slots().vertices; ++v)
+            left = mesh.point(v).x() < mesh.point(left).x() ? v : left;
+        mesh.beginStroke();
+        mesh.setPoint(left, mesh.lattice().snap(mesh.point(left).cast<double>() + core::Vec3(21, 0, 0)));
+        mesh.endStroke();
+        const ExportOutcome outcome = ModelExport::run(request, quiet, {});
+        QVERIFY2(outcome.verdict.isEmpty(), qPrintable(outcome.verdict));
+        QVERIFY2(outcome.problem.contains(QStringLiteral("intersect")), qPrintable(outcome.problem));
+    }
+}
+
+/// Tests a ball in a shell with so little space between them that fewer triangles make them meet. The surface in the
+/// file is not what was wished, although both parts are sound.
+void TestModelExport::parts_thatDecimationMakesOverlapAreToldOf()
+{
+    core::TriangleMesh hollow = core::icosphere(4, 10.05);
+    for (core::Triangle& t : hollow.triangles)
+        std::swap(t[1], t[2]);
+    core::MeshFrame named;
+    named.parts = core::PartList({{0, "Ball", true, false, std::nullopt}, {1, "Shell", true, false, std::nullopt}});
+    const core::TriangleMesh shell = core::joined({{1, core::icosphere(4, 14), {}, {}}, {1, hollow, {}, {}}});
+    ExportRequest request{path("close.stl"), 300};
+    request.mesh =
+        core::buildMesh(core::joined({{0, core::icosphere(4, 10), {}, {}}, {1, shell, {}, {}}}), true, {}, named).mesh;
+    QVERIFY(request.mesh);
+    request.metadata.frame = request.mesh->frame();
+    const ExportOutcome outcome = ModelExport::run(request, quiet, {});
+    QVERIFY(!core::checkMesh(core::readMesh(request.path.toStdString())).printReady());
+    QVERIFY2(outcome.verdict.isEmpty() && outcome.problem.contains(QStringLiteral("intersect")),
+             qPrintable(outcome.verdict + outcome.problem));
 }
 
 /// Tests that a real slicer reads parts of a 3MF as objects of their own, where they were placed.
