@@ -27,7 +27,7 @@ std::vector<core::Slot> liveVertices(const core::Mesh& mesh)
 
 ModelCopy copyOf(const core::Mesh& mesh, AnalysedParts parts, core::PartId active)
 {
-    ModelCopy all{core::extractMesh(mesh), liveVertices(mesh)};
+    ModelCopy all{core::extractMesh(mesh), liveVertices(mesh), mesh.lattice()};
     const core::PartList& list = mesh.frame().parts;
     const auto isLeftOut = [&](core::PartId id) {
         return (parts == AnalysedParts::Active && id != active) ||
@@ -39,7 +39,7 @@ ModelCopy copyOf(const core::Mesh& mesh, AnalysedParts parts, core::PartId activ
     std::erase_if(pieces, [&](const core::PartPiece& piece) { return isLeftOut(piece.part); });
     if (pieces.empty())
         return all;
-    ModelCopy copy{core::joined(pieces), {}};
+    ModelCopy copy{core::joined(pieces), {}, all.lattice};
     for (const core::PartPiece& piece : pieces)
         std::ranges::transform(piece.points, std::back_inserter(copy.slots),
                                [&](core::Slot v) { return all.slots[v]; });

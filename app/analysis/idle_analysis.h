@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/lattice.h"
 #include "core/geometry/triangle_mesh.h"
 
 #include <QObject>
@@ -18,6 +19,7 @@ struct ModelCopy
 {
     core::TriangleMesh mesh;
     std::vector<core::Slot> slots;
+    core::Lattice lattice; ///< of the live mesh
 };
 
 /// The parts of the model that an analysis concerns.

@@ -7,6 +7,8 @@
 
 #include "core/analysis/print_check.h"
 #include "core/io/mesh_io.h"
+#include "core/operations/part_union.h"
+#include "core/parts/part_split.h"
 #include "ui/util/error_messages.h"
 #include "ui/util/path_display.h"
 
@@ -336,19 +338,34 @@ void printReport(const CheckOptions& options, const QString& name, const Json& j
                            rowOf(options, tableFields(options, name, json)));
 }
 
+/// Returns the surface that an export for print has: the union of the visible parts. Returns the parts themselves if
+/// they are not sound, or no union is found; and all of them if all are hidden. `report`: of the mesh.
+core::TriangleMesh printedSurface(core::TriangleMesh mesh, const core::PartList& parts, const core::MeshReport& report)
+{
+    if (core::TriangleMesh visible = core::visibleParts(mesh, parts); !visible.triangles.empty())
+        mesh = std::move(visible);
+    if (report.printReady())
+        core::uniteParts(mesh, {});
+    return mesh;
+}
+
 Checked check(const CheckOptions& options, const std::filesystem::path& file)
 {
     auto [mesh, remarks, parts] = core::readModel(file);
     if (options.unit != 1)
         CommandUnit::scale(ui::displayName(file), mesh, options.unit);
     Checked checked{{}, {}, core::readMetadata(file).work, remarks};
-    if (options.print) {
-        const core::PrintMeasures measures = core::measureForPrint(std::move(mesh));
-        checked.report = measures.report;
-        checked.print = core::checkForPrint(measures, *options.print);
-    } else {
+    if (!options.print || !mesh.parts.empty())
         checked.report = core::checkMesh(mesh);
-    }
+    if (!options.print)
+        return checked;
+    const bool hasParts = !mesh.parts.empty();
+    if (hasParts)
+        mesh = printedSurface(std::move(mesh), parts, checked.report);
+    const core::PrintMeasures measures = core::measureForPrint(std::move(mesh));
+    if (!hasParts)
+        checked.report = measures.report;
+    checked.print = core::checkForPrint(measures, *options.print);
     return checked;
 }
 

@@ -4,9 +4,6 @@
 #include "app/model/model_export.h"
 #include "app/model/model_loader.h"
 
-#include "core/analysis/part_overlap.h"
-#include "core/boolean/mesh_boolean.h"
-#include "core/parts/part_split.h"
 #include "ui/util/error_messages.h"
 
 #include <QFileInfo>
@@ -42,17 +39,8 @@ CommandModels commandModels(const CommandOptions& options)
     return models;
 }
 
-PartUnion unitePartsFor(const QString& out, core::TriangleMesh& mesh)
+core::PartUnion unitePartsFor(const QString& out, core::TriangleMesh& mesh)
 {
-    if (!ModelExport::joinsPartsByDefault(out) || !core::doPartsOverlap(mesh))
-        return PartUnion::NotNeeded;
-    std::vector<core::TriangleMesh> solids;
-    for (core::PartPiece& piece : core::splitByPart(mesh))
-        solids.push_back(std::move(piece.mesh));
-    core::BooleanResult all = core::combine(core::SetOperation::Union, solids);
-    if (!all.mesh)
-        return PartUnion::Failed;
-    mesh = std::move(*all.mesh);
-    return PartUnion::Done;
+    return ModelExport::joinsPartsByDefault(out) ? core::uniteParts(mesh, {}) : core::PartUnion::NotNeeded;
 }
 } // namespace app

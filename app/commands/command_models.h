@@ -3,7 +3,7 @@
 #include "app/classroom/class_works.h"
 #include "app/commands/command_line.h"
 #include "app/commands/command_options.h"
-#include "core/geometry/triangle_mesh.h"
+#include "core/operations/part_union.h"
 
 namespace app
 {
@@ -21,8 +21,7 @@ struct CommandModels
 /// cannot be read.
 CommandModels commandModels(const CommandOptions& options);
 
-enum class PartUnion { NotNeeded, Done, Failed };
 /// Unites the parts of the mesh if they overlap and a file of this name cannot keep them apart
 /// (ModelExport::joinsPartsByDefault()). Failed: no sound union was found, and the mesh is as it was.
-PartUnion unitePartsFor(const QString& out, core::TriangleMesh& mesh);
+core::PartUnion unitePartsFor(const QString& out, core::TriangleMesh& mesh);
 } // namespace app

@@ -185,6 +185,7 @@ void dropHidden(const ConvertOptions& options, core::TriangleMesh& mesh, const c
 /// Unites the parts if they overlap and OUT cannot keep them apart. Returns whether it did.
 bool joinParts(const ConvertOptions& options, core::TriangleMesh& mesh)
 {
+    using core::PartUnion;
     const PartUnion done = options.joinsParts ? unitePartsFor(options.out, mesh) : PartUnion::NotNeeded;
     if (done == PartUnion::Failed)
         throw CommandFailure{ConvertMessages::tr("%1: its parts overlap and cannot be united. --overlaps keep writes "

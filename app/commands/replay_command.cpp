@@ -318,6 +318,7 @@ void writeModel(const QString& out, const core::TriangleMesh& whole, const core:
     core::DocumentMetadata metadata;
     metadata.frame = frame;
     core::TriangleMesh mesh = ModelLoader::writtenSurface(out, whole, metadata);
+    using core::PartUnion;
     switch (unitePartsFor(out, mesh)) {
     case PartUnion::NotNeeded:
         break;

@@ -369,6 +369,19 @@ void connectModelPanel(ui::MainWindow& window, Document& document, SculptWorker&
     QObject::connect(analysis, &ModelAnalysis::finished, panel, &ModelPanel::setReport);
 }
 
+ui::PrintedParts printedParts(core::PartUnion parts)
+{
+    switch (parts) {
+    case core::PartUnion::NotNeeded:
+        break;
+    case core::PartUnion::Done:
+        return ui::PrintedParts::United;
+    case core::PartUnion::Failed:
+        return ui::PrintedParts::EachAlone;
+    }
+    return ui::PrintedParts::Apart;
+}
+
 /// Shows the measured values as colours on the model while the panel is visible and the result describes the present
 /// model.
 void connectPrintPanel(ui::MainWindow& window, Document& document, SculptWorker& worker)
@@ -397,8 +410,8 @@ void connectPrintPanel(ui::MainWindow& window, Document& document, SculptWorker&
     });
     QObject::connect(analysis, &PrintAnalysis::finished, panel,
                      [panel, viewport](const core::MeshReport& mesh, const core::PrintReport& print,
-                                       const std::shared_ptr<const core::Footprint>& shades) {
-                         panel->setReport(mesh, print);
+                                       core::PartUnion parts, const std::shared_ptr<const core::Footprint>& shades) {
+                         panel->setReport(mesh, print, printedParts(parts));
                          viewport->setShades(panel->isVisible() ? shades : nullptr);
                      });
 }

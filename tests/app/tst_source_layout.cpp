@@ -124,7 +124,8 @@ const FolderRule folderRules[] = {
      "core/io core/journal core/geometry core/parts core/analysis ui/util ui/settings ui/widgets ui/viewport ui/model "
      "ui/brush ui/history ui/window app/model app/worker app/recovery"},
     {"app/analysis",
-     "core/geometry core/parts core/analysis core/mesh core/sculpt ui/util ui/print app/worker app/document"},
+     "core/util core/geometry core/parts core/analysis core/mesh core/sculpt core/operations ui/util ui/print "
+     "app/worker app/document"},
     {"app/lesson",
      "core/primitives core/util core/mesh core/drawing core/sculpt/deform core/sculpt core/operations core/io "
      "core/journal core/lesson ui/util ui/settings ui/widgets ui/viewport ui/lesson ui/help ui/window app/model "

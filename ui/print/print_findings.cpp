@@ -44,6 +44,18 @@ PrintFinding parts(const core::MeshReport& mesh)
             PrintText::tr("Separate parts of the surface; closed hollows count as parts.")};
 }
 
+PrintFinding overlap(PrintedParts united)
+{
+    if (united == PrintedParts::United)
+        return {
+            PrintVerdict::Good, PrintText::tr("Overlapping parts checked as one"),
+            PrintText::tr("The visible parts overlap. They were united for the check, as exporting for print unites "
+                          "them.")};
+    return {PrintVerdict::Warning, PrintText::tr("Overlapping parts cannot be united"),
+            PrintText::tr("Each part was checked alone. Move one a little; otherwise the export will not unite them, "
+                          "either.")};
+}
+
 PrintFinding bed(const core::MeshReport& mesh, const core::PrintReport& print, const QString& printer)
 {
     const QString size = PrintText::tr("%1 mm wide, %2 mm deep, %3 mm high.")
@@ -131,7 +143,7 @@ PrintFinding base(const core::PrintReport& print)
 } // namespace
 
 QList<PrintFinding> printFindings(const core::MeshReport& mesh, const core::PrintReport& print,
-                                  const core::PrintLimits& limits, const QString& printer)
+                                  const core::PrintLimits& limits, const QString& printer, PrintedParts united)
 {
     QList<PrintFinding> findings{surface(mesh)};
     if (!printer.isEmpty())
@@ -139,6 +151,8 @@ QList<PrintFinding> printFindings(const core::MeshReport& mesh, const core::Prin
     if (mesh.printReady())
         findings << walls(print, limits);
     findings << overhangs(print, limits.overhang) << base(print) << parts(mesh);
+    if (united != PrintedParts::Apart)
+        findings << overlap(united);
     if (const QString doubt = mesh.volume ? ErrorMessages::unitDoubt(*mesh.volume) : QString(); !doubt.isEmpty())
         findings << PrintFinding{PrintVerdict::Warning, doubt,
                                  PrintText::tr("Scale the model, or choose millimetres in the slicer.")};

@@ -23,6 +23,14 @@ struct PrintFinding
     std::optional<core::PrintPicture> picture = {}; ///< colouring of the model that shows the places
 };
 
+/// The surface that was checked, of a model whose parts overlap.
+enum class PrintedParts {
+    Apart,    ///< the parts, which do not overlap
+    United,   ///< the union of the parts
+    EachAlone ///< the parts, because no union was found
+};
+
 QList<PrintFinding> printFindings(const core::MeshReport& mesh, const core::PrintReport& print,
-                                  const core::PrintLimits& limits, const QString& printer);
+                                  const core::PrintLimits& limits, const QString& printer,
+                                  PrintedParts parts = PrintedParts::Apart);
 } // namespace ui

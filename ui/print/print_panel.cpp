@@ -198,9 +198,9 @@ void PrintPanel::focusFindings()
     m_list->setFocus();
 }
 
-void PrintPanel::setReport(const core::MeshReport& mesh, const core::PrintReport& print)
+void PrintPanel::setReport(const core::MeshReport& mesh, const core::PrintReport& print, PrintedParts parts)
 {
-    m_findings = printFindings(mesh, print, limits(), m_printer->currentText());
+    m_findings = printFindings(mesh, print, limits(), m_printer->currentText(), parts);
     std::ranges::stable_sort(m_findings, std::greater(), &PrintFinding::verdict); // the worst findings come first
     const int row = m_list->currentRow();
     m_list->clear();

@@ -36,7 +36,8 @@ public:
     std::optional<core::PrintPicture> picture() const; ///< colouring to show on the model; nullopt: none
     void focusFindings();
 
-    void setReport(const core::MeshReport& mesh, const core::PrintReport& print);
+    void setReport(const core::MeshReport& mesh, const core::PrintReport& print,
+                   PrintedParts parts = PrintedParts::Apart);
     /// Marks the findings as outdated, because the model has changed.
     void setStale();
     /// Shows that the check is running. `share`: 0 to 1.

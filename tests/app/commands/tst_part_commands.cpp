@@ -8,6 +8,8 @@
 #include "tests/support/test_main.h"
 
 #include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
@@ -43,6 +45,7 @@ private Q_SLOTS:
     void overlappingParts_areUnited_data();
     void overlappingParts_areUnited();
     void overlappingParts_areKeptIfWished();
+    void check_measuresTheUnion();
     void hiddenParts_areInGlbOnly();
     void replay_paintsOneObject();
     void replay_insertsParts();
@@ -174,6 +177,30 @@ void TestPartCommands::overlappingParts_areKeptIfWished()
         QCOMPARE(read.mesh.triangles.size(), 2 * shapes::cube(2).triangles.size());
     }
     QCOMPARE(run(QStringLiteral("convert two.3mf out.stl --parts --overlaps melt")).status, 2);
+}
+
+/// Tests that the print check of a document measures what an export writes: a plate of 0.5 mm is no thin wall if it is
+/// sunk into a block, nor if it is hidden.
+void TestPartCommands::check_measuresTheUnion()
+{
+    const auto thinnest = [this](float below, float above, bool isVisible) {
+        core::TriangleMesh plate = shapes::cube(10);
+        for (Vec3f& p : plate.points)
+            p.y() = p.y() > 0 ? above : below;
+        core::DocumentMetadata metadata;
+        metadata.frame.emplace().parts =
+            PartList({{0, "Block", true, false, std::nullopt}, {1, "Plate", isVisible, false, std::nullopt}});
+        core::writeMesh(at("plate.glb"), core::joined({{0, shapes::cube(20), {}, {}}, {1, plate, {}, {}}}),
+                        {.metadata = metadata});
+        const Answer answer = run(QStringLiteral("check --print --json plate.glb"));
+        const QJsonObject json = QJsonDocument::fromJson(answer.out.toUtf8()).object();
+        return answer.status == 0 && json[QLatin1StringView("faces")].toInt() == 24
+                   ? json[QLatin1StringView("min_wall_rays_mm")].toDouble(-1)
+                   : -2;
+    };
+    QVERIFY(thinnest(9.75F, 10.25F, true) > 9);
+    QVERIFY(std::abs(thinnest(11, 11.5F, true) - 0.5) < 1e-6);
+    QVERIFY(thinnest(11, 11.5F, false) > 9);
 }
 
 void TestPartCommands::hiddenParts_areInGlbOnly()

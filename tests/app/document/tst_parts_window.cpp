@@ -182,6 +182,7 @@ private Q_SLOTS:
     void document_hasNoBar();
     void modelPanel_isOfTheActivePart();
     void printCheck_isOfTheVisibleParts();
+    void printCheck_unitesPartsThatOverlap();
 };
 
 void TestPartsWindow::init()
@@ -735,12 +736,13 @@ void TestPartsWindow::printCheck_isOfTheVisibleParts()
     const QTemporaryDir folder;
     Program program;
     openTwoBalls(program, folder);
+    apply(program, core::Move{{20, 0, 0}}); // the balls do not overlap any more
     PrintAnalysis analysis(&program.document, &program.worker);
     analysis.setActive(true);
     std::size_t faces = 0;
     std::size_t shaded = 0;
     QObject::connect(&analysis, &PrintAnalysis::finished,
-                     [&](const core::MeshReport& mesh, const core::PrintReport&, const auto& shades) {
+                     [&](const core::MeshReport& mesh, const core::PrintReport&, core::PartUnion, const auto& shades) {
                          faces = mesh.faces;
                          shaded = shades ? shades->slots.size() : 0;
                      });
@@ -752,6 +754,60 @@ void TestPartsWindow::printCheck_isOfTheVisibleParts()
     trigger(program, "parts.hide");
     QTRY_COMPARE_WITH_TIMEOUT(faces, whole / 2, longestWait);
     QVERIFY(shaded > 0 && shaded < shadedBefore);
+}
+
+/// Tests a plate of 0.5 mm that is sunk into a block: the plate alone is too thin, the union is not.
+void TestPartsWindow::printCheck_unitesPartsThatOverlap()
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("plate.glb"));
+    core::TriangleMesh plate = shapes::cube(10);
+    for (core::Vec3f& p : plate.points)
+        p.y() = p.y() > 0 ? 10.25F : 9.75F;
+    core::MeshFrame frame;
+    frame.parts = core::PartList({{0, "Block", true, false, std::nullopt}, {1, "Plate", true, false, std::nullopt}});
+    core::DocumentMetadata metadata;
+    metadata.frame = frame;
+    core::writeMesh(path.toStdString(), core::joined({{0, shapes::cube(20), {}, {}}, {1, plate, {}, {}}}),
+                    {.metadata = metadata});
+    Program program;
+    openFile(program, path);
+    QTRY_COMPARE(names(program), QStringList({"Block", "Plate"}));
+    PrintAnalysis analysis(&program.document, &program.worker);
+    std::optional<core::PartUnion> united;
+    core::PrintReport report;
+    core::MeshReport surface;
+    std::vector<core::Slot> shaded;
+    double share = 0;
+    bool isAscending = true;
+    QObject::connect(&analysis, &PrintAnalysis::progressed, [&](double next) {
+        isAscending = isAscending && next >= share;
+        share = next;
+    });
+    QObject::connect(&analysis, &PrintAnalysis::finished,
+                     [&](const core::MeshReport& mesh, const core::PrintReport& print, core::PartUnion parts,
+                         const std::shared_ptr<const core::Footprint>& shades) {
+                         surface = mesh;
+                         report = print;
+                         united = parts;
+                         shaded = shades->slots;
+                         QCOMPARE(shades->weights.size(), shaded.size());
+                     });
+    analysis.setOptions({{}, core::PrintPicture::Thickness});
+    analysis.setActive(true);
+    QTRY_VERIFY_WITH_TIMEOUT(united, longestWait);
+    QCOMPARE(int(*united), int(core::PartUnion::Done));
+    QVERIFY(isAscending);
+    QVERIFY(surface.printReady());
+    QVERIFY(std::abs(*surface.volume - (8000 + 100 * 0.25)) < 1e-3);
+    QVERIFY(!core::hasThinWalls(report, {}));
+    // the block's eight corners and the four of the plate outside of it are on the union, the four in it are not
+    QCOMPARE(shaded.size(), std::size_t(12));
+    united.reset();
+    share = 0;
+    trigger(program, "parts.isolate");
+    QTRY_VERIFY_WITH_TIMEOUT(united, longestWait);
+    QCOMPARE(int(*united), int(core::PartUnion::NotNeeded));
 }
 
 FETTLE_TEST(TestPartsWindow, app::OnScreen)

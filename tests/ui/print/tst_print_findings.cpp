@@ -88,6 +88,22 @@ private Q_SLOTS:
         QCOMPARE(texts, {QStringLiteral("0.01 mm, 0.01 mm²")});
     }
 
+    /// The panel says whether overlapping parts were united; that they were is no fault.
+    void overlappingParts_areTold()
+    {
+        const core::PrintMeasures measures = core::measureForPrint(shapes::cube(20));
+        const core::PrintReport report = core::checkForPrint(measures, {});
+        const auto findings = [&](ui::PrintedParts parts) {
+            return ui::printFindings(measures.report, report, {}, {}, parts);
+        };
+        const auto apart = findings(ui::PrintedParts::Apart), united = findings(ui::PrintedParts::United),
+                   alone = findings(ui::PrintedParts::EachAlone);
+        QCOMPARE(united.size(), apart.size() + 1);
+        QVERIFY(worstOf(united) == PrintVerdict::Good);
+        QCOMPARE(alone.size(), apart.size() + 1);
+        QVERIFY(worstOf(alone) == PrintVerdict::Warning);
+    }
+
     void places_haveWords()
     {
         for (const ui::PrintFinding& finding :
