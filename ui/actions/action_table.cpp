@@ -249,7 +249,7 @@ public:
         {MenuId::Model, "model.insertPrimitive", QT_TR_NOOP("Insert Primiti&ve…"),
          QT_TR_NOOP("Adds a box, ball, cylinder or other solid with given measures, or subtracts it."), "",
          "primitive"},
-        {MenuId::Model, "model.placeSolid", QT_TR_NOOP("Place a S&olid"),
+        {MenuId::Model, "model.placeSolid", QT_TR_NOOP("Plac&e a Primitive"),
          QT_TR_NOOP("Puts a box, ball, cylinder or other solid on the model or the ground, by a press and a drag."), "",
          "place-solid", false, Bar::None, true},
         {MenuId::Model, "model.tube", QT_TR_NOOP("&Draw a Tube"),

@@ -27,6 +27,7 @@
 #include <QComboBox>
 #include <QFile>
 #include <QLabel>
+#include <QListWidget>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -803,11 +804,20 @@ void TestPartsWindow::printCheck_unitesPartsThatOverlap()
     QVERIFY(!core::hasThinWalls(report, {}));
     // the block's eight corners and the four of the plate outside of it are on the union, the four in it are not
     QCOMPARE(shaded.size(), std::size_t(12));
+    trigger(program, "model.printCheck");
+    const auto* findings = program.window.findChild<QListWidget*>(QStringLiteral("print.findings"));
+    QVERIFY(findings);
+    const auto count = [findings] {
+        return findings->findItems(QStringLiteral("Overlapping parts checked as one"), Qt::MatchExactly).size();
+    };
+    QTRY_COMPARE_WITH_TIMEOUT(count(), 1, longestWait);
+    savePicture(program);
     united.reset();
     share = 0;
     trigger(program, "parts.isolate");
     QTRY_VERIFY_WITH_TIMEOUT(united, longestWait);
     QCOMPARE(int(*united), int(core::PartUnion::NotNeeded));
+    QTRY_COMPARE_WITH_TIMEOUT(count(), 0, longestWait);
 }
 
 FETTLE_TEST(TestPartsWindow, app::OnScreen)

@@ -2,6 +2,8 @@
 // consistency, and used in the program.
 #include "ui/actions/actions.h"
 #include "ui/classroom/classroom_dialog.h"
+#include "ui/model/objects_bar.h"
+#include "ui/model/unit_bar.h"
 #include "ui/preferences/preferences_dialog.h"
 
 #include "tests/support/test_main.h"
@@ -222,6 +224,8 @@ private Q_SLOTS:
     void mnemonics_areUniqueInAMenu();
     void mnemonics_areUniqueInADialog_data() { addLanguages(); }
     void mnemonics_areUniqueInADialog();
+    void mnemonics_areUniqueInBars_data() { addLanguages(); }
+    void mnemonics_areUniqueInBars();
     void menuKeys_areInMenusOnly();
     void theProgram_speaksIt_data();
     void theProgram_speaksIt();
@@ -357,13 +361,13 @@ void TestTranslations::mnemonics_areUniqueInAMenu()
     QStringList titles;
     for (const ui::MenuId id :
          {ui::MenuId::File, ui::MenuId::Edit, ui::MenuId::Sculpt, ui::MenuId::Tool, ui::MenuId::Mask, ui::MenuId::Model,
-          ui::MenuId::Area, ui::MenuId::View, ui::MenuId::Vr, ui::MenuId::Help}) {
+          ui::MenuId::Parts, ui::MenuId::Area, ui::MenuId::View, ui::MenuId::Vr, ui::MenuId::Help}) {
         QStringList keys;
         if (id == ui::MenuId::Sculpt)
             keys += mnemonics(actions.menuTitle(ui::MenuId::Tool)) + mnemonics(actions.menuTitle(ui::MenuId::Mask));
         if (id == ui::MenuId::Model)
-            keys += mnemonics(actions.menuTitle(ui::MenuId::Area));
-        if (id != ui::MenuId::Tool && id != ui::MenuId::Mask && id != ui::MenuId::Area)
+            keys += mnemonics(actions.menuTitle(ui::MenuId::Parts)) + mnemonics(actions.menuTitle(ui::MenuId::Area));
+        if (id != ui::MenuId::Tool && id != ui::MenuId::Mask && id != ui::MenuId::Parts && id != ui::MenuId::Area)
             titles += mnemonics(actions.menuTitle(id));
         QMenu menu;
         actions.fill(&menu, id);
@@ -402,6 +406,28 @@ void TestTranslations::mnemonics_areUniqueInADialog()
         QVERIFY(keys.size() > pages->count());
         QVERIFY2(keys.removeDuplicates() == 0, qPrintable(pages->tabText(page) + u' ' + keys.join(u' ')));
     }
+}
+
+/// Tests that bars that can be over the view at the same time, and the menus, share no key.
+void TestTranslations::mnemonics_areUniqueInBars()
+{
+    QFETCH(QString, language);
+    const Translation translation(language);
+    QVERIFY(translation.isLoaded);
+    QMainWindow window;
+    window.setCentralWidget(new QWidget);
+    const ui::Actions actions(&window);
+    for (const core::UnitDoubt guess : {core::UnitDoubt::Inches, core::UnitDoubt::Metres})
+        for (const bool areParts : {false, true}) {
+            const ui::UnitBar unit({QStringLiteral("a.obj"), 1.5, guess}, &window);
+            const ui::ObjectsBar objects(QStringLiteral("a.obj"), {2, areParts}, &window);
+            QStringList keys = mnemonicsIn(unit) + mnemonicsIn(objects);
+            QCOMPARE(keys.size(), 6);
+            for (const ui::MenuId id : {ui::MenuId::File, ui::MenuId::Edit, ui::MenuId::Sculpt, ui::MenuId::Model,
+                                        ui::MenuId::View, ui::MenuId::Vr, ui::MenuId::Help})
+                keys += mnemonics(actions.menuTitle(id));
+            QVERIFY2(keys.removeDuplicates() == 0, qPrintable(keys.join(u' ')));
+        }
 }
 
 void TestTranslations::menuKeys_areInMenusOnly()
