@@ -18,6 +18,7 @@
 #include "core/operations/mirror_image.h"
 #include "core/operations/surface_exchange.h"
 #include "core/operations/transform.h"
+#include "core/stroke/symmetry_plane.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,6 +33,59 @@ constexpr double afterCutting = 0.7, afterExchanging = 0.8;
 /// Largest difference between the volume of a split model and that of both parts, as a share of it.
 constexpr double mostLost = 1e-4;
 
+/// Returns whether the area is its own mirror image: swept along the mirror normal, or along a curve that runs back as
+/// the image of its way there.
+bool isOwnImage(const ViewArea& area)
+{
+    const Vec3 mirrorNormal = planeNormal(area.symmetry);
+    const Vec3 across = area.direction - mirrorNormal.dot(area.direction) * mirrorNormal;
+    if (!area.eye && across.isZero(0))
+        return true;
+    if (mirrorNormal.dot(area.direction) != 0 || (area.eye && mirrorNormal.dot(*area.eye) != 0))
+        return false;
+    const std::size_t corners = area.outline.size();
+    for (std::size_t i = 0; i < corners; ++i) {
+        if (area.outline[i] != mirrored(area.outline[corners - 1 - i], area.symmetry))
+            return false;
+    }
+    return true;
+}
+
+ViewArea mirrored(ViewArea area)
+{
+    for (Vec3& corner : area.outline)
+        corner = mirrored(corner, area.symmetry);
+    area.direction = mirrored(area.direction, area.symmetry);
+    if (area.eye)
+        area.eye = mirrored(*area.eye, area.symmetry);
+    return area;
+}
+
+/// The solids that an area sweeps: its own, and with symmetry that of its mirror image.
+struct SweptSolids
+{
+    bool hasArea = false;
+    std::vector<TriangleMesh> solids; ///< without those that are beside the model
+};
+
+SweptSolids sweptSolids(const ViewArea& area, const Mesh& mesh)
+{
+    SweptSolids swept;
+    const auto add = [&](SweptOutline&& one) {
+        swept.hasArea = one.hasArea;
+        if (!one.solid.triangles.empty())
+            swept.solids.push_back(std::move(one.solid));
+    };
+    add(sweptOutline(area, mesh));
+    if (!swept.hasArea || area.symmetry == Symmetry::None || isOwnImage(area))
+        return swept;
+    if (!isSymmetric(mesh, area.symmetry))
+        add(sweptOutline(mirrored(area), mesh));
+    else if (!swept.solids.empty())
+        swept.solids.push_back(mirrorImage(swept.solids.front(), area.symmetry));
+    return swept;
+}
+
 /// Returns the colour of the cut: the command's, or that of the model if it has only one.
 std::optional<Rgb> colorOfCut(const Trim& command, const Mesh& mesh)
 {
@@ -42,15 +96,15 @@ std::optional<Rgb> colorOfCut(const Trim& command, const Mesh& mesh)
     return isOne ? std::optional(first) : std::nullopt;
 }
 
-BooleanResult cut(const Mesh& mesh, TriangleMesh solid, const Trim& command, const JobControl& control)
+BooleanResult cut(const Mesh& mesh, std::vector<TriangleMesh> solids, const Trim& command, const JobControl& control)
 {
-    if (const auto color = colorOfCut(command, mesh); color && *color != Rgb())
-        solid.colors.assign(solid.points.size(), *color);
+    if (const auto color = colorOfCut(command, mesh); color && *color != Rgb()) {
+        for (TriangleMesh& solid : solids)
+            solid.colors.assign(solid.points.size(), *color);
+    }
     TriangleMesh model = extractMesh(mesh);
     model.masks.clear();
-    std::vector<TriangleMesh> solids{std::move(model), std::move(solid)};
-    if (command.area.symmetry != Symmetry::None)
-        solids.push_back(mirrorImage(solids.back(), command.area.symmetry));
+    solids.insert(solids.begin(), std::move(model));
     if (command.area.side == ViewArea::Side::Inside)
         return combine(SetOperation::Difference, solids, control);
     if (solids.size() > 2) {
@@ -125,8 +179,8 @@ TriangleMesh withoutKept(const TriangleMesh& solid, const Mesh& mesh)
 /// sound one.
 Surgery surgeryOf(const Trim& command, const Mesh& mesh, ModelChange& change, const JobControl& control)
 {
-    SweptOutline swept = sweptOutline(command.area, mesh);
-    const bool isBeside = swept.solid.triangles.empty();
+    SweptSolids swept = sweptSolids(command.area, mesh);
+    const bool isBeside = swept.solids.empty();
     const bool takesAll = command.area.side == ViewArea::Side::Outside;
     if (!swept.hasArea || (isBeside && takesAll && !command.area.isFrontOnly))
         change.refusal = swept.hasArea ? ModelRefusal::NothingLeft : ModelRefusal::NoOutline;
@@ -134,7 +188,7 @@ Surgery surgeryOf(const Trim& command, const Mesh& mesh, ModelChange& change, co
         return {};
     TriangleMesh after;
     if (!isBeside) {
-        BooleanResult result = cut(mesh, std::move(swept.solid), command, control);
+        BooleanResult result = cut(mesh, std::move(swept.solids), command, control);
         const bool isEmpty = result.refusal == BooleanRefusal::LeavesNothing;
         if (control.isCancelled())
             return {};
@@ -219,19 +273,5 @@ std::optional<TriangleMesh> split(Mesh& mesh, const Trim& command, ModelChange& 
         return std::nullopt;
     }
     return taken;
-}
-
-/// Sweeps a rectangle along the plane. One of its sides is on the plane.
-Trim trimBeyond(const Vec3& point, const Vec3& normal, const Box& box)
-{
-    const Vec3 up = normal.stableNormalized(), along = up.unitOrthogonal(), aside = up.cross(along);
-    const double away = (box.center() - point).dot(up);
-    const double reach = 2 * (box.diagonal().norm() + std::abs(away));
-    const Vec3 center = box.center() - away * up;
-    Trim trim;
-    trim.area.direction = along;
-    trim.area.outline = {center - reach * aside, center + reach * aside, center + reach * (aside + up),
-                         center + reach * (up - aside)};
-    return trim;
 }
 } // namespace core

@@ -13,9 +13,4 @@ void trim(Mesh& mesh, const Trim& command, ModelChange& change, const JobControl
 /// Cuts the mesh as trim() does, and returns the solid that was cut away, on the mesh's lattice. Nothing, and leaves
 /// the mesh with what it has, if the curve does not divide the model or on refusal. Precondition as above.
 std::optional<TriangleMesh> split(Mesh& mesh, const Trim& command, ModelChange& change, const JobControl& control);
-
-/// Returns the command that cuts away everything on the positive side of a plane. The cut is flat to a few lattice
-/// units, because its points are rounded one by one. Precondition: `normal` is not zero, of any length; `box` contains
-/// the model and is not empty.
-Trim trimBeyond(const Vec3& point, const Vec3& normal, const Box& box);
 } // namespace core

@@ -15,6 +15,7 @@ uniform float ballCore;    // the part of the radius within which the weight is 
 uniform float tinted;      // how strongly the brush's footprint shows, 0 to 1
 uniform float cavity;      // how strongly valleys are darkened and ridges lightened, 0 to 1
 uniform vec4 cutPlane;     // where a line is drawn; eye space
+uniform vec4 cutImage;     // and another one, which has a part in the same cut; or the same
 
 uniform vec3 up;          // eye space, unit length: towards the sky
 uniform mat3 lights;      // turns the lights' own axes, which are a desktop viewer's, into eye space
@@ -27,8 +28,8 @@ uniform vec3 through;     // linear; shines out of the shadow's edge
 uniform vec3 sheen;       // linear; where the surface turns away
 uniform bool flatShading; // each triangle in one shade
 uniform float encodeSrgb;
-uniform float cut;       // 1: a line where the plane cuts
-uniform float cutSide;   // 1: what is on the plane's positive side is tinted
+uniform float cut;       // 1: a line where the planes cut
+uniform float cutSide;   // 1: what is on the positive side of either plane is tinted
 uniform float shaded;    // 1: coloured by fault in the place of its own colours
 
 out vec4 fragColor;
@@ -58,7 +59,8 @@ vec3 soften(vec3 c)
 // Light in the middle, dark at the edges: seen on every colour.
 vec3 withCut(vec3 color)
 {
-    float fromCut = dot(cutPlane, vec4(placeAndTint.xyz, 1.0));
+    vec4 place = vec4(placeAndTint.xyz, 1.0);
+    float fromCut = max(dot(cutPlane, place), dot(cutImage, place));
     color = mix(color, mix(color, vec3(0.68, 0.045, 0.026), 0.45), cutSide * step(0.0, fromCut));
     float pixels = abs(fromCut) / max(fwidth(fromCut), 1e-9);
     vec3 edged = mix(color, vec3(0.02), 0.25 * clamp(2.0 - pixels, 0.0, 1.0));

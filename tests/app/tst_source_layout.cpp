@@ -68,8 +68,9 @@ const FolderRule folderRules[] = {
     {"ui/input", "core/stroke core/mesh ui/settings ui/scene"},
     {"ui/viewport", "core/parts core/stroke core/mesh core/render ui/util ui/settings ui/widgets ui/actions ui/scene "
                     "ui/input"},
-    {"ui/gizmo", "core/geometry core/parts core/operations ui/util ui/settings ui/widgets ui/actions ui/scene ui/input "
-                 "ui/viewport"},
+    {"ui/gizmo",
+     "core/geometry core/parts core/stroke core/operations ui/util ui/settings ui/widgets ui/actions ui/scene ui/input "
+     "ui/viewport"},
     {"ui/model",
      "core/primitives core/analysis core/repair core/operations ui/settings ui/widgets ui/actions ui/viewport"},
     {"ui/shapes", "core/geometry core/primitives core/mesh core/operations ui/util ui/settings ui/widgets ui/actions "

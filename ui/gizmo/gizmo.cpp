@@ -4,6 +4,8 @@
 #include "ui/util/pointer_events.h"
 #include "ui/viewport/viewport.h"
 
+#include "core/stroke/symmetry_plane.h"
+
 #include <QKeyEvent>
 #include <QPainter>
 
@@ -211,13 +213,15 @@ GizmoShape Gizmo::shape() const
     return GizmoShape(m_viewport->camera(), *m_frame, m_handles);
 }
 
-/// Draws the square, unless a corner is behind the eye.
-void Gizmo::paintPlane(QPainter& painter) const
+/// Draws the square or its mirror image, unless a corner is behind the eye.
+void Gizmo::paintPlane(QPainter& painter, core::Symmetry image) const
 {
+    const core::Vec3 mirror = core::planeNormal(image);
     const OrbitCamera& camera = m_viewport->camera();
     QPolygonF corners;
     for (const auto& [x, z] : {std::pair(-1, -1), {1, -1}, {1, 1}, {-1, 1}}) {
-        const core::Vec3 corner = m_frame->centre + m_plane * (x * m_frame->axis(0) + z * m_frame->axis(2));
+        core::Vec3 corner = m_frame->centre + m_plane * (x * m_frame->axis(0) + z * m_frame->axis(2));
+        corner -= 2 * mirror.dot(corner) * mirror;
         if (camera.projection() == OrbitCamera::Projection::Perspective &&
             (corner - camera.eye()).dot(camera.viewDirection()) <= camera.nearPlane())
             return;
@@ -225,11 +229,12 @@ void Gizmo::paintPlane(QPainter& painter) const
         corners << QPointF(at.x(), at.y());
     }
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setBrush(QColor(120, 160, 230, 34));
-    painter.setPen(QPen(QColor(20, 22, 26, 130), 2.4));
+    const bool isImage = image != core::Symmetry::None;
+    painter.setBrush(QColor(120, 160, 230, isImage ? 20 : 34));
+    painter.setPen(QPen(QColor(20, 22, 26, isImage ? 60 : 130), 2.4));
     painter.drawPolygon(corners);
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(QColor(226, 234, 248), 1.1));
+    painter.setPen(QPen(QColor(226, 234, 248, isImage ? 120 : 255), 1.1));
     painter.drawPolygon(corners);
 }
 
@@ -241,8 +246,10 @@ void Gizmo::paintEvent(QPaintEvent*)
     m_view = m_viewport->camera().projectionMatrix() * m_viewport->camera().viewMatrix();
     QPainter painter(this);
     painter.setOpacity(isEnabled() ? 1 : 0.4);
+    if (m_plane > 0 && m_image != core::Symmetry::None)
+        paintPlane(painter, m_image);
     if (m_plane > 0)
-        paintPlane(painter);
+        paintPlane(painter, core::Symmetry::None);
     const std::optional<GizmoHandle> dragged = m_drag ? std::optional(m_drag->handle()) : std::nullopt;
     shape().paint(painter, m_drag ? dragged : m_hot, dragged);
 }

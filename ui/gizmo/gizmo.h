@@ -3,6 +3,8 @@
 #include "ui/gizmo/gizmo_drag.h"
 #include "ui/gizmo/gizmo_shape.h"
 
+#include "core/stroke/tool.h"
+
 #include <QWidget>
 
 #include <optional>
@@ -30,6 +32,8 @@ public:
     const std::optional<GizmoFrame>& frame() const { return m_frame; }
     /// Shows a square across the frame's second axis, of this half side, mm; 0: none.
     void setPlane(double halfSide) { m_plane = halfSide; }
+    /// Shows the square's mirror image about this plane of symmetry as well, more faintly; None: does not.
+    void setImage(core::Symmetry image) { m_image = image; }
     bool isDragging() const { return m_drag.has_value(); }
     /// Ends a drag without effect.
     void cancelDrag();
@@ -57,12 +61,13 @@ private:
     void followMode();
     void setHot(std::optional<GizmoHandle> handle);
     GizmoShape shape() const;
-    void paintPlane(QPainter& painter) const;
+    void paintPlane(QPainter& painter, core::Symmetry image) const;
     void followCamera();
 
     Viewport* m_viewport;
     GizmoShape::Handles m_handles;
     double m_plane = 0; ///< half side of the square, mm
+    core::Symmetry m_image = core::Symmetry::None;
     std::optional<GizmoFrame> m_frame;
     std::optional<GizmoHandle> m_hot; ///< handle under the pointer
     std::optional<GizmoDrag> m_drag;

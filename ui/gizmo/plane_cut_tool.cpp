@@ -2,16 +2,16 @@
 
 #include "ui/actions/actions.h"
 #include "ui/gizmo/gizmo.h"
+#include "ui/settings/brush_settings.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/spacing.h"
 #include "ui/widgets/view_card.h"
 
-#include "core/operations/trim.h"
-
 #include <QAction>
-#include <QHBoxLayout>
+#include <QLabel>
 #include <QPushButton>
+#include <QVBoxLayout>
 
 #include <numbers>
 
@@ -23,11 +23,13 @@ constexpr int normalAxis = 1;
 constexpr double planeShare = 0.62; ///< half side of the shown square, as a share of the part's diagonal
 } // namespace
 
-PlaneCutTool::PlaneCutTool(const Actions& actions, Viewport* viewport)
+PlaneCutTool::PlaneCutTool(const Actions& actions, const BrushSettings* brush, Viewport* viewport)
     : QObject(viewport)
     , m_viewport(viewport)
+    , m_brush(brush)
     , m_action(actions.get(QStringLiteral("area.plane")))
     , m_gizmo(new Gizmo(viewport, GizmoShape::Handles::WithoutScale))
+    , m_word(named(new QLabel, "planeCutWord"))
     , m_bar(makeBar())
 {
     m_gizmo->setObjectName(QStringLiteral("planeCutGizmo"));
@@ -36,13 +38,17 @@ PlaneCutTool::PlaneCutTool(const Actions& actions, Viewport* viewport)
     for (const auto changed : {&Gizmo::dragged, &Gizmo::dropped})
         connect(m_gizmo, changed, this, &PlaneCutTool::showPlane);
     connect(m_gizmo, &Gizmo::frameMoved, this, &PlaneCutTool::showPlane);
+    connect(brush, &BrushSettings::changed, this, &PlaneCutTool::showPlane);
 }
 
-QFrame* PlaneCutTool::makeBar()
+ViewCard* PlaneCutTool::makeBar()
 {
     auto* bar = new ViewCard(m_viewport, "planeCutBar");
-    auto* row = new QHBoxLayout(bar);
-    row->setContentsMargins(gap, gap, gap, gap);
+    auto* column = new QVBoxLayout(bar);
+    column->setContentsMargins(gap, gap, gap, gap);
+    column->addWidget(m_word);
+    auto* row = new QHBoxLayout;
+    column->addLayout(row);
     const auto add = [&](const char* name, const QString& text, const QString& tip, const auto& callback) {
         auto* button = named(new QPushButton(text), name, tip);
         connect(button, &QPushButton::clicked, this, callback);
@@ -98,11 +104,37 @@ void PlaneCutTool::setRegion(const core::TransformRegion& region)
     showPlane();
 }
 
+QString PlaneCutTool::wordFor(core::MirroredPlane image) const
+{
+    switch (image) {
+    case core::MirroredPlane::None:
+        break;
+    case core::MirroredPlane::Other:
+        return tr("Symmetry: the mirror image of the plane cuts, too.");
+    case core::MirroredPlane::Same:
+        return tr("Symmetry: the plane is its own mirror image, so it cuts once.");
+    case core::MirroredPlane::Turned:
+        return tr("This is the plane of symmetry, so one half goes.");
+    }
+    return {};
+}
+
 void PlaneCutTool::showPlane()
 {
     const std::optional<GizmoFrame>& frame = m_gizmo->frame();
-    if (frame)
-        m_viewport->showCut(Viewport::Cut{frame->centre, frame->axis(normalAxis)});
+    if (!frame || !m_box)
+        return;
+    const core::Vec3 normal = frame->axis(normalAxis);
+    const core::Symmetry symmetry = m_brush->stroke().symmetry;
+    const core::MirroredPlane mirrored = core::mirroredPlane(frame->centre, normal, *m_box, symmetry);
+    const core::Symmetry image = mirrored == core::MirroredPlane::Other ? symmetry : core::Symmetry::None;
+    m_viewport->showCut(Viewport::Cut{frame->centre, normal, image});
+    m_gizmo->setImage(image);
+    m_gizmo->update();
+    const QString word = wordFor(mirrored);
+    m_word->setText(word);
+    m_word->setVisible(!word.isEmpty());
+    m_bar->place();
 }
 
 void PlaneCutTool::swapSides()
@@ -118,7 +150,7 @@ void PlaneCutTool::swapSides()
 void PlaneCutTool::request(bool splits)
 {
     const GizmoFrame& frame = *m_gizmo->frame();
-    const core::Trim trim = core::trimBeyond(frame.centre, frame.axis(normalAxis), *m_box);
+    const core::Trim trim = core::trimBeyond(frame.centre, frame.axis(normalAxis), *m_box, m_brush->stroke().symmetry);
     Q_EMIT requested(splits ? core::ModelCommand(core::SplitPart{trim.area, {}}) : core::ModelCommand(trim));
 }
 } // namespace ui

@@ -3,6 +3,7 @@
 #include "ui/gizmo/gizmo_frame.h"
 
 #include "core/operations/model_command.h"
+#include "core/operations/plane_cut.h"
 #include "core/operations/transform_region.h"
 
 #include <QObject>
@@ -10,23 +11,26 @@
 #include <optional>
 
 class QAction;
-class QFrame;
+class QLabel;
 
 namespace ui
 {
 class Actions;
+class BrushSettings;
 class Gizmo;
+class ViewCard;
 class Viewport;
 
-/// Cuts the active part along a plane that handles place in the view. The side that goes is tinted. Switched by the
-/// action "area.plane". Knows no document: it asks for the part's box by a signal, and requests cuts. Thread: gui.
+/// Cuts the active part along a plane that handles place in the view, and with symmetry along its mirror image, too.
+/// What goes is tinted. Switched by the action "area.plane". Knows no document: it asks for the part's box by a signal,
+/// and requests cuts. Thread: gui.
 class PlaneCutTool : public QObject
 {
     Q_OBJECT
 
 public:
-    /// The viewport is the parent.
-    PlaneCutTool(const Actions& actions, Viewport* viewport);
+    /// The viewport is the parent. `brush` has the symmetry.
+    PlaneCutTool(const Actions& actions, const BrushSettings* brush, Viewport* viewport);
 
     bool isOn() const;
     /// Answers regionWanted(), or says that the part has changed.
@@ -44,16 +48,19 @@ Q_SIGNALS:
     void requested(const core::ModelCommand& command);
 
 private:
-    QFrame* makeBar();
+    ViewCard* makeBar();
+    QString wordFor(core::MirroredPlane image) const;
     void setOn(bool on);
     void showPlane();
     void swapSides();
     void request(bool splits);
 
     Viewport* m_viewport;
+    const BrushSettings* m_brush;
     QAction* m_action;
     Gizmo* m_gizmo;
-    QFrame* m_bar;
+    QLabel* m_word; ///< what symmetry does; hidden without it
+    ViewCard* m_bar;
     std::optional<core::Box> m_box; ///< of the part; nullopt: not known yet
 };
 } // namespace ui

@@ -147,9 +147,15 @@ void MeshRenderer::drawMesh(const OrbitCamera& camera, const MeshView& picture)
     setShading(*m_meshProgram, picture.shading);
     m_meshProgram->setUniformValue("flatShading", picture.flat);
     m_meshProgram->setUniformValue("encodeSrgb", 1.0F);
-    const core::Vec3 normal = camera.viewMatrix().topLeftCorner<3, 3>() * m_cut.normal;
-    const core::Vec3 point = (camera.viewMatrix() * m_cut.point.homogeneous()).head<3>();
-    m_meshProgram->setUniformValue("cutPlane", QVector4D(toQt(normal), static_cast<float>(-normal.dot(point))));
+    const auto planeInEye = [&](const core::Vec3& normalInMesh, const core::Vec3& pointInMesh) {
+        const core::Vec3 normal = camera.viewMatrix().topLeftCorner<3, 3>() * normalInMesh;
+        const core::Vec3 point = (camera.viewMatrix() * pointInMesh.homogeneous()).head<3>();
+        return QVector4D(toQt(normal), static_cast<float>(-normal.dot(point)));
+    };
+    const core::Vec3 mirror = core::planeNormal(m_cut.image);
+    const auto image = [&](const core::Vec3& v) { return core::Vec3(v - 2 * mirror.dot(v) * mirror); };
+    m_meshProgram->setUniformValue("cutPlane", planeInEye(m_cut.normal, m_cut.point));
+    m_meshProgram->setUniformValue("cutImage", planeInEye(image(m_cut.normal), image(m_cut.point)));
     m_meshProgram->setUniformValue("cut", m_cut.normal.isZero() ? 0.0F : 1.0F);
     m_meshProgram->setUniformValue("cutSide", m_cut.tints ? 1.0F : 0.0F);
     m_meshProgram->setUniformValue("ball", m_ball);

@@ -50,6 +50,8 @@ public:
         core::Vec3 normal = core::Vec3::Zero(); ///< unit length; zero: no plane
         core::Vec3 point = core::Vec3::Zero();  ///< of the plane, mm
         bool tints = false;                     ///< what is on the positive side is tinted
+        /// About which the plane's mirror image has a part in the cut; None: it has not.
+        core::Symmetry image = core::Symmetry::None;
     };
     /// Draws a line where a plane cuts the clay.
     void setCut(const Cut& cut) { m_cut = cut; }

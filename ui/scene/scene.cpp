@@ -310,9 +310,9 @@ void Scene::showPlane(core::Symmetry symmetry, const core::Box& box)
     m_state->plane->setEnabled(shown && m_state->mode == Mode::InQt3dContext);
 }
 
-void Scene::showCut(const core::Vec3& point, const core::Vec3& normal)
+void Scene::showCut(const core::Vec3& point, const core::Vec3& normal, core::Symmetry image)
 {
-    m_state->painter.setCut({normal, point, true});
+    m_state->painter.setCut({normal, point, true, image});
     m_state->plane->setEnabled(false);
 }
 

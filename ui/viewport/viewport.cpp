@@ -512,7 +512,7 @@ void Viewport::paintGL()
     s.placeGhosts();
     s.placeHighlight();
     if (s.cut)
-        s.scene->showCut(s.cut->point, s.cut->normal);
+        s.scene->showCut(s.cut->point, s.cut->normal, s.cut->image);
     else
         s.scene->showPlane(s.appearance.symmetryPlane ? s.brush->stroke().symmetry : core::Symmetry::None,
                            s.navigation.box());

@@ -93,6 +93,8 @@ public:
     struct Cut
     {
         core::Vec3 point, normal; ///< mm; unit length, towards what is to go
+        /// About which the plane's mirror image cuts the model, too; None: it does not.
+        core::Symmetry image = core::Symmetry::None;
     };
     /// Shows where a plane cuts the model, instead of the plane of symmetry; nullopt: ends that.
     void showCut(const std::optional<Cut>& cut);

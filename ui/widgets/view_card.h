@@ -11,15 +11,14 @@ class ViewCard : public QFrame
 
 public:
     ViewCard(QWidget* view, const char* name);
+    /// Adapts the size to the controls that are visible.
+    void place();
 
 Q_SIGNALS:
     /// Return was pressed, and no button has the focus.
     void entered();
 
 protected:
-    /// Adapts the size to the controls that are visible.
-    void place();
-
     bool eventFilter(QObject* watched, QEvent* event) override;
     void showEvent(QShowEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;

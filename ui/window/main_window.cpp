@@ -257,7 +257,7 @@ void MainWindow::State::connectActions()
         actions, q, [this]() -> const ModelInfo& { return model; }, &brush, request);
     connectAreas(actions, viewport, &brush, request);
     connect(new TransformTool(actions, viewport), &TransformTool::requested, q, request);
-    connect(new PlaneCutTool(actions, viewport), &PlaneCutTool::requested, q, request);
+    connect(new PlaneCutTool(actions, &brush, viewport), &PlaneCutTool::requested, q, request);
     connect(new TubeTool(actions, &brush, viewport), &TubeTool::requested, q, request);
     connect(new SolidTool(actions, &brush, viewport), &SolidTool::requested, q, request);
     new CombinationCard(viewport);

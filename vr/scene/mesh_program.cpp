@@ -1,5 +1,7 @@
 #include "vr/scene/mesh_program.h"
 
+#include "core/stroke/symmetry_plane.h"
+
 #include <cmath>
 #include <numbers>
 
@@ -54,11 +56,17 @@ void MeshProgram::tintBalls(const EyeUniforms& eye, const Eigen::Matrix4f& toRoo
 void MeshProgram::cutAlong(const EyeUniforms& eye, const Eigen::Matrix4f& toRoom, const CutPlane& plane) const
 {
     const Eigen::Matrix4f toEye = eye.view * toRoom;
-    const Eigen::Vector3f normal = toEye.topLeftCorner<3, 3>() * plane.normal;
-    const Eigen::Vector3f point = (toEye * plane.point.homogeneous()).head<3>();
-    cut.set(normal.isZero() ? 0.0F : 1.0F);
+    const auto planeInEye = [&](const Eigen::Vector3f& normalInMesh, const Eigen::Vector3f& pointInMesh) {
+        const Eigen::Vector3f normal = toEye.topLeftCorner<3, 3>() * normalInMesh;
+        const Eigen::Vector3f point = (toEye * pointInMesh.homogeneous()).head<3>();
+        return Eigen::Vector4f(normal.x(), normal.y(), normal.z(), -normal.dot(point));
+    };
+    const Eigen::Vector3f mirror = core::planeNormal(plane.image).cast<float>();
+    const auto image = [&](const Eigen::Vector3f& v) { return Eigen::Vector3f(v - 2 * mirror.dot(v) * mirror); };
+    cut.set(plane.normal.isZero() ? 0.0F : 1.0F);
     cutSide.set(plane.tints ? 1.0F : 0.0F);
-    cutPlane.set(Eigen::Vector4f(normal.x(), normal.y(), normal.z(), -normal.dot(point)));
+    cutPlane.set(planeInEye(plane.normal, plane.point));
+    cutImage.set(planeInEye(image(plane.normal), image(plane.point)));
 }
 
 void MeshProgram::setSectors(float count) const

@@ -5,6 +5,7 @@
 
 #include "core/render/shading.h"
 #include "core/render/transform_uniforms.h"
+#include "core/stroke/tool.h"
 
 namespace vr
 {
@@ -14,6 +15,8 @@ struct CutPlane
     Eigen::Vector3f point = Eigen::Vector3f::Zero();
     Eigen::Vector3f normal = Eigen::Vector3f::Zero(); ///< zero: no plane
     bool tints = false;                               ///< what is on the side of the normal is tinted
+    /// About which the plane's mirror image has a part in the cut; None: it has not.
+    core::Symmetry image = core::Symmetry::None;
 };
 
 /// Shades the mesh and the wands as the desktop's viewer does.
@@ -53,7 +56,7 @@ private:
         rim{this, "rim"};
     Uniform through{this, "through"}, sheen{this, "sheen"};
     Uniform encodeSrgb{this, "encodeSrgb"}, shaded{this, "shaded"};
-    Uniform cut{this, "cut"}, cutPlane{this, "cutPlane"}, cutSide{this, "cutSide"};
+    Uniform cut{this, "cut"}, cutPlane{this, "cutPlane"}, cutImage{this, "cutImage"}, cutSide{this, "cutSide"};
     Uniform ball{this, "ball"}, ballImage{this, "ballImage"};
     Uniform ballInEye{this, "ballInEye"}, imageInEye{this, "imageInEye"};
     Uniform moved{this, "moved"}, moveCentre{this, "moveCentre"}, moveBy{this, "moveBy"}, turnAxis{this, "turnAxis"},

@@ -2,7 +2,7 @@
 
 #include "vr/sculpt/shape_tool.h"
 
-#include "core/operations/trim.h"
+#include "core/operations/plane_cut.h"
 #include "core/util/overloaded.h"
 
 namespace vr

@@ -2,10 +2,12 @@
 
 #include "core/area/winding_outline.h"
 #include "core/mesh/mesh_builder.h"
+#include "core/operations/detached_part.h"
 #include "core/operations/model_command.h"
-#include "core/operations/trim.h"
+#include "core/operations/plane_cut.h"
 #include "tests/support/clay.h"
 #include "tests/support/effort.h"
+#include "tests/support/environment.h"
 #include "tests/support/mirror_asserts.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solid_asserts.h"
@@ -45,6 +47,13 @@ private Q_SLOTS:
     void cutFaces_areAsFineAsTheModel();
     void stopped_changesNothing();
     void plane_cutsFlat();
+    void symmetricPlanes_keepTheSymmetry_data();
+    void symmetricPlanes_keepTheSymmetry();
+    void ownImage_isCutOnce();
+    void planeOfSymmetry_halves();
+    void imagesTogether_mayLeaveNothing();
+    void modelBesideThePlaneOfSymmetry_isCutByTheImage();
+    void symmetricSplit_isOnePart();
 };
 
 namespace
@@ -193,6 +202,14 @@ QString faultOfParts(const TriangleMesh& shape, const View& view, const std::vec
     if (fault.isEmpty() && error > 1e-5 * whole + 4 * mesh->lattice().unit() * area)
         fault = QStringLiteral("volumes %1 and %2 are not %3").arg(without).arg(within).arg(whole);
     return fault;
+}
+
+Box boxAround(const Mesh& mesh)
+{
+    Box box;
+    for (const Slot v : mesh.vertices())
+        box.extend(mesh.point(v).cast<double>());
+    return box;
 }
 
 /// Checks a cut that must succeed, makes it, and returns the volume that it removed.
@@ -444,9 +461,7 @@ void TestTrim::plane_cutsFlat()
     for (int i = 0; i < byEffort(20, 200); ++i) {
         const auto mesh = sculptable(i % 2 ? icosphere(4, 1) : shapes::torus());
         const double whole = volumeOf(*mesh);
-        Box box;
-        for (const Slot v : mesh->vertices())
-            box.extend(mesh->point(v).cast<double>());
+        const Box box = boxAround(*mesh);
         const auto signedUnit = [&] { return random.uniform(-1, 1); };
         const Vec3 normal =
             i < 6 ? Vec3(Vec3::Unit(i % 3) * (i < 3 ? 5 : -5)) : Vec3(signedUnit(), signedUnit(), signedUnit() + 0.01);
@@ -470,6 +485,162 @@ void TestTrim::plane_cutsFlat()
         QVERIFY2(std::abs(sum / whole - 1) < 1e-5, qPrintable(QString::number(i)));
     }
     QVERIFY2(farthest < flat, qPrintable(QString::number(farthest)));
+}
+
+void TestTrim::symmetricPlanes_keepTheSymmetry_data()
+{
+    symmetricModel_remainsSymmetric_data();
+}
+
+/// Cuts symmetric models along random planes, a third of which are their own mirror image, and another third of which
+/// nearly are.
+void TestTrim::symmetricPlanes_keepTheSymmetry()
+{
+    QFETCH(const Symmetry, plane);
+    const int axis = static_cast<int>(plane) - static_cast<int>(Symmetry::X);
+    int done = 0;
+    const std::uint64_t first = numberFromEnvironment("FETTLE_SEED", 3'600), count = byEffort(12u, 24u, 300u);
+    for (std::uint64_t seed = first; seed < first + count; ++seed) {
+        const std::string where = "seed " + std::to_string(seed);
+        StrokeFuzzer random(seed);
+        const auto mesh = sculptable(seed % 2 ? icosphere(3, 1) : clay::bowl());
+        ModelChange half = applyToCopy(*mesh, Symmetrize{plane, Half::Positive});
+        mesh->swap(half.delta);
+        const double whole = volumeOf(*mesh), unit = mesh->lattice().unit();
+        const std::uint64_t hash = mesh->stateHash();
+        const Box box = boxAround(*mesh);
+        const auto signedUnit = [&] { return random.uniform(-1, 1); };
+        Vec3 normal(signedUnit(), signedUnit(), signedUnit());
+        normal[axis] *= seed % 3 == 0 ? 0 : seed % 3 == 1 ? 1 : 1e-4;
+        const Vec3 point =
+            box.center() + 0.35 * box.sizes().cwiseProduct(Vec3(signedUnit(), signedUnit(), signedUnit()));
+        Trim trim = trimBeyond(point, normal, box, plane);
+        double sum = 0;
+        for (const auto side : {ViewArea::Side::Inside, ViewArea::Side::Outside}) {
+            trim.area.side = side;
+            ModelChange change = applyToCopy(*mesh, trim);
+            const bool isLeft = change.refusal != ModelRefusal::NothingLeft;
+            QVERIFY2(!isLeft || change.refusal == ModelRefusal::None, where.c_str());
+            if (!change.changes) {
+                sum += isLeft ? whole : 0;
+                continue;
+            }
+            ++done;
+            mesh->swap(change.delta);
+            const std::string unsound = mesh_asserts::unsoundness(*mesh);
+            QVERIFY2(unsound.empty(), (where + ": " + unsound).c_str());
+            const std::string asymmetry = mirror_asserts::asymmetry(*mesh, plane);
+            QVERIFY2(asymmetry.empty(), (where + ": " + asymmetry).c_str());
+            for (const Slot v : mesh->vertices()) {
+                const Vec3 p = mesh->point(v).cast<double>();
+                const double above = std::max((p - point).dot(normal), (mirrored(p, plane) - point).dot(normal));
+                QVERIFY2(side == ViewArea::Side::Outside || above < 8 * unit * normal.norm(), where.c_str());
+            }
+            sum += volumeOf(*mesh);
+            mesh->swap(change.delta);
+            QVERIFY2(mesh->stateHash() == hash, where.c_str());
+        }
+        const double area = checkMesh(extractMesh(*mesh)).area;
+        QVERIFY2(std::abs(sum - whole) < 1e-5 * whole + 4 * unit * area, where.c_str());
+    }
+    QVERIFY2(done > static_cast<int>(count), qPrintable(QString::number(done)));
+}
+
+/// A plane that contains the mirror normal's direction is cut once, also if it deviates by rounding.
+void TestTrim::ownImage_isCutOnce()
+{
+    const auto mesh = sculptable(icosphere(4, 1));
+    const double whole = volumeOf(*mesh);
+    const Box box = boxAround(*mesh);
+    for (const double by : {0.0, 1e-9, -1e-7}) {
+        const Vec3 point(0.3, 0, 0.2), normal(by, 1, 0);
+        QVERIFY(mirroredPlane(point, normal, box, Symmetry::X) == MirroredPlane::Same);
+        ModelChange change = applyToCopy(*mesh, trimBeyond(point, normal, box, Symmetry::X));
+        QVERIFY(change.changes);
+        mesh->swap(change.delta);
+        VERIFY_VALID(*mesh);
+        VERIFY_SYMMETRIC(*mesh, Symmetry::X);
+        QVERIFY(std::abs(volumeOf(*mesh) / whole - 0.5) < 1e-5);
+        mesh->swap(change.delta);
+    }
+    QVERIFY(mirroredPlane({0.3, 0, 0.2}, {0.01, 1, 0}, box, Symmetry::X) == MirroredPlane::Other);
+    QVERIFY(mirroredPlane({0.3, 0, 0.2}, {0, 1, 0}, box, Symmetry::None) == MirroredPlane::None);
+}
+
+/// Cutting along the plane of symmetry takes the half on the plane's positive side, and no more.
+void TestTrim::planeOfSymmetry_halves()
+{
+    const auto mesh = sculptable(icosphere(4, 1));
+    const double whole = volumeOf(*mesh);
+    const Box box = boxAround(*mesh);
+    for (const double sign : {-3.0, 1.0}) {
+        const Vec3 point(1e-7, 0.4, -0.2), normal(sign, 1e-8, 0);
+        QVERIFY(mirroredPlane(point, normal, box, Symmetry::X) == MirroredPlane::Turned);
+        ModelChange change = applyToCopy(*mesh, trimBeyond(point, normal, box, Symmetry::X));
+        QVERIFY(change.changes);
+        mesh->swap(change.delta);
+        VERIFY_VALID(*mesh);
+        QVERIFY(std::abs(volumeOf(*mesh) / whole - 0.5) < 1e-5);
+        for (const Slot v : mesh->vertices())
+            QVERIFY(sign * mesh->point(v).x() <= 8 * mesh->lattice().unit());
+        mesh->swap(change.delta);
+    }
+    // a plane across the mirror normal, beside the plane of symmetry, leaves the disc between the images
+    QVERIFY(mirroredPlane({0.2, 0, 0}, {1, 0, 0}, box, Symmetry::X) == MirroredPlane::Other);
+    ModelChange change = applyToCopy(*mesh, trimBeyond({0.2, 0, 0}, {1, 0, 0}, box, Symmetry::X));
+    mesh->swap(change.delta);
+    VERIFY_VALID(*mesh);
+    VERIFY_SYMMETRIC(*mesh, Symmetry::X);
+    QVERIFY(std::abs(volumeOf(*mesh) - pi * (0.4 - 2 * 0.008 / 3)) < 0.02);
+}
+
+void TestTrim::imagesTogether_mayLeaveNothing()
+{
+    const auto mesh = sculptable(icosphere(3, 1));
+    const std::uint64_t hash = mesh->stateHash();
+    const ModelChange change = applyToCopy(*mesh, trimBeyond({0.2, 0, 0}, {-1, 0, 0}, boxAround(*mesh), Symmetry::X));
+    QVERIFY(change.refusal == ModelRefusal::NothingLeft && !change.changes);
+    QCOMPARE(mesh->stateHash(), hash);
+}
+
+/// Tests that a model on one side of the plane of symmetry is cut by a plane on the other side, and by a curve.
+void TestTrim::modelBesideThePlaneOfSymmetry_isCutByTheImage()
+{
+    for (const bool isPlane : {true, false}) {
+        const auto mesh = sculptable(shapes::moved(icosphere(4, 1), {9, 0, 0}));
+        Trim trim = trimOf(frontView, {{-5, -3}, {-9, -3}, {-9, 3}, {-5, 3}});
+        trim.area.symmetry = Symmetry::X;
+        if (isPlane)
+            trim = trimBeyond({-9, 0, 0}, {1, 0, 0}, boxAround(*mesh), Symmetry::X);
+        const double whole = volumeOf(*mesh);
+        if (isPlane) {
+            QVERIFY(applyToCopy(*mesh, trim).refusal == ModelRefusal::NothingLeft);
+            trim = trimBeyond({-9, 0, 0}, {-1, 0, 0}, boxAround(*mesh), Symmetry::X);
+        }
+        QVERIFY(std::abs(removedBy(*mesh, trim) / whole - 0.5) < 1e-4);
+    }
+}
+
+/// What is beyond the plane and beyond its image becomes one part, which is symmetric, too.
+void TestTrim::symmetricSplit_isOnePart()
+{
+    const auto mesh = sculptable(icosphere(4, 1));
+    const double whole = volumeOf(*mesh);
+    const std::uint64_t hash = mesh->stateHash();
+    const Trim trim = trimBeyond({0.5, 0, 0}, {1, 0.2, 0.1}, boxAround(*mesh), Symmetry::X);
+    ModelChange change = applyToCopy(*mesh, SplitPart{trim.area, "sides"}, {}, PartId(0));
+    QVERIFY(change.changes);
+    mesh->swap(change.delta);
+    QCOMPARE(mesh->frame().parts.size(), std::size_t(2));
+    for (const PartId part : {PartId(0), PartId(1)})
+        VERIFY_SYMMETRIC(*buildMesh(surfaceOf(*mesh, part)).mesh, Symmetry::X);
+    const MeshReport sides = checkMesh(surfaceOf(*mesh, 1));
+    QCOMPARE(sides.components, std::size_t(2));
+    const MeshReport kept = checkMesh(surfaceOf(*mesh, 0));
+    QVERIFY(sides.printReady() && kept.printReady());
+    QVERIFY(std::abs((*kept.volume + *sides.volume) / whole - 1) < 1e-5);
+    mesh->swap(change.delta);
+    QCOMPARE(mesh->stateHash(), hash);
 }
 
 FETTLE_TEST(TestTrim, QCoreApplication)

@@ -5,12 +5,14 @@
 #include "core/analysis/mesh_check.h"
 #include "core/mesh/dirty_slots.h"
 #include "core/operations/detached_part.h"
+#include "tests/support/mirror_asserts.h"
 #include "tests/support/test_main.h"
 #include "tests/ui/view_stage.h"
 #include "ui/gizmo/gizmo.h"
 #include "ui/gizmo/transform_tool.h"
 
 #include <QAction>
+#include <QLabel>
 #include <QPushButton>
 
 #include <numbers>
@@ -25,7 +27,7 @@ constexpr double radius = 30;
 /// Makes the cuts that the tool requests.
 struct CutStage : ui::ViewStage
 {
-    CutStage() : ViewStage(5), tool(new ui::PlaneCutTool(actions, viewport))
+    CutStage() : ViewStage(5), tool(new ui::PlaneCutTool(actions, &brush, viewport))
     {
         QObject::connect(tool, &ui::PlaneCutTool::regionWanted, tool,
                          [this] { tool->setRegion(core::transformRegionOf(*mesh, 0)); });
@@ -77,6 +79,8 @@ private Q_SLOTS:
     void plane_isMovedByTheHandles();
     void swap_keepsTheOtherSide();
     void split_makesTwoParts();
+    void symmetry_cutsBothSides();
+    void symmetry_saysWhatItDoes();
     void escape_endsTheTool();
     void anotherTool_endsThisOne();
 };
@@ -142,6 +146,56 @@ void TestPlaneCutTool::split_makesTwoParts()
     const double above = core::checkMesh(core::surfaceOf(*stage.mesh, 1)).volume.value();
     QVERIFY(std::abs(below + above - whole) < 1e-5 * whole);
     QVERIFY(below > above && above > 0.05 * whole);
+}
+
+/// Cuts obliquely with symmetry: both sides are tinted beforehand, and gone afterwards.
+void TestPlaneCutTool::symmetry_cutsBothSides()
+{
+    CutStage stage;
+    const auto rednessAt = [&](const Vec3& place) {
+        const double ratio = stage.viewport->devicePixelRatioF();
+        const QPointF at = ratio * QPointF(stage.at(place));
+        const QColor color = stage.picture().pixelColor(at.toPoint());
+        return color.red() - color.green();
+    };
+    const Vec3 left(-22, 10, 0), right(22, 10, 0), middle(0, 6, 0);
+    stage.action()->trigger();
+    stage.gizmo()->setFrame(
+        ui::GizmoFrame{{14, 0, 0}, Eigen::Quaterniond::FromTwoVectors(Vec3::UnitY(), Vec3(1, 0.2, 0.1))});
+    Q_EMIT stage.gizmo()->frameMoved();
+    const int before = rednessAt(left);
+    QVERIFY(rednessAt(right) > rednessAt(middle) + 30);
+    stage.brush.setSymmetric(true);
+    QVERIFY(rednessAt(left) > before + 30); // at once
+    QVERIFY(rednessAt(right) > rednessAt(middle) + 30);
+    stage.click("planeCutAway");
+    const double whole = volumeBelow(radius), left1 = stage.volumeLeft();
+    QVERIFY(left1 > 0 && left1 < 0.8 * whole);
+    VERIFY_SYMMETRIC(*stage.mesh, core::Symmetry::X);
+}
+
+void TestPlaneCutTool::symmetry_saysWhatItDoes()
+{
+    CutStage stage;
+    stage.action()->trigger();
+    const auto* word = stage.viewport->findChild<QLabel*>(QStringLiteral("planeCutWord"));
+    QVERIFY(!word->isVisible());
+    stage.brush.setSymmetric(true);
+    QVERIFY(word->isVisible());
+    const QWidget* bar = word->parentWidget();
+    QVERIFY(bar->rect().contains(word->geometry()) && stage.viewport->rect().contains(bar->geometry()));
+    const QString once = word->text(); // a level plane is its own mirror image
+    const auto put = [&](const Vec3& point, const Vec3& normal) {
+        stage.gizmo()->setFrame(ui::GizmoFrame{point, Eigen::Quaterniond::FromTwoVectors(Vec3::UnitY(), normal)});
+        Q_EMIT stage.gizmo()->frameMoved();
+        return word->text();
+    };
+    const QString twice = put({5, 0, 0}, {1, 1, 0}), half = put({0, 3, 0}, {1, 0, 0});
+    QVERIFY(once != twice && twice != half && half != once);
+    stage.click("planeCutAway");
+    QVERIFY(std::abs(stage.volumeLeft() / volumeBelow(0) - 1) < 0.01);
+    stage.brush.setSymmetric(false);
+    QVERIFY(!word->isVisible());
 }
 
 void TestPlaneCutTool::escape_endsTheTool()
