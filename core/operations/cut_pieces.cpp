@@ -131,6 +131,24 @@ std::vector<bool> Cover::seenFirst(std::span<const std::pair<Vec3, Slot>> onCut)
     }
     return isFirst;
 }
+std::vector<Vec3> middlesOf(const TriangleMesh& mesh)
+{
+    std::vector<Vec3> middles;
+    for (const auto& [a, b, c] : mesh.triangles)
+        middles.emplace_back((mesh.points[a] + mesh.points[b] + mesh.points[c]).cast<double>() / 3);
+    return middles;
+}
+
+/// Returns whether a closed boundary goes around a surface, given by points of it. Some of them may be on the boundary.
+bool isAround(const TriangleMesh& boundary, const std::vector<Vec3>& surface)
+{
+    constexpr double inside = 0.75; // on the boundary the winding number is about a half
+    std::vector<Vec3> points;
+    for (const Vec3f& p : boundary.points)
+        points.push_back(p.cast<double>());
+    const WindingNumber winding(points, boundary.triangles);
+    return std::ranges::any_of(surface, [&](const Vec3& p) { return winding.at(p) > inside; });
+}
 } // namespace
 
 CutPieces::CutPieces(const Mesh& mesh, const Surgery& whole) : m_mesh(mesh), m_whole(whole)
@@ -195,7 +213,8 @@ TriangleMesh CutPieces::boundaryOf(Slot piece) const
     return boundary;
 }
 
-/// Joins each void with the smallest piece around it. The boundary of a void has a negative volume.
+/// Joins each void with the smallest piece around it. The boundary of a void has a negative volume. What a hole of the
+/// area leaves of the piece is such a void, too; its ends are on the piece's boundary.
 void CutPieces::joinVoids()
 {
     std::vector<double> volumes(m_count); // 6 times
@@ -217,16 +236,12 @@ void CutPieces::joinVoids()
     for (Slot hollow = 0; hollow < m_count; ++hollow) {
         if (volumes[hollow] >= 0)
             continue;
-        const Vec3 p = boundaryOf(hollow).points.front().cast<double>();
+        const std::vector<Vec3> middles = middlesOf(boundaryOf(hollow));
         for (Slot piece = 0; piece < m_count; ++piece) {
             const bool isSmaller = joined[hollow] == hollow || volumes[piece] < volumes[joined[hollow]];
             if (volumes[piece] < -volumes[hollow] || !isSmaller)
                 continue;
-            const TriangleMesh boundary = boundaryOf(piece);
-            std::vector<Vec3> points;
-            for (const Vec3f& q : boundary.points)
-                points.push_back(q.cast<double>());
-            if (WindingNumber(points, boundary.triangles).at(p) > 0.5)
+            if (isAround(boundaryOf(piece), middles))
                 joined[hollow] = piece;
         }
     }

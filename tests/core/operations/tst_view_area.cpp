@@ -43,6 +43,7 @@ private Q_SLOTS:
     void front_outsideIsSeenFirst();
     void front_ofAChainIsTheNearest();
     void front_isSymmetric();
+    void frontSplit_ofTangledCurvesIsSymmetric();
     void randomAreas_leaveSoundParts();
 };
 
@@ -417,6 +418,43 @@ void TestViewArea::front_isSymmetric()
         VERIFY_SYMMETRIC(*mesh, Symmetry::X);
         QCOMPARE(checkMesh(extractMesh(*mesh)).genus.value_or(-1), at < 0.35 ? 1 : 2);
     }
+}
+
+/// Splits what is in front along curves that cross themselves and their images. Both parts are sound, symmetric bit for
+/// bit, and add up.
+void TestViewArea::frontSplit_ofTangledCurvesIsSymmetric()
+{
+    int done = 0;
+    const std::uint64_t first = numberFromEnvironment("FETTLE_SEED", 500), count = byEffort(12u, 200u);
+    for (std::uint64_t seed = first; seed < first + count; ++seed) {
+        const std::string where = "seed " + std::to_string(seed);
+        StrokeFuzzer random(seed);
+        const std::array<TriangleMesh, 4> shapes{shapes::together(icosphere(3, 2), ballAt({0, 0, 4}, 1)), clay::bowl(),
+                                                 shapes::torus({1.5, 0.4, 48, 16}), icosphere(3, 2)};
+        const auto mesh = document({shapes[seed % 4]});
+        applied(*mesh, Symmetrize{Symmetry::X, Half::Positive});
+        Curve curve;
+        for (auto corners = 4 + random.below(8); corners > 0; --corners) {
+            const double x = random.uniform(-2, 2), y = random.uniform(-2, 2);
+            curve.emplace_back(x, y);
+        }
+        ViewArea area = areaOf(curve, seed % 2 ? std::optional(12.0) : std::nullopt);
+        area.isFrontOnly = true;
+        area.symmetry = seed % 3 ? Symmetry::X : Symmetry::None;
+        const double whole = volumeOf(*mesh, 0);
+        const ModelChange change = applied(*mesh, SplitPart{area, "front"});
+        QVERIFY2(change.refusal == ModelRefusal::None, where.c_str());
+        if (!change.changes)
+            continue;
+        ++done;
+        for (const PartId part : {PartId(0), PartId(1)}) {
+            const std::string asymmetry =
+                mirror_asserts::asymmetry(*buildMesh(surfaceOf(*mesh, part)).mesh, Symmetry::X);
+            QVERIFY2(area.symmetry == Symmetry::None || asymmetry.empty(), (where + ": " + asymmetry).c_str());
+        }
+        QVERIFY2(std::abs(volumeOf(*mesh, 0) + volumeOf(*mesh, 1) - whole) < 1e-4 * whole, where.c_str());
+    }
+    QVERIFY2(done > static_cast<int>(count) / 2, qPrintable(QString::number(done)));
 }
 
 namespace
