@@ -205,6 +205,10 @@ QString CommandNames::refusal(const core::ModelChange& change, const QString& in
         return tr("The model stays as it is, because some of its faces would intersect after rounding to the program's "
                   "grid (faces: %1).")
             .arg(faces);
+    case core::ModelRefusal::Folded:
+        return tr("The model stays as it is, because its surface would pass through itself (faces: %1). Turn or "
+                  "move it less, or blur the mask.")
+            .arg(faces);
     case core::ModelRefusal::TooFar:
         return tr("The model stays as it is: nothing may be farther from the origin than four times its size.");
     case core::ModelRefusal::TooLarge:

@@ -214,6 +214,7 @@ enum class ModelRefusal {
     AllMasked,   ///< the part is masked or hidden, so nothing of it would move
     NoOtherPart, ///< no part to combine the part with, or it is itself among them
     PartsApart,  ///< no two of the parts to combine overlap, so nothing would be subtracted
+    Folded,      ///< a transformation of a part of the surface would bring it through itself, at `faces`
     NoOutline,   ///< the curve to cut along has fewer than three corners, or no area
     NoCut,       ///< the cut would not leave one sound surface
     NothingLeft, ///< nothing would be left

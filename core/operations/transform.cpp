@@ -195,6 +195,8 @@ void transform(Mesh& mesh, const Transform& command, std::optional<PartId> part,
         change.refusal = ModelRefusal::TooFar;
     else
         goTo(mesh, motion, change, control);
+    if (!isAllFree && change.refusal == ModelRefusal::FacesMeet)
+        change.refusal = ModelRefusal::Folded;
     if (isAllFree && change.refusal == ModelRefusal::None && !control.isCancelled())
         turnAxes(mesh, part, command.rotation);
 }

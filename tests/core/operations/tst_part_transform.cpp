@@ -194,7 +194,7 @@ void TestPartTransform::fold_isRefused()
     const std::unique_ptr<Mesh> mesh = maskedBar(false);
     const ModelChange change =
         transformed(*mesh, Transform{Vec3::Zero(), Vec3::Zero(), rotationBy(170, Vec3::UnitX())});
-    QVERIFY(change.refusal == ModelRefusal::FacesMeet && !change.changes);
+    QVERIFY(change.refusal == ModelRefusal::Folded && !change.changes);
     QVERIFY(change.faces > 0);
 }
 
