@@ -4,15 +4,19 @@ namespace vr
 {
 void PartHand::step()
 {
-    if (std::optional<MovablePart> movable = m_port->takePart(); movable && m_state == State::Held)
-        m_movable = std::move(movable);
     if (m_state == State::Changing && m_port->isSettled())
         m_state = State::Free;
+    std::optional<MovablePart> movable = m_port->takePart();
+    if (!movable || m_movable || !(m_state == State::Held || m_state == State::Waiting))
+        return;
+    m_movable = std::move(movable);
+    if (m_state == State::Waiting)
+        change();
 }
 
 void PartHand::move(const MovePart& move, core::PartId part, const ModelPlacement& placement)
 {
-    if (m_state == State::Changing)
+    if (m_state == State::Waiting || m_state == State::Changing)
         return;
     if (m_state == State::Free) {
         m_state = State::Held;
@@ -34,11 +38,19 @@ void PartHand::letGo()
 {
     if (m_state != State::Held)
         return;
-    m_state = State::Free;
-    if (!m_movable || transform().isNothing())
-        return;
-    m_state = State::Changing;
-    m_port->request(ChangePart{m_part, transform()});
+    if (m_movable)
+        change();
+    else
+        m_state = State::Waiting;
+}
+
+/// Requests the change. Precondition: the document has said what moves, and about which place.
+void PartHand::change()
+{
+    const core::Transform made = transform();
+    m_state = made.isNothing() ? State::Free : State::Changing;
+    if (!made.isNothing())
+        m_port->request(ChangePart{m_part, made});
 }
 
 core::Transform PartHand::transform() const

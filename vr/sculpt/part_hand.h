@@ -9,7 +9,8 @@
 namespace vr
 {
 /// Holds the active part in a hand: it moves and turns as the hand does. Only a preview moves until the hand lets go;
-/// then the part is changed as one step. What is masked or hidden stays (core::Transform). Thread: the headset's.
+/// then the part is changed as one step, as soon as the document has said what moves. What is masked or hidden stays
+/// (core::Transform). Thread: the headset's.
 class PartHand
 {
 public:
@@ -21,6 +22,7 @@ public:
     void step();
     /// Moves the part; the first move takes hold of it. Has no effect while an earlier change of it is being made.
     void move(const MovePart& move, core::PartId part, const ModelPlacement& placement);
+    /// Ends the hold, and requests the change of the part: now, or in the step() that takes the document's answer.
     void letGo();
 
     /// Returns the transform to be shown; none if nothing is held, or if it is not known yet what moves.
@@ -29,9 +31,15 @@ public:
     std::shared_ptr<const core::Footprint> vertices() const;
 
 private:
-    enum class State { Free, Held, Changing };
+    enum class State {
+        Free,
+        Held,
+        Waiting, ///< for the answer of a hold that has ended
+        Changing ///< until the document has changed the part
+    };
 
     core::Transform transform() const;
+    void change();
 
     DocumentPort* m_port;
     State m_state = State::Free;

@@ -113,6 +113,7 @@ private Q_SLOTS:
     void takenOver_partsStay();
     void shape_isPlacedAtTheTip();
     void grip_movesTheActivePart();
+    void grip_movesThePartThoughTheEngineIsBusy();
     void grip_showsThePartBeforeItMoves();
     void blade_cutsAwayWhatIsBeyond();
     void blade_isShownWhereItCuts();
@@ -331,6 +332,33 @@ void TestHeadsetParts::grip_movesTheActivePart()
     v.hand.pressPad(Side::Right, -0.8, 0);       // undo
     v.hand.settle();
     QCOMPARE(v.hashOf(1), before);
+    QCOMPARE(v.complaints(), QString());
+}
+
+/// Grabs the part, moves it and lets it go while the mesh thread is busy: it moves when the thread is free again.
+void TestHeadsetParts::grip_movesThePartThoughTheEngineIsBusy()
+{
+    AtParts v;
+    const int changes = v.changes();
+    const Vec3 from(0, 0, 60), by(-20, 10, 5), start = v.boxOf(0).center();
+    v.hand.put(Side::Right, v.hand.place(from));
+    v.hand.frames(2);
+    std::promise<void> free;
+    v.program.worker.post([until = free.get_future().share()](core::Sculptor&) { until.wait(); });
+    v.hand.setStalled(true);
+    v.hand.set(Side::Right, "squeeze", 1);
+    v.hand.frames(3);
+    v.hand.put(Side::Right, v.hand.place(from + by));
+    v.hand.frames(2);
+    v.hand.set(Side::Right, "squeeze", 0);
+    v.hand.frames(3);
+    free.set_value();
+    v.hand.setStalled(false);
+    v.hand.frames(2);
+    v.hand.settle();
+    QCOMPARE(v.changes(), changes + 1);
+    const double error = (v.boxOf(0).center() - start - by).norm();
+    QVERIFY2(error < 0.01, qPrintable(QString::number(error)));
     QCOMPARE(v.complaints(), QString());
 }
 

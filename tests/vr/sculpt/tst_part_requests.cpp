@@ -86,7 +86,8 @@ private Q_SLOTS:
     void outline_isOnTheShape_data() { shape_isAsLargeAsTheBrush_data(); }
     void outline_isOnTheShape();
     void part_followsTheHand();
-    void part_staysIfNothingIsKnown();
+    void part_movesWhenTheAnswerComes();
+    void part_staysIfTheHandDoes();
 };
 
 void TestPartRequests::parts_areShownAndHiddenOneByOne()
@@ -253,19 +254,51 @@ void TestPartRequests::part_followsTheHand()
     QCOMPARE(port.requests.size(), std::size_t(1));
 }
 
-/// Checks that a hold that ends before the document has answered, or that did not move, changes nothing.
-void TestPartRequests::part_staysIfNothingIsKnown()
+/// Checks that a hold that ends before the document has answered moves the part when the answer comes. A hold in
+/// between has no effect.
+void TestPartRequests::part_movesWhenTheAnswerComes()
 {
     const vr::ModelPlacement placement = turnedPlacement();
     const vr::Pose a{Eigen::Quaterniond::Identity(), {0.2, 1.2, -0.4}}, b{a.rotation, {0.3, 1.2, -0.4}};
     HoldingPort port;
     vr::PartHand hand(&port);
     hand.move({a, b}, 7, placement);
-    QVERIFY(!hand.shown());
+    const int answers = std::exchange(port.answers, 0);
+    hand.step();
     hand.letGo();
-    hand.step(); // the answer comes too late
+    hand.step();
+    hand.move({b, a}, 3, placement);
+    hand.letGo();
+    QVERIFY(!hand.shown() && port.requests.empty());
+    port.answers = answers;
+    hand.step();
+    QCOMPARE(port.requests.size(), std::size_t(1));
+    const auto* change = std::get_if<vr::ChangePart>(&port.requests[0]);
+    QVERIFY(change && change->part == 7);
+    const auto* transform = std::get_if<core::Transform>(&change->command);
+    const core::Vec3 by = placement.toModel(b.position) - placement.toModel(a.position);
+    QVERIFY(transform && (transform->by - by).norm() < 1e-9 && transform->centre == port.movable.centre);
+    QVERIFY(hand.shown()); // until the change is made
+    port.isDone = true;
+    hand.step();
+    QVERIFY(!hand.shown());
+    QCOMPARE(port.queries, 1);
+    QCOMPARE(port.requests.size(), std::size_t(1));
+}
+
+/// Checks that a hand that did not move changes nothing, whether it lets go before the document's answer or after it.
+void TestPartRequests::part_staysIfTheHandDoes()
+{
+    const vr::ModelPlacement placement = turnedPlacement();
+    const vr::Pose a{Eigen::Quaterniond::Identity(), {0.2, 1.2, -0.4}};
+    HoldingPort port;
+    vr::PartHand hand(&port);
+    hand.move({a, a}, 7, placement);
+    hand.letGo();
+    hand.step();
     QVERIFY(!hand.shown());
     hand.move({a, a}, 7, placement);
+    QCOMPARE(port.queries, 2);
     hand.step();
     QVERIFY(hand.shown());
     hand.letGo();
