@@ -9,6 +9,7 @@
 
 #include <QString>
 
+#include <optional>
 #include <variant>
 
 namespace vr
@@ -17,7 +18,7 @@ enum class PanelKind { Tools, Color, Files, Settings, Performance, Notice, Lesso
 inline constexpr std::size_t panelKindCount = 8;
 
 enum class SettingsPage { General, Haptics };
-enum class PartsPage { List, Shapes, Cut };
+enum class PartsPage { List, Name, Shapes, Cut };
 
 /// Commands without parameters.
 enum class PanelCommand {
@@ -145,6 +146,20 @@ struct LockPart
     bool operator==(const LockPart&) const = default;
 };
 
+/// Gives the active part a name.
+struct NamePart
+{
+    QString name;
+    bool operator==(const NamePart&) const = default;
+};
+
+/// Gives the active part a colour that marks it in lists, or takes it away.
+struct TagPart
+{
+    std::optional<core::Rgb> tag;
+    bool operator==(const TagPart&) const = default;
+};
+
 /// Makes a shape, or what the blade cuts off, a part of its own.
 struct MakePart
 {
@@ -201,11 +216,11 @@ struct Slide
 };
 
 /// A request that the user makes through an item of a panel.
-using PanelAction =
-    std::variant<PanelCommand, core::Tool, core::BrushShape, core::Topology, ButtonPreset, SettingsPage, ShowPanel,
-                 AddNext, ChooseSymmetry, ChooseRadial, ChooseChannel, ChooseColor, ShowPage, ChooseFile, OpenFile,
-                 ChooseHand, ShowPerformance, ShowFloor, Slide, ShowLessonPage, LessonRequest, ShowPartsPage,
-                 ChoosePart, MarkPart, ShowPart, LockPart, MakePart, CombineMarked, PartsPage, core::Primitive::Kind>;
+using PanelAction = std::variant<PanelCommand, core::Tool, core::BrushShape, core::Topology, ButtonPreset, SettingsPage,
+                                 ShowPanel, AddNext, ChooseSymmetry, ChooseRadial, ChooseChannel, ChooseColor, ShowPage,
+                                 ChooseFile, OpenFile, ChooseHand, ShowPerformance, ShowFloor, Slide, ShowLessonPage,
+                                 LessonRequest, ShowPartsPage, ChoosePart, MarkPart, ShowPart, LockPart, NamePart,
+                                 TagPart, MakePart, CombineMarked, PartsPage, core::Primitive::Kind>;
 
 /// Returns whether both actions belong to the same item. A slider has an action for each of its values.
 inline bool isSameItem(const PanelAction& a, const PanelAction& b)

@@ -114,7 +114,8 @@ struct PartRow
 };
 
 /// Content of the parts panel. On one page are the parts of the model, of which one is active and others can be marked
-/// to be combined with it; on others the shapes that can be placed, and the blade.
+/// to be combined with it; on others names and colours for the active part, the shapes that can be placed, and the
+/// blade.
 struct PartsPanel
 {
     Q_DECLARE_TR_FUNCTIONS(vr::PartsPanel)
@@ -150,7 +151,9 @@ public:
 private:
     int shownPage() const;
     static QString nameOf(core::Primitive::Kind kind);
+    static QStringList readyNames();
     void addList(PanelBuilder& builder) const;
+    void addNames(PanelBuilder& builder) const;
     void addShapes(PanelBuilder& builder) const;
     void addCut(PanelBuilder& builder) const;
     void addRow(PanelBuilder& builder, const PartRow* row) const;

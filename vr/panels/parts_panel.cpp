@@ -10,8 +10,13 @@ namespace vr
 namespace
 {
 constexpr double partsWidth = 980, rowHeight = 80, buttonHeight = 84, arrowWidth = 84, pageWidth = 120, iconWidth = 84,
-                 tagWidth = 44, titleWidth = 340, groupGap = 8, hintHeight = 124, shapeHeight = 110;
+                 tagWidth = 44, titleWidth = 340, groupGap = 8, hintHeight = 124, shapeHeight = 110, noTagWidth = 240;
 constexpr double partsDistance = 0.6; ///< metres from which the panel is read: arm's length
+constexpr std::size_t namesPerRow = 4;
+/// Colours of which the user can choose one to mark a part
+constexpr std::array tags{core::Rgb{204, 52, 44},  core::Rgb{236, 156, 40}, core::Rgb{244, 216, 84},
+                          core::Rgb{96, 160, 72},  core::Rgb{52, 124, 190}, core::Rgb{70, 62, 140},
+                          core::Rgb{190, 90, 150}, core::Rgb{140, 74, 46}};
 } // namespace
 
 int PartsPanel::pageCount() const
@@ -28,6 +33,7 @@ HandTask PartsPanel::task() const
 {
     switch (shown) {
     case PartsPage::List:
+    case PartsPage::Name:
         return HandTask::ChoosePart;
     case PartsPage::Shapes:
         return HandTask::PlaceShape;
@@ -186,6 +192,40 @@ void PartsPanel::addList(PanelBuilder& builder) const
     builder.add(builder.nextRow(hintHeight), TextLook{.text = hint, .role = TextRole::Faint, .lines = 3});
 }
 
+/// Returns the names to choose from: a headset has no keyboard.
+QStringList PartsPanel::readyNames()
+{
+    return {tr("Body"), tr("Head"), tr("Hair"), tr("Eye"),  tr("Ear"),   tr("Arm"),
+            tr("Hand"), tr("Leg"),  tr("Wing"), tr("Tail"), tr("Wheel"), tr("Base")};
+}
+
+void PartsPanel::addNames(PanelBuilder& builder) const
+{
+    const PartRow* present = find(active);
+    const QStringList names = readyNames();
+    std::vector<QRectF> places;
+    for (qsizetype i = 0; i < names.size(); ++i) {
+        const std::size_t column = static_cast<std::size_t>(i) % namesPerRow;
+        if (column == 0)
+            places = evenCells(builder.nextRow(buttonHeight), namesPerRow);
+        builder.add(places[column], {{.text = names[i], .isChosen = present && present->name == names[i]},
+                                     NamePart{names[i]},
+                                     present && !isBusy});
+    }
+    builder.skip(groupGap);
+    std::vector<double> widths(tags.size() + 1, 0);
+    widths.front() = noTagWidth;
+    places = cells(builder.nextRow(buttonHeight), widths);
+    builder.add(places[0],
+                {{.text = tr("No colour"), .isChosen = present && !present->part.tag}, TagPart{}, present && !isBusy});
+    for (std::size_t i = 0; i < tags.size(); ++i)
+        builder.add({places[i + 1], SwatchLook{tags[i], present && present->part.tag == tags[i]}, TagPart{tags[i]},
+                     present && !isBusy});
+    const QString hint = tr("Name and colour go to the chosen part. Trigger: chooses the part that you point at. Side "
+                            "button: moves it.");
+    builder.add(builder.nextRow(hintHeight), TextLook{.text = hint, .role = TextRole::Faint, .lines = 3});
+}
+
 void PartsPanel::addShapes(PanelBuilder& builder) const
 {
     using Kind = core::Primitive::Kind;
@@ -225,11 +265,15 @@ PanelLayout PartsPanel::layout() const
                       {{.icon = QStringLiteral("panel-close"), .isFlat = true}, ShowPanel{PanelKind::Parts, false}}});
     builder.addChoice({}, 0,
                       {{tr("Parts"), {}, PartsPage::List, shown == PartsPage::List},
+                       {tr("Name"), {}, PartsPage::Name, shown == PartsPage::Name},
                        {tr("Shapes"), {}, PartsPage::Shapes, shown == PartsPage::Shapes},
                        {tr("Cut"), {}, PartsPage::Cut, shown == PartsPage::Cut}});
     switch (shown) {
     case PartsPage::List:
         addList(builder);
+        break;
+    case PartsPage::Name:
+        addNames(builder);
         break;
     case PartsPage::Shapes:
         addShapes(builder);

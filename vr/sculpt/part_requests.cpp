@@ -27,13 +27,36 @@ core::ShowParts allShown(const PartsPanel& panel)
     return show;
 }
 
-std::optional<DocumentRequest> locked(const PartsPanel& panel, const LockPart& change)
+/// Returns the request after which a part's name, lock and tag are as `edit` makes them; none if the part is gone or
+/// nothing changes.
+template <class Edit>
+std::optional<DocumentRequest> edited(const PartsPanel& panel, core::PartId part, const Edit& edit)
 {
-    const PartRow* row = panel.find(change.part);
+    const PartRow* row = panel.find(part);
     if (!row)
         return std::nullopt;
+    core::Part changed = row->part;
+    edit(changed);
+    if (changed == row->part)
+        return std::nullopt;
     const auto position = static_cast<std::size_t>(row - panel.parts.data());
-    return ChangePart{change.part, core::EditPart{row->part.name, change.isLocked, row->part.tag, position}};
+    return ChangePart{part, core::EditPart{changed.name, changed.isLocked, changed.tag, position}};
+}
+
+/// Names the active part. If another part has the name, a number is appended.
+std::optional<DocumentRequest> named(const PartsPanel& panel, const QString& name)
+{
+    if (!panel.find(panel.active))
+        return std::nullopt;
+    std::vector<core::Part> others;
+    for (const PartRow& row : panel.parts) {
+        others.push_back(row.part);
+        if (row.part.id == panel.active)
+            others.back().name.clear();
+    }
+    return edited(panel, panel.active, [&](core::Part& part) {
+        part.name = core::PartList(std::move(others)).freeName(name.toStdString());
+    });
 }
 
 std::optional<DocumentRequest> requestOf(const PartsPanel& panel, PanelCommand command)
@@ -51,6 +74,7 @@ std::optional<DocumentRequest> requestOf(const PartsPanel& panel, PanelCommand c
         return std::nullopt;
     }
 }
+
 } // namespace
 
 std::optional<DocumentRequest> requestOf(const PartsPanel& panel, const PanelAction& action)
@@ -62,7 +86,13 @@ std::optional<DocumentRequest> requestOf(const PartsPanel& panel, const PanelAct
         [&](const ShowPart& change) {
             return Request(ChangePart{change.part, shown(panel, change)});
         },
-        [&](const LockPart& change) { return locked(panel, change); },
+        [&](const LockPart& change) {
+            return edited(panel, change.part, [&](core::Part& part) { part.isLocked = change.isLocked; });
+        },
+        [&](const NamePart& chosen) { return named(panel, chosen.name); },
+        [&](const TagPart& chosen) {
+            return edited(panel, panel.active, [&](core::Part& part) { part.tag = chosen.tag; });
+        },
         [&](const CombineMarked& chosen) {
             return Request(ChangePart{panel.active, core::CombineParts{chosen.operation, panel.others()}});
         },

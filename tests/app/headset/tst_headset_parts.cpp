@@ -105,6 +105,7 @@ private Q_SLOTS:
 
     void pointing_choosesThePart();
     void rows_chooseHideAndLock();
+    void names_areChosenInTheHeadset();
     void isolate_andBack();
     void stroke_changesTheActivePart();
     void combine_joinsTheMarked();
@@ -151,6 +152,32 @@ void TestHeadsetParts::rows_chooseHideAndLock()
     QVERIFY(v.choose(vr::LockPart{0, true}, [&] { return v.parts().list().find(0)->isLocked; }));
     QVERIFY(!v.parts().list().find(1)->isLocked);
     QVERIFY(v.choose(PanelCommand::Undo, [&] { return !v.parts().list().find(0)->isLocked; }));
+    QCOMPARE(v.complaints(), QString());
+}
+
+/// Names and marks two parts by the panel. Each choice is one step.
+void TestHeadsetParts::names_areChosenInTheHeadset()
+{
+    AtParts v;
+    v.addCopy({120, 0, 0});
+    const int changes = v.changes();
+    v.hand.click(v.panel(), vr::PartsPage::Name);
+    v.shown = vr::PartsPage::Name;
+    v.hand.waitForPanels();
+    const auto part = [&](PartId id) { return *v.parts().list().find(id); };
+    const vr::NamePart wheel{QStringLiteral("Wheel")};
+    QVERIFY(v.choose(wheel, [&] { return part(0).name == "Wheel"; }));
+    QVERIFY(part(1).name != "Wheel");
+    v.pointAt({120, 0, 50}); // chooses the other part
+    QCOMPARE(v.parts().active(), PartId(1));
+    QVERIFY(v.choose(wheel, [&] { return part(1).name == "Wheel 2"; }));
+    const vr::TagPart red{core::Rgb{204, 52, 44}};
+    QVERIFY(v.choose(red, [&] { return part(1).tag == red.tag; }));
+    QVERIFY(!part(0).tag);
+    QCOMPARE(v.changes(), changes + 3);
+    QVERIFY(v.choose(PanelCommand::Undo, [&] { return !part(1).tag; }));
+    QVERIFY(v.choose(vr::TagPart{red}, [&] { return part(1).tag == red.tag; }));
+    QVERIFY(v.choose(vr::TagPart{}, [&] { return !part(1).tag && part(1).name == "Wheel 2"; }));
     QCOMPARE(v.complaints(), QString());
 }
 

@@ -78,6 +78,8 @@ class TestPartRequests : public QObject
 private Q_SLOTS:
     void parts_areShownAndHiddenOneByOne();
     void lock_keepsEverythingElse();
+    void name_isTheActiveParts();
+    void tag_isTheActiveParts();
     void combine_takesTheMarked();
     void others_requestNothing();
     void pick_beginsAtThePalm();
@@ -112,6 +114,32 @@ void TestPartRequests::lock_keepsEverythingElse()
         QVERIFY(edit && edit->isLocked && edit->name == part.name && edit->tag == part.tag && edit->position == i);
     }
     QVERIFY(!vr::requestOf(panel, vr::LockPart{5, true}));
+}
+
+/// Checks that lock, tag and place in the list stay, that no other part gets the same name, and that the name which the
+/// part has already requests nothing.
+void TestPartRequests::name_isTheActiveParts()
+{
+    const auto edit = requested<core::EditPart>(vr::NamePart{QStringLiteral("Flügel")}, 7);
+    QVERIFY(edit && edit->name == "Flügel" && !edit->isLocked && edit->position == 2U);
+    QCOMPARE(edit->tag, (std::optional<core::Rgb>({1, 2, 3})));
+    const auto second = requested<core::EditPart>(vr::NamePart{QStringLiteral("body")}, 7);
+    QVERIFY(second && second->name == "body 2");
+    QVERIFY(!vr::requestOf(threeParts(), vr::NamePart{QStringLiteral("wheel")}));
+    vr::PartsPanel panel = threeParts();
+    panel.active = 5; // is gone
+    QVERIFY(!vr::requestOf(panel, vr::NamePart{QStringLiteral("body")}));
+    QVERIFY(!vr::requestOf(vr::PartsPanel(), vr::NamePart{QStringLiteral("body")}));
+}
+
+void TestPartRequests::tag_isTheActiveParts()
+{
+    const auto edit = requested<core::EditPart>(vr::TagPart{core::Rgb{9, 8, 7}}, 7);
+    QVERIFY(edit && edit->name == "wheel" && !edit->isLocked && edit->position == 2U);
+    QCOMPARE(edit->tag, (std::optional<core::Rgb>({9, 8, 7})));
+    const auto none = requested<core::EditPart>(vr::TagPart{}, 7);
+    QVERIFY(none && none->name == "wheel" && !none->tag);
+    QVERIFY(!vr::requestOf(threeParts(), vr::TagPart{core::Rgb{1, 2, 3}}));
 }
 
 void TestPartRequests::combine_takesTheMarked()
