@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/geometry/geometry.h"
-#include "core/stroke/tool.h"
+#include "core/stroke/symmetry_plane.h"
 
 #include <optional>
 #include <vector>
@@ -24,11 +24,4 @@ struct ViewArea
     bool isFrontOnly = false;           ///< only what is seen first; each command says what that means
     Symmetry symmetry = Symmetry::None; ///< the curve's mirror image about this plane counts as well
 };
-
-/// Returns the point's mirror image. Precondition: the plane is not None.
-inline Vec3 mirrored(Vec3 p, Symmetry plane)
-{
-    p[static_cast<int>(plane) - static_cast<int>(Symmetry::X)] *= -1;
-    return p;
-}
 } // namespace core

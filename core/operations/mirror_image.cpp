@@ -39,11 +39,10 @@ TriangleMesh mirrorImage(TriangleMesh surface, Symmetry plane)
 
 Box mirrorImage(const Box& box, Symmetry plane)
 {
-    Vec3 low = box.min(), high = box.max();
-    const int axis = axisOf(plane);
-    low[axis] = -box.max()[axis];
-    high[axis] = -box.min()[axis];
-    return {low, high};
+    Box image;
+    image.extend(mirrored(box.min(), plane));
+    image.extend(mirrored(box.max(), plane));
+    return image;
 }
 
 void putOnPlane(Vec3& place, Vec3& direction, Symmetry plane)

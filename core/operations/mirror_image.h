@@ -1,15 +1,10 @@
 #pragma once
 
 #include "core/operations/model_command.h"
+#include "core/stroke/symmetry_plane.h"
 
 namespace core
 {
-/// Returns the coordinate that is mirrored at the plane: 0, 1 or 2. Precondition: there is a plane.
-constexpr int axisOf(Symmetry plane)
-{
-    return static_cast<int>(plane) - static_cast<int>(Symmetry::X);
-}
-
 /// Returns the surface mirrored at the plane through the origin, facing outwards.
 TriangleMesh mirrorImage(TriangleMesh surface, Symmetry plane);
 Box mirrorImage(const Box& box, Symmetry plane);

@@ -4,6 +4,19 @@
 
 namespace core
 {
+/// Returns the coordinate that is mirrored at the plane: 0, 1 or 2. Precondition: there is a plane.
+constexpr int axisOf(Symmetry plane)
+{
+    return static_cast<int>(plane) - static_cast<int>(Symmetry::X);
+}
+
+/// Returns the point's mirror image. Precondition: there is a plane.
+inline Vec3 mirrored(Vec3 p, Symmetry plane)
+{
+    p[axisOf(plane)] *= -1;
+    return p;
+}
+
 /// Returns the unit normal of the plane, through the origin, about which a stroke is mirrored; zero without symmetry.
 inline Vec3 planeNormal(Symmetry symmetry)
 {

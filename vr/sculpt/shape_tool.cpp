@@ -33,14 +33,12 @@ public:
     /// Adds a line and, with symmetry, its mirror image.
     void line(const Vec3& from, const Vec3& to)
     {
-        Vec3 a = inDocument(from), b = inDocument(to);
+        const Vec3 a = inDocument(from), b = inDocument(to);
         m_edges.push_back({m_placement.toRoom(a), m_placement.toRoom(b)});
-        if (m_shape.symmetry == core::Symmetry::None)
-            return;
-        const int axis = core::axisOf(m_shape.symmetry);
-        a[axis] *= -1;
-        b[axis] *= -1;
-        m_edges.push_back({m_placement.toRoom(a), m_placement.toRoom(b)});
+        const core::Symmetry plane = m_shape.symmetry;
+        if (plane != core::Symmetry::None)
+            m_edges.push_back(
+                {m_placement.toRoom(core::mirrored(a, plane)), m_placement.toRoom(core::mirrored(b, plane))});
     }
     /// Adds an arc of a circle about `middle` through `middle + first`, towards `middle + second`, by this angle.
     void arc(const Vec3& middle, const Vec3& first, const Vec3& second, double angle)
