@@ -108,8 +108,8 @@ const FolderRule folderRules[] = {
     {"vr/panels",
      "core/stroke core/boolean core/parts core/primitives vr/util vr/gl vr/openxr vr/input vr/frame vr/scene"},
     {"vr/sculpt",
-     "core/util core/stroke core/mesh core/render core/parts core/operations vr/util vr/input vr/frame vr/scene "
-     "vr/panels"},
+     "core/primitives core/util core/stroke core/mesh core/render core/parts core/operations vr/util vr/input vr/frame "
+     "vr/scene vr/panels"},
     {"vr/simulator", "vr/util"},
     {"app/platform", ""},
     {"app/import", "core/util core/geometry core/parts core/io/mesh core/io app/platform"},

@@ -1,5 +1,7 @@
 #include "ui/viewport/drawn_curve.h"
 
+#include "core/stroke/drawn_path.h"
+
 #include <QLineF>
 #include <QRectF>
 
@@ -14,15 +16,6 @@ namespace
 constexpr double tolerance = 1; ///< pixels
 /// Distance by which a line's curve reaches beyond the view, in views.
 constexpr double viewsBeyond = 3;
-
-double distanceToLine(const QPointF& p, const QPointF& from, const QPointF& to)
-{
-    const QPointF way = to - from;
-    const double squared = QPointF::dotProduct(way, way);
-    const double share = squared > 0 ? std::clamp(QPointF::dotProduct(p - from, way) / squared, 0.0, 1.0) : 0;
-    const QPointF off = p - from - share * way;
-    return std::hypot(off.x(), off.y());
-}
 
 /// Returns the part of a rectangle on the right of a line; y is down.
 QPolygonF partOnTheRight(const QRectF& rectangle, const QLineF& line)
@@ -59,33 +52,12 @@ QPolygonF curveBetween(CurveShape shape, const QPointF& from, const QPointF& to,
 
 QPolygonF simplified(const QPolygonF& curve, double tolerance)
 {
-    if (curve.size() < 3)
-        return curve;
-    std::vector<bool> isKept(static_cast<std::size_t>(curve.size()), false);
-    isKept.front() = isKept.back() = true;
-    std::vector<std::pair<qsizetype, qsizetype>> open{{0, curve.size() - 1}};
-    while (!open.empty()) {
-        const auto [first, last] = open.back();
-        open.pop_back();
-        qsizetype farthest = first;
-        double most = tolerance;
-        for (qsizetype i = first + 1; i < last; ++i) {
-            const double away = distanceToLine(curve[i], curve[first], curve[last]);
-            if (away > most) {
-                most = away;
-                farthest = i;
-            }
-        }
-        if (farthest == first)
-            continue;
-        isKept[static_cast<std::size_t>(farthest)] = true;
-        open.emplace_back(first, farthest);
-        open.emplace_back(farthest, last);
-    }
+    std::vector<core::Vec3> path;
+    for (const QPointF& p : curve)
+        path.emplace_back(p.x(), p.y(), 0);
     QPolygonF result;
-    for (qsizetype i = 0; i < curve.size(); ++i)
-        if (isKept[static_cast<std::size_t>(i)])
-            result << curve[i];
+    for (const std::size_t i : core::simplifiedPath(path, tolerance))
+        result << curve[static_cast<qsizetype>(i)];
     return result;
 }
 } // namespace ui

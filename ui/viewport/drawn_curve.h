@@ -31,6 +31,6 @@ QPolygonF curveBetween(CurveShape shape, const QPointF& from, const QPointF& to,
 /// Returns the curve without the points that are at most `tolerance` (pixels) from the line through those that remain
 /// (Douglas and Peucker 1973). A mouse tells whole pixels, so the points of a straight line are up to a pixel from the
 /// line through two of them; with a tolerance below 1 the curve would have steps. First and last point remain. Cost:
-/// quadratic at worst.
+/// as core::simplifiedPath().
 QPolygonF simplified(const QPolygonF& curve, double tolerance = 1);
 } // namespace ui

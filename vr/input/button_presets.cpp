@@ -92,6 +92,10 @@ struct Rows
         {Sculpting, Any, Trigger, F::UseTip,   QT_TRANSLATE_NOOP("vr::Presets", "Place shape")},
         {Sculpting, Any, Squeeze, F::MovePart, QT_TRANSLATE_NOOP("vr::Presets", "Move part")},
     };
+    static constexpr PresetRow drawTube[] = {
+        {Sculpting, Any, Trigger, F::Sculpt,   QT_TRANSLATE_NOOP("vr::Presets", "Draw tube")},
+        {Sculpting, Any, Squeeze, F::MovePart, QT_TRANSLATE_NOOP("vr::Presets", "Move part")},
+    };
     static constexpr PresetRow cut[] = {
         {Sculpting, Any, Trigger, F::UseTip,   QT_TRANSLATE_NOOP("vr::Presets", "Cut")},
         {Sculpting, Any, Squeeze, F::MovePart, QT_TRANSLATE_NOOP("vr::Presets", "Move part")},
@@ -128,7 +132,7 @@ constexpr bool isClear(std::span<const PresetRow> table)
     return true;
 }
 static_assert(isClear(Rows::paper) && isClear(Rows::studio) && isClear(Rows::oneHand));
-static_assert(isClear(Rows::choosePart) && isClear(Rows::placeShape) && isClear(Rows::cut));
+static_assert(isClear(Rows::choosePart) && isClear(Rows::placeShape) && isClear(Rows::drawTube) && isClear(Rows::cut));
 
 /// Returns the label for a thumbstick, which slides only while it is pressed in.
 const char* stickLabel(const PresetRow& row)
@@ -168,6 +172,8 @@ std::span<const PresetRow> taskRows(HandTask task)
         return Rows::choosePart;
     case HandTask::PlaceShape:
         return Rows::placeShape;
+    case HandTask::DrawTube:
+        return Rows::drawTube;
     case HandTask::Cut:
         return Rows::cut;
     }

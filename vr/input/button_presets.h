@@ -34,6 +34,7 @@ enum class HandTask {
     Sculpt,
     ChoosePart, ///< makes parts of the model active
     PlaceShape, ///< adds a shape
+    DrawTube,   ///< draws the path of a tube, as a stroke
     Cut         ///< cuts with a blade
 };
 

@@ -345,7 +345,7 @@ void WandMapping::updateStroke(const InputFrame& frame)
     const WandState& wand = frame.wands[indexOf(side)];
     if (!wand.isTracked)
         return;
-    const bool smooths = usesTrigger(other(side), WandFunction::Smooth);
+    const bool smooths = m_task == HandTask::Sculpt && usesTrigger(other(side), WandFunction::Smooth);
     if (m_stroke->isBegun && smooths != m_stroke->smooths) {
         addCommand(side, Gesture::Trigger, EndStroke{});
         m_stroke->isBegun = false;

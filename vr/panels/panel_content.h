@@ -147,6 +147,7 @@ public:
     std::vector<core::PartId> others() const;
     /// Returns the name of a copy of the active part.
     QString nameOfCopy() const;
+    QString nameOfShape() const { return nameOf(shape); }
 
 private:
     int shownPage() const;

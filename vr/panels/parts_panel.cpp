@@ -12,7 +12,7 @@ namespace
 constexpr double partsWidth = 980, rowHeight = 80, buttonHeight = 84, arrowWidth = 84, pageWidth = 120, iconWidth = 84,
                  tagWidth = 44, titleWidth = 340, groupGap = 8, hintHeight = 124, shapeHeight = 110, noTagWidth = 240;
 constexpr double partsDistance = 0.6; ///< metres from which the panel is read: arm's length
-constexpr std::size_t namesPerRow = 4;
+constexpr std::size_t namesPerRow = 4, shapesPerRow = 4;
 /// Colours of which the user can choose one to mark a part
 constexpr std::array tags{core::Rgb{204, 52, 44},  core::Rgb{236, 156, 40}, core::Rgb{244, 216, 84},
                           core::Rgb{96, 160, 72},  core::Rgb{52, 124, 190}, core::Rgb{70, 62, 140},
@@ -36,7 +36,7 @@ HandTask PartsPanel::task() const
     case PartsPage::Name:
         return HandTask::ChoosePart;
     case PartsPage::Shapes:
-        return HandTask::PlaceShape;
+        return shape == core::Primitive::Kind::Tube ? HandTask::DrawTube : HandTask::PlaceShape;
     case PartsPage::Cut:
         return HandTask::Cut;
     }
@@ -171,9 +171,10 @@ QString PartsPanel::nameOf(core::Primitive::Kind kind)
         return tr("Capsule");
     case Kind::Torus:
         return tr("Torus");
-    case Kind::Lathe:
     case Kind::Tube:
-        break; // have no measures, so they are not on the panel
+        return tr("Tube");
+    case Kind::Lathe:
+        break; // has no measures, so it is not on the panel
     }
     return {};
 }
@@ -229,17 +230,23 @@ void PartsPanel::addNames(PanelBuilder& builder) const
 void PartsPanel::addShapes(PanelBuilder& builder) const
 {
     using Kind = core::Primitive::Kind;
-    for (const auto& kinds :
-         {std::array{Kind::Cuboid, Kind::Ball, Kind::Cylinder}, std::array{Kind::Cone, Kind::Capsule, Kind::Torus}}) {
-        const std::vector<QRectF> places = evenCells(builder.nextRow(shapeHeight), kinds.size());
-        for (std::size_t i = 0; i < kinds.size(); ++i)
-            builder.add(places[i], {{.text = nameOf(kinds[i]), .isChosen = kinds[i] == shape}, kinds[i]});
+    constexpr std::array kinds{Kind::Cuboid,  Kind::Ball,  Kind::Cylinder, Kind::Cone,
+                               Kind::Capsule, Kind::Torus, Kind::Tube};
+    std::vector<QRectF> places;
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        const std::size_t column = i % shapesPerRow;
+        if (column == 0)
+            places = evenCells(builder.nextRow(shapeHeight), shapesPerRow);
+        builder.add(places[column], {{.text = nameOf(kinds[i]), .isChosen = kinds[i] == shape}, kinds[i]});
     }
     builder.addChoice({}, 0,
                       {{tr("Join with the part"), {}, MakePart{false}, !makesPart},
                        {tr("Part of its own"), {}, MakePart{true}, makesPart}});
-    const QString hint = tr("Trigger: puts the shape at the tip, as large as the brush. Side button: moves the chosen "
-                            "part.");
+    const QString hint = shape == Kind::Tube
+                             ? tr("Trigger: hold it and move your hand to draw a tube, as thick as the brush. Side "
+                                  "button: moves the chosen part.")
+                             : tr("Trigger: puts the shape at the tip, as large as the brush. Side button: moves the "
+                                  "chosen part.");
     builder.add(builder.nextRow(hintHeight), TextLook{.text = hint, .role = TextRole::Faint, .lines = 3});
 }
 

@@ -75,6 +75,14 @@ std::optional<DocumentRequest> requestOf(const PartsPanel& panel, PanelCommand c
     }
 }
 
+/// Joins the shape with the active part, or makes it a part of its own with its name, as the panel says.
+DocumentRequest inserted(const PartsPanel& panel, core::Insert shape)
+{
+    shape.combination = panel.makesPart ? core::Insert::Combination::Part : core::Insert::Combination::Join;
+    if (panel.makesPart)
+        shape.name = panel.nameOfShape().toStdString();
+    return ChangePart{panel.active, std::move(shape)};
+}
 } // namespace
 
 std::optional<DocumentRequest> requestOf(const PartsPanel& panel, const PanelAction& action)
@@ -101,15 +109,21 @@ std::optional<DocumentRequest> requestOf(const PartsPanel& panel, const PanelAct
     return std::visit(request, action);
 }
 
+DocumentRequest tubeRequest(const core::Primitive& tube, const PartsPanel& panel, const BrushState& brush)
+{
+    core::Insert insert;
+    insert.place = core::Insert::Place::AsItIs;
+    insert.primitive = tube;
+    insert.symmetry = brush.stroke.symmetry;
+    return inserted(panel, std::move(insert));
+}
+
 DocumentRequest requestAt(const TipUse& use, const PartsPanel& panel, const BrushState& brush,
                           const ModelPlacement& placement)
 {
     const core::Vec3 forward = placement.directionToModel(use.tip.forward());
-    if (use.task == HandTask::PlaceShape) {
-        core::Insert shape = shapeAt(panel.shape, use.tip, brush, placement);
-        shape.combination = panel.makesPart ? core::Insert::Combination::Part : core::Insert::Combination::Join;
-        return ChangePart{panel.active, shape};
-    }
+    if (use.task == HandTask::PlaceShape)
+        return inserted(panel, shapeAt(panel.shape, use.tip, brush, placement));
     if (use.task == HandTask::Cut) {
         const core::Trim cut = core::trimBeyond(placement.toModel(use.tip.position), forward, use.box);
         return ChangePart{panel.active, panel.makesPart ? core::ModelCommand(core::SplitPart{cut.area, {}})

@@ -19,7 +19,9 @@ struct TipUse
 };
 /// Returns the request for the hand's task at its tip. A part is chosen by a ray from the palm, so that a part which
 /// the tip has entered is found, too. A cut removes what lies beyond the tip of the active part, or makes it a part,
-/// and with symmetry also its mirror image. Precondition: the task is not Sculpt. Thread: any.
+/// and with symmetry also its mirror image. Precondition: the task is neither Sculpt nor DrawTube. Thread: any.
 DocumentRequest requestAt(const TipUse& use, const PartsPanel& panel, const BrushState& brush,
                           const ModelPlacement& placement);
+/// Returns the request that adds a tube where its path is, with the brush's symmetry. Thread: any.
+DocumentRequest tubeRequest(const core::Primitive& tube, const PartsPanel& panel, const BrushState& brush);
 } // namespace vr

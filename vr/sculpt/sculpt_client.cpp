@@ -123,6 +123,15 @@ shownAtTip(const WandBrush& brush, HandTask task, const std::optional<Pose>& tip
     return RayBrush{{tip->position, tip->forward()}, {}};
 }
 
+/// Returns the shape whose outline is at the tip before the trigger is pulled; where a tube would begin a ball as
+/// thick.
+std::optional<core::Primitive::Kind> outlinedAtTip(HandTask task, core::Primitive::Kind chosen)
+{
+    if (task == HandTask::DrawTube)
+        return core::Primitive::Kind::Ball;
+    return task == HandTask::PlaceShape ? std::optional(chosen) : std::nullopt;
+}
+
 /// Returns what the window shows of the user. `radius`: radius of the brush, metres.
 AvatarState avatarOf(const FrameInput& input, const SceneState& scene, double radius, std::vector<PanelTarget> panels)
 {
@@ -306,9 +315,26 @@ void SculptClient::handle(const WandCommand& command)
             handle(side, *action);
     };
     const core::Overloaded handler{
-        [&](const BeginStroke& begin) { m_brush.begin(begin, m_placement) ? void() : refuse(); },
-        [&](const StrokePoint& point) { m_brush.draw(point, m_placement); },
-        [&](const EndStroke&) { m_brush.end(); },
+        [&](const BeginStroke& begin) {
+            if (m_mapping.task() == HandTask::DrawTube)
+                m_tube.begin();
+            else if (!m_brush.begin(begin, m_placement))
+                refuse();
+        },
+        [&](const StrokePoint& point) {
+            if (m_tube.isDrawing())
+                m_tube.add(tubePointAt(point.tip, m_brush.state(), m_placement));
+            else
+                m_brush.draw(point, m_placement);
+        },
+        [&](const EndStroke&) {
+            if (!m_tube.isDrawing())
+                return m_brush.end();
+            if (const std::optional<core::Primitive> tube = m_tube.end(m_placement))
+                m_port->request(tubeRequest(*tube, m_contents.parts(), m_brush.state()));
+            else
+                refuse();
+        },
         [&](const Refuse&) { refuse(); },
         [&](const TurnModel& turn) { m_placement.turn(turn.angle * m_settings.turnRate / turnSpeed); },
         [&](const ScaleModel& scale) { m_placement.scale(scale.factor); },
@@ -398,8 +424,12 @@ void SculptClient::updateScene(const FrameInput& input)
         m_state.brush = shownAtTip(m_brush, m_mapping.task(), m_tip, m_placement);
     const bool usesTip = m_tip && !pointsAtPanel(m_settings.wands.sculpting);
     m_state.outline.clear();
-    if (m_mapping.task() == HandTask::PlaceShape && usesTip)
-        outlineOf(shapeAt(m_contents.parts().shape, *m_tip, brush, m_placement), m_placement, m_state.outline);
+    if (m_tube.isDrawing())
+        m_tube.outlineTo(m_placement, m_state.outline);
+    else if (const auto kind = outlinedAtTip(m_mapping.task(), m_contents.parts().shape); kind && usesTip)
+        outlineOf(shapeAt(*kind, *m_tip, brush, m_placement), m_placement, m_state.outline);
+    if (brush.stroke.symmetry != core::Symmetry::None)
+        addMirrorImage(m_state.outline, brush.stroke.symmetry, m_placement);
     m_state.blade = {};
     if (m_mapping.task() == HandTask::Cut && usesTip)
         m_state.blade = Blade{m_tip->position, m_tip->forward(), bladeRadius, m_update.parts.size() == 1};

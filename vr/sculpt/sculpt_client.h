@@ -8,6 +8,7 @@
 #include "vr/scene/wand_labels.h"
 #include "vr/sculpt/panel_contents.h"
 #include "vr/sculpt/part_hand.h"
+#include "vr/sculpt/tube_drawing.h"
 #include "vr/sculpt/wand_brush.h"
 
 #include <memory>
@@ -50,6 +51,7 @@ private:
     WandMapping m_mapping;
     WandBrush m_brush;
     PartHand m_partHand;
+    TubeDrawing m_tube;
     std::optional<Pose> m_tip; ///< tip of the sculpting wand, room space; none while the wand is not tracked
     Haptics m_haptics;
     std::array<HapticInput, sideCount> m_hapticInputs; ///< input of the present frame, indexed by Side

@@ -16,7 +16,7 @@ using Measure = core::Primitive::Measure;
 
 constexpr double capsuleSlimness = 0.25, tubeShare = 0.15; ///< radii as fractions of the greatest measure
 constexpr double alongAxis = 0.99; ///< cosine of 8 degrees, within which a shape is along an axis of the document
-constexpr double atPlane = 0.1;    ///< radii from the plane of symmetry, within which a shape is on it
+constexpr double atPlane = 0.25;   ///< radii from the plane of symmetry, within which a shape is on it
 constexpr int ringEdges = 24, arcEdges = 6;
 
 /// Collects the edges of a shape whose axis is y and whose centre is the origin, in mm.
@@ -30,16 +30,7 @@ public:
         , m_edges(edges)
     {}
 
-    /// Adds a line and, with symmetry, its mirror image.
-    void line(const Vec3& from, const Vec3& to)
-    {
-        const Vec3 a = inDocument(from), b = inDocument(to);
-        m_edges.push_back({m_placement.toRoom(a), m_placement.toRoom(b)});
-        const core::Symmetry plane = m_shape.symmetry;
-        if (plane != core::Symmetry::None)
-            m_edges.push_back(
-                {m_placement.toRoom(core::mirrored(a, plane)), m_placement.toRoom(core::mirrored(b, plane))});
-    }
+    void line(const Vec3& from, const Vec3& to) { m_edges.push_back({inRoom(from), inRoom(to)}); }
     /// Adds an arc of a circle about `middle` through `middle + first`, towards `middle + second`, by this angle.
     void arc(const Vec3& middle, const Vec3& first, const Vec3& second, double angle)
     {
@@ -56,8 +47,8 @@ public:
     static constexpr double fullTurn = 2 * std::numbers::pi;
 
 private:
-    /// Returns a point of the shape, given in its own coordinates, in the document.
-    Vec3 inDocument(const Vec3& own) const { return m_shape.centre + m_rotation * own; }
+    /// Returns a point of the shape, given in its own coordinates, in the room.
+    Vec3 inRoom(const Vec3& own) const { return m_placement.toRoom(m_shape.centre + m_rotation * own); }
 
     const core::Insert& m_shape;
     Eigen::Matrix3d m_rotation; ///< of the shape in the document
@@ -106,6 +97,12 @@ void addTorus(double radius, double tube, Outline& outline)
     for (const Vec3& side : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)})
         outline.arc(radius * side, tube * side, {0, tube, 0}, Outline::fullTurn);
 }
+
+bool isAtPlane(const Vec3& place, const BrushState& brush, double radius)
+{
+    const core::Symmetry plane = brush.stroke.symmetry;
+    return plane != core::Symmetry::None && std::abs(place[core::axisOf(plane)]) < atPlane * radius;
+}
 } // namespace
 
 core::Primitive shapeOfSize(Primitive::Kind kind, double diameter)
@@ -134,10 +131,25 @@ core::Insert shapeAt(Primitive::Kind kind, const Pose& tip, const BrushState& br
     insert.symmetry = brush.stroke.symmetry;
     const Vec3 up = placement.directionToModel(tip.rotation * Vec3::UnitY()).normalized(), axis = core::nearestAxis(up);
     insert.primitive->axis = axis.dot(up) > alongAxis ? axis : up;
-    const bool isMirrored = insert.symmetry != core::Symmetry::None;
-    if (isMirrored && std::abs(insert.centre[core::axisOf(insert.symmetry)]) < atPlane * radius)
+    if (isAtPlane(insert.centre, brush, radius))
         core::putOnPlane(insert.centre, insert.primitive->axis, insert.symmetry);
     return insert;
+}
+
+core::TubePoint tubePointAt(const Pose& tip, const BrushState& brush, const ModelPlacement& placement)
+{
+    core::TubePoint point{placement.toModel(tip.position), strokeSettings(brush, {}, placement).radius};
+    if (isAtPlane(point.position, brush, point.radius))
+        point.position[core::axisOf(brush.stroke.symmetry)] = 0;
+    return point;
+}
+
+void addMirrorImage(std::vector<Segment>& outline, core::Symmetry plane, const ModelPlacement& placement)
+{
+    const auto imageOf = [&](const Vec3& p) { return placement.toRoom(core::mirrored(placement.toModel(p), plane)); };
+    const std::size_t count = outline.size();
+    for (std::size_t i = 0; i < count; ++i)
+        outline.push_back({imageOf(outline[i].from), imageOf(outline[i].to)});
 }
 
 void outlineOf(const core::Insert& shape, const ModelPlacement& placement, std::vector<Segment>& outline)

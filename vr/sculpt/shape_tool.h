@@ -17,6 +17,12 @@ core::Primitive shapeOfSize(core::Primitive::Kind kind, double diameter);
 core::Insert shapeAt(core::Primitive::Kind kind, const Pose& tip, const BrushState& brush,
                      const ModelPlacement& placement);
 
+/// Returns a point of a tube as thick as the brush; near the plane of symmetry, a point on it. `tip`: room space.
+core::TubePoint tubePointAt(const Pose& tip, const BrushState& brush, const ModelPlacement& placement);
+
+/// Adds the mirror image of each line about the document's plane. Lines: room space.
+void addMirrorImage(std::vector<Segment>& outline, core::Symmetry plane, const ModelPlacement& placement);
+
 /// Replaces `outline` by the edges of the shape that the command adds, in room space: rings and lines that show its
 /// form. Thread: any.
 void outlineOf(const core::Insert& shape, const ModelPlacement& placement, std::vector<Segment>& outline);

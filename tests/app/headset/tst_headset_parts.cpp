@@ -1,4 +1,5 @@
 // Tests the parts of a model in the headset: the parts panel, pointing at parts, and strokes on one of several parts.
+// FETTLE_HEADSET_PICTURES=<folder> saves a picture of a tube that is being drawn.
 #include "tests/app/headset/headset_visit.h"
 #include "tests/support/test_main.h"
 #include "tests/vr/vr_test.h"
@@ -113,6 +114,8 @@ private Q_SLOTS:
     void window_showsInTheHeadset();
     void takenOver_partsStay();
     void shape_isPlacedAtTheTip();
+    void tube_isDrawnWithTheHand();
+    void tube_isShownWhileItIsDrawn();
     void grip_movesTheActivePart();
     void grip_movesThePartThoughTheEngineIsBusy();
     void grip_showsThePartBeforeItMoves();
@@ -325,6 +328,103 @@ void TestHeadsetParts::shape_isPlacedAtTheTip()
     v.hand.pressPad(Side::Right, -0.8, 0); // undo
     v.hand.settle();
     QVERIFY(std::abs(v.box().max().y() - 50) < 0.1);
+    QCOMPARE(v.complaints(), QString());
+}
+
+/// Draws a tube out of the ball and back into it, like a handle: it is joined with the ball in one step, and undo takes
+/// it back. Then one of its own beside the ball, and a pull of the trigger in one place, which makes nothing.
+void TestHeadsetParts::tube_isDrawnWithTheHand()
+{
+    AtParts v;
+    v.hand.click(v.panel(), vr::PartsPage::Shapes);
+    v.shown = vr::PartsPage::Shapes;
+    v.hand.waitForPanels();
+    v.hand.click(v.panel(), core::Primitive::Kind::Tube);
+    v.hand.waitForPanels();
+    const int changes = v.changes();
+    const std::uint64_t before = v.hashOf(0);
+    const double radius = v.hand.room().lengthToModel(vr::defaultRadius);
+    const auto draw = [&](const auto& placeAt) {
+        v.hand.put(Side::Right, v.hand.place(placeAt(0.0)));
+        v.hand.frames(2);
+        v.hand.set(Side::Right, "trigger", 1);
+        for (int i = 0; i <= 30; ++i) {
+            v.hand.put(Side::Right, v.hand.place(placeAt(i / 30.0)));
+            v.hand.frame();
+        }
+        QCOMPARE(v.parts().list().size(), std::size_t(1));
+        v.hand.set(Side::Right, "trigger", 0);
+        v.hand.settle();
+    };
+    const auto handle = [](double share) {
+        const double angle = std::numbers::pi * (share - 0.5);
+        return Vec3(40 + 30 * std::cos(angle), 30 * std::sin(angle), 0);
+    };
+    draw(handle);
+    QCOMPARE(v.changes(), changes + 1);
+    QCOMPARE(v.parts().list().size(), std::size_t(1));
+    const double right = v.box().max().x();
+    QVERIFY2(std::abs(right - 70 - radius) < 0.15 * radius, qPrintable(QString::number((right - 70) / radius)));
+    const auto report =
+        v.hand.ask([](core::Sculptor& sculptor) { return core::checkMesh(core::extractMesh(sculptor.mesh())); });
+    QVERIFY(report.printReady());
+    v.hand.pressPad(Side::Right, -0.8, 0); // undo
+    v.hand.settle();
+    QCOMPARE(v.hashOf(0), before);
+
+    draw([](double) { return Vec3(0, 90, 0); });
+    QCOMPARE(v.changes(), changes);
+    v.hand.click(v.panel(), vr::MakePart{true});
+    v.hand.waitForPanels();
+    draw([](double share) { return Vec3(-40 + 80 * share, 90, 0); });
+    QCOMPARE(v.changes(), changes + 1);
+    QCOMPARE(v.parts().list().size(), std::size_t(2));
+    QCOMPARE(v.hashOf(0), before);
+    QCOMPARE(v.parts().list().all().back().name, std::string("Tube"));
+    const core::Box tube = v.boxOf(v.parts().list().all().back().id);
+    QVERIFY((tube.center() - Vec3(0, 90, 0)).norm() < 0.1 * radius);
+    QVERIFY(std::abs(tube.sizes().x() - 80 - 2 * radius) < 0.1 * radius);
+    QCOMPARE(v.complaints(), QString());
+}
+
+/// Compares pictures: the path and the thickness of the tube are seen before the trigger is released.
+void TestHeadsetParts::tube_isShownWhileItIsDrawn()
+{
+    const QString folder = qEnvironmentVariable("FETTLE_HEADSET_PICTURES");
+    AtParts v(folder.isEmpty() ? HeadsetHand::enough : QSize(540, 600));
+    v.hand.click(v.panel(), vr::PartsPage::Shapes);
+    v.shown = vr::PartsPage::Shapes;
+    v.hand.waitForPanels();
+    v.hand.click(v.panel(), core::Primitive::Kind::Tube);
+    const Vec3 from(-30, 75, 0), to(30, 75, 0);
+    v.hand.put(Side::Right, v.hand.place(from));
+    v.hand.frames(4);
+    v.hand.set(Side::Right, "trigger", 1);
+    v.hand.frames(2);
+    const QImage before = v.hand.picture();
+    for (int i = 1; i <= 20; ++i) {
+        v.hand.put(Side::Right, v.hand.place(from + (to - from) * i / 20));
+        v.hand.frame();
+    }
+    const QImage drawn = v.hand.picture();
+    if (!folder.isEmpty())
+        QVERIFY(drawn.save(folder + QStringLiteral("/tube.png")));
+    const Look look{drawn, *v.hand.seen().head};
+    const auto differs = [&](const Vec3& place) {
+        const QPoint at = look.at(v.hand.place(place));
+        int pixels = 0;
+        for (int x = -3; x <= 3; ++x)
+            for (int y = -3; y <= 3; ++y)
+                pixels += before.pixelColor(at + QPoint(x, y)) != drawn.pixelColor(at + QPoint(x, y));
+        return pixels;
+    };
+    for (const double x : {-15.0, 0.0, 15.0})
+        QVERIFY2(differs({x, 75, 0}) >= 3, qPrintable(QString::number(differs({x, 75, 0}))));
+    QCOMPARE(differs({0, -75, 0}), 0);
+    QCOMPARE(v.changes(), 0);
+    v.hand.set(Side::Right, "trigger", 0);
+    v.hand.settle();
+    QCOMPARE(v.changes(), 1);
     QCOMPARE(v.complaints(), QString());
 }
 

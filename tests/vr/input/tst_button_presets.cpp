@@ -198,7 +198,8 @@ private Q_SLOTS:
         const auto isSideButton = [](Gesture gesture) {
             return gesture == Gesture::Squeeze || gesture == Gesture::SqueezeHold;
         };
-        for (const auto task : {vr::HandTask::ChoosePart, vr::HandTask::PlaceShape, vr::HandTask::Cut}) {
+        for (const auto task :
+             {vr::HandTask::ChoosePart, vr::HandTask::PlaceShape, vr::HandTask::DrawTube, vr::HandTask::Cut}) {
             std::set<Gesture> own;
             for (const PresetRow& row : vr::taskRows(task)) {
                 QVERIFY(row.hand == HandRole::Sculpting && row.mode == HandMode::Any);

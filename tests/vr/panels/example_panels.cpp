@@ -129,12 +129,16 @@ std::vector<ExamplePanel> partsPanels()
     vr::PartsPanel shapes = panel;
     shapes.shown = vr::PartsPage::Shapes;
     shapes.shape = core::Primitive::Kind::Capsule;
+    vr::PartsPanel tube = shapes;
+    tube.shape = core::Primitive::Kind::Tube;
+    tube.makesPart = true;
     vr::PartsPanel names = panel;
     names.shown = vr::PartsPage::Name;
     vr::PartsPanel cut = panel;
     cut.shown = vr::PartsPage::Cut;
-    return {{"parts-shapes", shapes}, {"parts-cut", cut},       {"parts", panel},     {"parts-one", one},
-            {"parts-name", names},    {"parts-marked", marked}, {"parts-last", last}, {"parts-busy", busy}};
+    return {{"parts-shapes", shapes}, {"parts-cut", cut},    {"parts", panel},
+            {"parts-one", one},       {"parts-name", names}, {"parts-marked", marked},
+            {"parts-last", last},     {"parts-busy", busy},  {"parts-tube", tube}};
 }
 
 std::vector<ExamplePanel> lessonPanels()

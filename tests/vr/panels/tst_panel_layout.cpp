@@ -105,7 +105,8 @@ std::vector<PanelAction> wanted()
         all.push_back(vr::LockPart{static_cast<core::PartId>(isOn ? 1 : 2), isOn});
     }
     for (const auto kind : {core::Primitive::Kind::Cuboid, core::Primitive::Kind::Ball, core::Primitive::Kind::Cylinder,
-                            core::Primitive::Kind::Cone, core::Primitive::Kind::Capsule, core::Primitive::Kind::Torus})
+                            core::Primitive::Kind::Cone, core::Primitive::Kind::Capsule, core::Primitive::Kind::Torus,
+                            core::Primitive::Kind::Tube})
         all.push_back(kind);
     for (const auto operation :
          {core::SetOperation::Union, core::SetOperation::Difference, core::SetOperation::Intersection})
