@@ -139,6 +139,20 @@ private:
     std::optional<std::unordered_set<const X3dNode*>> m_found;
 };
 
+/// Returns the name without what an earlier expansion put before it, so that expanding a file again changes nothing.
+std::string_view originalName(std::string_view name)
+{
+    constexpr std::string_view digits = "0123456789";
+    std::string_view rest = name;
+    for (const std::string_view before : {"n", "_"}) {
+        const std::size_t end = rest.starts_with(before) ? rest.find_first_not_of(digits, 1) : rest.npos;
+        if (end == rest.npos || end == 1)
+            return name;
+        rest.remove_prefix(end);
+    }
+    return rest.starts_with('_') ? rest.substr(1) : name;
+}
+
 /// The output text, and the names of the nodes that it contains.
 class X3dText
 {
@@ -222,7 +236,7 @@ public:
     /// Writes a DEF attribute with a new, unique name that ends with the node's own, if it has one.
     void addName(const X3dNode& node)
     {
-        if (const std::string_view own = node.text("DEF"); !own.empty())
+        if (const std::string_view own = originalName(node.text("DEF")); !own.empty())
             m_text += " DEF=\"" + m_names + std::to_string(m_nextName++) + '_' + escaped(cleanName(own)) + '"';
     }
 
