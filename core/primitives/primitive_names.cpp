@@ -59,4 +59,9 @@ std::span<const Primitive::Measure> measuresOf(Primitive::Kind kind)
     }
     return {};
 }
+
+bool hasAxis(Primitive::Kind kind)
+{
+    return kind != PrimitiveKind::Ball && kind != PrimitiveKind::Tube;
+}
 } // namespace core

@@ -250,7 +250,7 @@ public:
             return std::move(m_result);
         }
         m_result.mesh = surface();
-        if (m_primitive.axis != Vec3::UnitY()) {
+        if (hasAxis(m_primitive.kind) && m_primitive.axis != Vec3::UnitY()) {
             const Eigen::Matrix3d rotation = rotationOf(m_primitive);
             for (Vec3f& p : m_result.mesh->points)
                 p = (rotation * p.cast<double>()).cast<float>();

@@ -33,7 +33,8 @@ struct Primitive
     std::vector<TubePoint> path; ///< of a tube
     double edge = 0;             ///< length that edges have approximately; 0: so that there are about 20,000 triangles
     /// Direction in the document that the primitive's y axis gets, any length above 0. For the x or z axis the others
-    /// follow cyclically; for any other direction the primitive is turned as little as possible. Not used by a tube.
+    /// follow cyclically; for any other direction the primitive is turned as little as possible. Ignored if the kind
+    /// has no axis.
     Vec3 axis = Vec3::UnitY();
 
     double& length(Measure measure) { return lengths[static_cast<std::size_t>(measure)]; }
@@ -47,6 +48,8 @@ std::optional<Primitive::Kind> primitiveNamed(std::string_view name);
 std::string_view name(Primitive::Measure measure);
 /// Returns the measures that a kind has; a lathe has only its profile, a tube its path.
 std::span<const Primitive::Measure> measuresOf(Primitive::Kind kind);
+/// Returns whether a kind can be turned to another axis: all but a ball, which would stay the same, and a tube.
+bool hasAxis(Primitive::Kind kind);
 
 /// Reasons why a primitive cannot be made.
 enum class PrimitiveFault {

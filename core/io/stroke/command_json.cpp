@@ -199,9 +199,8 @@ KeySet StrokeJsonReader::insertKeys() const
 /// Returns the optional keys of a primitive. Its axis is given once, and not if it would make no difference.
 KeySet StrokeJsonReader::primitiveKeys() const
 {
-    using Kind = Primitive::Kind;
-    const bool hasAxis = m_command.primitive.kind != Kind::Ball && m_command.primitive.kind != Kind::Tube;
-    return bit(EdgeLengthKey) | (hasAxis ? bit(m_seen & bit(AlongKey) ? AlongKey : AxisKey) : 0);
+    const KeySet axis = bit(m_seen & bit(AlongKey) ? AlongKey : AxisKey);
+    return bit(EdgeLengthKey) | (hasAxis(m_command.primitive.kind) ? axis : 0);
 }
 
 /// Builds the command. Its keys may precede "command" in the file, so only here are they checked against the command's

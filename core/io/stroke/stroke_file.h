@@ -64,8 +64,9 @@ namespace core
 /// as_it_is, centre or floor; only the last two need the key "centre". "combine" is apart (the default), join,
 /// subtract, intersect or part; only part may have "name". An insertion has either "file" or "primitive", a name of a
 /// Primitive::Kind. A primitive needs the keys of its measures, which measuresOf() lists; a lathe needs "profile", a
-/// list of pairs [radius, height], a tube "path", a list of [x, y, z, radius]. "edge_length" and "axis" (x, y or z;
-/// default y) are optional. "recenter" and "center" are accepted, too.
+/// list of pairs [radius, height], a tube "path", a list of [x, y, z, radius]. "edge_length", "axis" (x, y or
+/// z; default y) or "along" (a direction in its place), and "symmetry" (mirrors what is inserted) are optional; a ball
+/// and a tube have no axis. "recenter" and "center" are accepted, too.
 /// An area (ViewArea) has "eye" if the view along "along" is a perspective one. The side that is meant is inside (the
 /// default) or outside: "remove" of a trim, "side" of the others. "front": only what is seen first (default false).
 /// "color" is the colour of the cut. A mask_area with "invert" removes the mask.

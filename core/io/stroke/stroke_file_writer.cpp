@@ -186,8 +186,7 @@ std::string keysOf(const Primitive& primitive)
     }
     if (primitive.edge > 0)
         text += R"(,"edge_length":)" + shortest(primitive.edge);
-    const bool hasAxis = primitive.kind != Primitive::Kind::Ball && primitive.kind != Primitive::Kind::Tube;
-    if (!hasAxis || primitive.axis == Vec3::UnitY())
+    if (!hasAxis(primitive.kind) || primitive.axis == Vec3::UnitY())
         return text;
     for (int axis = 0; axis < 3; ++axis) {
         if (primitive.axis == Vec3::Unit(axis))
