@@ -179,9 +179,9 @@ QString CommandNames::unchanged(const core::ModelCommand& command)
     if (std::holds_alternative<core::HideArea>(command))
         return tr("Nothing was hidden: none of the model is in the area.");
     if (std::holds_alternative<core::SplitPart>(command))
-        return tr("Nothing was split off: all of the part is on one side of the curve.");
+        return tr("Nothing was split off: all of the part is on one side of the cut.");
     if (std::holds_alternative<core::Trim>(command))
-        return tr("Nothing was cut away: none of the model is on that side of the curve.");
+        return tr("Nothing was cut away: none of the model is on that side of the cut.");
     if (const auto* insertion = std::get_if<core::Insert>(&command);
         insertion && insertion->combination == core::Insert::Combination::Subtract)
         return tr("There is nothing to subtract: the models do not overlap.");
@@ -240,7 +240,8 @@ QString CommandNames::refusal(const core::ModelChange& change, const QString& in
     case core::ModelRefusal::NoOutline:
         return tr("The model stays as it is, because the curve does not go around an area.");
     case core::ModelRefusal::NoCut:
-        return tr("The model stays as it is, because the cut would not leave one sound surface; another curve may do.");
+        return tr(
+            "The model stays as it is, because the cut would not leave one sound surface; a cut elsewhere may do.");
     default:
         return refusalOfParts(change.refusal);
     }

@@ -500,11 +500,13 @@ void TestReference::primitives_haveTheseMeasures()
         QStringList documented = codesIn(row[1]);
         documented.removeDuplicates();
         QCOMPARE(sorted(documented), sorted(measures));
-        QString plain = withKey(QStringLiteral(R"({"command":"insert","edge_length":1,"axis":"z"})"),
-                                QStringLiteral("primitive"), u'"' + kinds.last() + u'"');
+        QString plain = withKey(QStringLiteral(R"({"command":"insert","edge_length":1})"), QStringLiteral("primitive"),
+                                u'"' + kinds.last() + u'"');
         for (const QString& key : measures)
             plain = withKey(plain, key, valueFor(key));
         QVERIFY2(!refusalOf(plain), qPrintable(plain));
+        const bool isTurned = !refusalOf(withKey(plain, QStringLiteral("axis"), QStringLiteral("\"z\"")));
+        QVERIFY2(isTurned == core::hasAxis(kind), qPrintable(plain));
         for (const QString& key : measures)
             QVERIFY2(refusalOf(withoutKey(plain, key)), qPrintable(key));
         for (const QStringList& value : values.rows)

@@ -125,6 +125,7 @@ private Q_SLOTS:
     void refusal_atEachTruncation();
     void reads_aMillionSamples();
     void commands_roundTrip();
+    void axisOfABall_isNotWritten();
     void partCommands_roundTrip();
     void readStrokes_refusesWhatIsNoFile();
 };
@@ -677,6 +678,22 @@ void TestStrokeFile::commands_roundTrip()
     const auto swapped =
         parseStrokes(R"({"format":"fettle-strokes","version":1,"strokes":[{"by":[1,0,0],"command":"move"}]})");
     QVERIFY(std::get<Move>(std::get<FileCommand>(swapped.at(0)).command).by == Vec3(1, 0, 0));
+}
+
+/// The headset gives any solid the hand's axis; a file has it only where it means something.
+void TestStrokeFile::axisOfABall_isNotWritten()
+{
+    for (const auto kind : {core::Primitive::Kind::Ball, core::Primitive::Kind::Cylinder}) {
+        core::Primitive solid;
+        solid.kind = kind;
+        solid.axis = 0;
+        Insert insert;
+        insert.primitive = solid;
+        std::ostringstream out;
+        writeStrokes(out, std::vector<FileEntry>{FileCommand{insert, "", 0}});
+        QCOMPARE(out.str().find("axis") != std::string::npos, core::hasAxis(kind));
+        QCOMPARE(parseStrokes(out.str()).size(), std::size_t(1));
+    }
 }
 
 void TestStrokeFile::partCommands_roundTrip()
