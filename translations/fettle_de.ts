@@ -1974,16 +1974,8 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Es ist nichts maskiert; es wurde nichts ausgeblendet.</translation>
     </message>
     <message>
-        <source>Nothing was cut away: none of the model is on that side of the curve.</source>
-        <translation>Nichts wurde weggeschnitten: Auf dieser Seite der Kurve ist nichts vom Modell.</translation>
-    </message>
-    <message>
         <source>The model stays as it is, because the curve does not go around an area.</source>
         <translation>Das Modell bleibt, wie es ist, weil die Kurve keine Fläche umschließt.</translation>
-    </message>
-    <message>
-        <source>The model stays as it is, because the cut would not leave one sound surface; another curve may do.</source>
-        <translation>Das Modell bleibt, wie es ist, weil der Schnitt keine fehlerfreie Oberfläche ergäbe; vielleicht geht es mit einer anderen Kurve.</translation>
     </message>
     <message>
         <source>There is nothing to subtract: the models do not overlap.</source>
@@ -2042,12 +2034,24 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Nichts wurde ausgeblendet: In dem Bereich ist nichts vom Modell.</translation>
     </message>
     <message>
-        <source>Nothing was split off: all of the part is on one side of the curve.</source>
-        <translation>Nichts wurde abgetrennt: Das ganze Teil liegt auf einer Seite der Kurve.</translation>
-    </message>
-    <message>
         <source>A part can only be combined with others. Choose at least one more.</source>
         <translation>Ein Teil lässt sich nur mit anderen verbinden. Wählen Sie mindestens ein weiteres.</translation>
+    </message>
+    <message>
+        <source>Nothing was split off: all of the part is on one side of the cut.</source>
+        <translation>Nichts wurde abgetrennt: Das ganze Teil liegt auf einer Seite des Schnitts.</translation>
+    </message>
+    <message>
+        <source>Nothing was cut away: none of the model is on that side of the cut.</source>
+        <translation>Nichts wurde weggeschnitten: Auf dieser Seite des Schnitts ist nichts vom Modell.</translation>
+    </message>
+    <message>
+        <source>The model stays as it is, because its surface would pass through itself (faces: %1). Turn or move it less, or blur the mask.</source>
+        <translation>Das Modell bleibt, wie es ist, weil seine Oberfläche sich selbst durchdringen würde (Flächen: %1). Drehen oder verschieben Sie es weniger, oder machen Sie den Rand der Maske weicher.</translation>
+    </message>
+    <message>
+        <source>The model stays as it is, because the cut would not leave one sound surface; a cut elsewhere may do.</source>
+        <translation>Das Modell bleibt, wie es ist, weil der Schnitt keine fehlerfreie Oberfläche ergäbe; vielleicht geht es mit einem Schnitt an anderer Stelle.</translation>
     </message>
 </context>
 <context>
@@ -3676,7 +3680,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>&amp;Intersect</source>
-        <translation>Sch&amp;nittmenge</translation>
+        <translation>S&amp;chnittmenge</translation>
     </message>
     <message>
         <source>Keeps what the active part has in common with the other selected parts.</source>
@@ -3692,7 +3696,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>&amp;Hide or Show</source>
-        <translation>A&amp;us- oder einblenden</translation>
+        <translation>Au&amp;s- oder einblenden</translation>
     </message>
     <message>
         <source>Hides the active part, or shows it again.</source>
@@ -3843,10 +3847,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Bereich in der Ansicht</translation>
     </message>
     <message>
-        <source>Place a S&amp;olid</source>
-        <translation>&amp;Körper aufstellen</translation>
-    </message>
-    <message>
         <source>Puts a box, ball, cylinder or other solid on the model or the ground, by a press and a drag.</source>
         <translation>Stellt durch Drücken und Ziehen einen Quader, eine Kugel, einen Zylinder oder anderen Körper auf das Modell oder den Boden.</translation>
     </message>
@@ -3857,6 +3857,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>&amp;Draw a Tube</source>
         <translation>R&amp;ohr zeichnen</translation>
+    </message>
+    <message>
+        <source>Plac&amp;e a Primitive</source>
+        <translation>Grund&amp;körper aufstellen</translation>
     </message>
 </context>
 <context>
@@ -7410,6 +7414,22 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>Scale the model, or choose millimetres in the slicer.</source>
         <translation>Skalieren Sie das Modell, oder wählen Sie im Slicer Millimeter.</translation>
     </message>
+    <message>
+        <source>Overlapping parts checked as one</source>
+        <translation>Überschneidende Teile als eines geprüft</translation>
+    </message>
+    <message>
+        <source>The visible parts overlap. They were united for the check, as exporting for print unites them.</source>
+        <translation>Die sichtbaren Teile überschneiden sich. Sie wurden für die Prüfung vereinigt, wie der Export zum Drucken sie vereinigt.</translation>
+    </message>
+    <message>
+        <source>Overlapping parts cannot be united</source>
+        <translation>Teile lassen sich nicht vereinigen</translation>
+    </message>
+    <message>
+        <source>Each part was checked alone. Move one a little; otherwise the export will not unite them, either.</source>
+        <translation>Jedes Teil wurde einzeln geprüft. Verschieben Sie eines ein wenig, sonst kann auch der Export sie nicht vereinigen.</translation>
+    </message>
 </context>
 <context>
     <name>ui::PrintLegend</name>
@@ -9057,6 +9077,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>Cut</source>
         <translation>Schneiden</translation>
     </message>
+    <message>
+        <source>Draw tube</source>
+        <translation>Rohr zeichnen</translation>
+    </message>
 </context>
 <context>
     <name>vr::SettingsPanel</name>
@@ -10256,7 +10280,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Open as &amp;One Part</source>
-        <translation>Als &amp;ein Teil öffnen</translation>
+        <translation>A&amp;ls ein Teil öffnen</translation>
     </message>
     <message>
         <source>Opens the file again and makes one part of all objects, also of files opened later.</source>
@@ -10264,7 +10288,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Open as &amp;Parts</source>
-        <translation>Als &amp;Teile öffnen</translation>
+        <translation>Als Tei&amp;le öffnen</translation>
     </message>
     <message>
         <source>Opens the file again and makes a part of each object, also of files opened later.</source>
@@ -10272,7 +10296,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>&amp;Keep as It Is</source>
-        <translation>So l&amp;assen</translation>
+        <translation>&amp;So lassen</translation>
     </message>
     <message>
         <source>Leaves the model as it is, and hides this bar.</source>
@@ -10312,6 +10336,18 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Hides the plane (Esc).</source>
         <translation>Blendet die Ebene aus (Esc).</translation>
+    </message>
+    <message>
+        <source>Symmetry: the mirror image of the plane cuts, too.</source>
+        <translation>Symmetrie: Auch das Spiegelbild der Ebene schneidet.</translation>
+    </message>
+    <message>
+        <source>Symmetry: the plane is its own mirror image, so it cuts once.</source>
+        <translation>Symmetrie: Die Ebene ist ihr eigenes Spiegelbild und schneidet einmal.</translation>
+    </message>
+    <message>
+        <source>This is the plane of symmetry, so one half goes.</source>
+        <translation>Dies ist die Symmetrieebene, also fällt eine Hälfte weg.</translation>
     </message>
 </context>
 <context>
@@ -10480,6 +10516,74 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>Cut</source>
         <translation>Schneiden</translation>
     </message>
+    <message>
+        <source>Tube</source>
+        <translation>Rohr</translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>Kopf</translation>
+    </message>
+    <message>
+        <source>Hair</source>
+        <translation>Haar</translation>
+    </message>
+    <message>
+        <source>Eye</source>
+        <translation>Auge</translation>
+    </message>
+    <message>
+        <source>Ear</source>
+        <translation>Ohr</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Arm</translation>
+    </message>
+    <message>
+        <source>Hand</source>
+        <translation>Hand</translation>
+    </message>
+    <message>
+        <source>Leg</source>
+        <translation>Bein</translation>
+    </message>
+    <message>
+        <source>Wing</source>
+        <translation>Flügel</translation>
+    </message>
+    <message>
+        <source>Tail</source>
+        <translation>Schwanz</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Rad</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Sockel</translation>
+    </message>
+    <message>
+        <source>No colour</source>
+        <translation>Keine Farbe</translation>
+    </message>
+    <message>
+        <source>Name and colour go to the chosen part. Trigger: chooses the part that you point at. Side button: moves it.</source>
+        <translation>Name und Farbe bekommt das gewählte Teil. Abzug: wählt das Teil, auf das Sie zeigen. Seitentaste: bewegt es.</translation>
+    </message>
+    <message>
+        <source>Trigger: hold it and move your hand to draw a tube, as thick as the brush. Side button: moves the chosen part.</source>
+        <translation>Abzug: halten und die Hand bewegen, um ein Rohr zu zeichnen, so dick wie der Pinsel. Seitentaste: bewegt das gewählte Teil.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
 </context>
 <context>
     <name>app::ModelChanger</name>
@@ -10544,6 +10648,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Makes no solid (Esc).</source>
         <translation>Macht keinen Körper (Esc).</translation>
+    </message>
+    <message>
+        <source>&amp;Turn to the surface</source>
+        <translation>Zur Fläche &amp;drehen</translation>
+    </message>
+    <message>
+        <source>The solid stands at a right angle to the surface. Off: along the nearest axis.</source>
+        <translation>Der Körper steht im rechten Winkel auf der Fläche. Aus: entlang der nächsten Achse.</translation>
     </message>
 </context>
 <context>

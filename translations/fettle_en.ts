@@ -86,7 +86,6 @@
     <name>app::LessonProgress</name>
     <message numerus="yes">
         <source>You met %1 of %n goals.</source>
-        <extracomment>%1: how many of them</extracomment>
         <translation>
             <numerusform>You met %1 of %n goal.</numerusform>
             <numerusform>You met %1 of %n goals.</numerusform>

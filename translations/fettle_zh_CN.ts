@@ -1960,16 +1960,8 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>没有遮罩，因此没有隐藏任何内容。</translation>
     </message>
     <message>
-        <source>Nothing was cut away: none of the model is on that side of the curve.</source>
-        <translation>没有切去任何部分：曲线的这一侧没有模型。</translation>
-    </message>
-    <message>
         <source>The model stays as it is, because the curve does not go around an area.</source>
         <translation>模型保持不变：曲线没有围出面积。</translation>
-    </message>
-    <message>
-        <source>The model stays as it is, because the cut would not leave one sound surface; another curve may do.</source>
-        <translation>模型保持不变：这样裁剪不会得到完好的表面；可换一条曲线。</translation>
     </message>
     <message>
         <source>There is nothing to subtract: the models do not overlap.</source>
@@ -2028,12 +2020,24 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>没有隐藏任何部分：该区域中没有模型。</translation>
     </message>
     <message>
-        <source>Nothing was split off: all of the part is on one side of the curve.</source>
-        <translation>没有分离任何部分：整个部件都在曲线的同一侧。</translation>
-    </message>
-    <message>
         <source>A part can only be combined with others. Choose at least one more.</source>
         <translation>部件只能与其他部件组合。请至少再选择一个。</translation>
+    </message>
+    <message>
+        <source>Nothing was split off: all of the part is on one side of the cut.</source>
+        <translation>没有分离任何部分：整个部件都在切口的同一侧。</translation>
+    </message>
+    <message>
+        <source>Nothing was cut away: none of the model is on that side of the cut.</source>
+        <translation>没有切去任何部分：切口的这一侧没有模型。</translation>
+    </message>
+    <message>
+        <source>The model stays as it is, because its surface would pass through itself (faces: %1). Turn or move it less, or blur the mask.</source>
+        <translation>模型保持不变：它的表面会穿过自身（面数：%1）。请少转动或少移动一些，或模糊遮罩。</translation>
+    </message>
+    <message>
+        <source>The model stays as it is, because the cut would not leave one sound surface; a cut elsewhere may do.</source>
+        <translation>模型保持不变：这样切割不会得到完好的表面；可换个位置切割。</translation>
     </message>
 </context>
 <context>
@@ -3827,10 +3831,6 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>视图中的区域(&amp;A)</translation>
     </message>
     <message>
-        <source>Place a S&amp;olid</source>
-        <translation>放置实体(&amp;O)</translation>
-    </message>
-    <message>
         <source>Puts a box, ball, cylinder or other solid on the model or the ground, by a press and a drag.</source>
         <translation>按下并拖动，把长方体、球、圆柱或其他实体放到模型或地面上。</translation>
     </message>
@@ -3841,6 +3841,10 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     <message>
         <source>&amp;Draw a Tube</source>
         <translation>绘制管子(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Plac&amp;e a Primitive</source>
+        <translation>放置基本体(&amp;E)</translation>
     </message>
 </context>
 <context>
@@ -7379,6 +7383,22 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <source>Scale the model, or choose millimetres in the slicer.</source>
         <translation>请缩放模型，或在切片软件中选择毫米。</translation>
     </message>
+    <message>
+        <source>Overlapping parts checked as one</source>
+        <translation>重叠的部件已合并检查</translation>
+    </message>
+    <message>
+        <source>The visible parts overlap. They were united for the check, as exporting for print unites them.</source>
+        <translation>可见部件重叠。检查时已将其合并，与导出打印文件时相同。</translation>
+    </message>
+    <message>
+        <source>Overlapping parts cannot be united</source>
+        <translation>重叠的部件无法合并</translation>
+    </message>
+    <message>
+        <source>Each part was checked alone. Move one a little; otherwise the export will not unite them, either.</source>
+        <translation>各部件已单独检查。请稍微移动其中一个，否则导出时也无法合并。</translation>
+    </message>
 </context>
 <context>
     <name>ui::PrintLegend</name>
@@ -9023,6 +9043,10 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <source>Cut</source>
         <translation>切割</translation>
     </message>
+    <message>
+        <source>Draw tube</source>
+        <translation>画管子</translation>
+    </message>
 </context>
 <context>
     <name>vr::SettingsPanel</name>
@@ -10235,7 +10259,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>&amp;Keep as It Is</source>
-        <translation>保持原样(&amp;A)</translation>
+        <translation>保持原样(&amp;K)</translation>
     </message>
     <message>
         <source>Leaves the model as it is, and hides this bar.</source>
@@ -10275,6 +10299,18 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     <message>
         <source>Hides the plane (Esc).</source>
         <translation>隐藏平面（Esc）。</translation>
+    </message>
+    <message>
+        <source>Symmetry: the mirror image of the plane cuts, too.</source>
+        <translation>对称：平面的镜像也会切割。</translation>
+    </message>
+    <message>
+        <source>Symmetry: the plane is its own mirror image, so it cuts once.</source>
+        <translation>对称：平面与自身的镜像重合，只切一次。</translation>
+    </message>
+    <message>
+        <source>This is the plane of symmetry, so one half goes.</source>
+        <translation>这是对称平面，因此会去掉一半。</translation>
     </message>
 </context>
 <context>
@@ -10443,6 +10479,74 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <source>Cut</source>
         <translation>切割</translation>
     </message>
+    <message>
+        <source>Tube</source>
+        <translation>管子</translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>身体</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>头</translation>
+    </message>
+    <message>
+        <source>Hair</source>
+        <translation>头发</translation>
+    </message>
+    <message>
+        <source>Eye</source>
+        <translation>眼睛</translation>
+    </message>
+    <message>
+        <source>Ear</source>
+        <translation>耳朵</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>手臂</translation>
+    </message>
+    <message>
+        <source>Hand</source>
+        <translation>手</translation>
+    </message>
+    <message>
+        <source>Leg</source>
+        <translation>腿</translation>
+    </message>
+    <message>
+        <source>Wing</source>
+        <translation>翅膀</translation>
+    </message>
+    <message>
+        <source>Tail</source>
+        <translation>尾巴</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>轮子</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>底座</translation>
+    </message>
+    <message>
+        <source>No colour</source>
+        <translation>无颜色</translation>
+    </message>
+    <message>
+        <source>Name and colour go to the chosen part. Trigger: chooses the part that you point at. Side button: moves it.</source>
+        <translation>名称和颜色用于所选部件。扳机：选择所指的部件。侧键：移动它。</translation>
+    </message>
+    <message>
+        <source>Trigger: hold it and move your hand to draw a tube, as thick as the brush. Side button: moves the chosen part.</source>
+        <translation>扳机：按住并移动手，画出一根管子，与笔刷一样粗。侧键：移动所选部件。</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
 </context>
 <context>
     <name>app::ModelChanger</name>
@@ -10507,6 +10611,14 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     <message>
         <source>Makes no solid (Esc).</source>
         <translation>不生成实体（Esc）。</translation>
+    </message>
+    <message>
+        <source>&amp;Turn to the surface</source>
+        <translation>垂直于表面(&amp;T)</translation>
+    </message>
+    <message>
+        <source>The solid stands at a right angle to the surface. Off: along the nearest axis.</source>
+        <translation>实体垂直立在表面上。关闭时：沿最近的坐标轴。</translation>
     </message>
 </context>
 <context>

@@ -86,6 +86,7 @@ private Q_SLOTS:
     void shape_isAsLargeAsTheBrush_data();
     void shape_isAsLargeAsTheBrush();
     void outline_isOnTheShape_data() { shape_isAsLargeAsTheBrush_data(); }
+    void shape_isMirrored();
     void outline_isOnTheShape();
     void part_followsTheHand();
     void part_movesWhenTheAnswerComes();
@@ -234,6 +235,35 @@ void TestPartRequests::outline_isOnTheShape()
     for (const vr::Segment& edge : outline)
         for (const core::Vec3& end : {edge.from, edge.to})
             QVERIFY(core::nearestPoint(mesh, octree, placement.toModel(end) - insert.centre, 0.02 * size));
+}
+
+/// With symmetry a shape has the brush's plane, and one near to it is on it; each line of the outline gets an image.
+void TestPartRequests::shape_isMirrored()
+{
+    const vr::ModelPlacement placement = turnedPlacement();
+    vr::BrushState brush;
+    brush.stroke.symmetry = core::Symmetry::X;
+    const double radius = placement.lengthToModel(brush.radius);
+    for (const double share : {0.1, 2.0}) {
+        const core::Vec3 at(share * radius, 3, 2);
+        const vr::Pose tip{Eigen::Quaterniond(Eigen::AngleAxisd(0.5, core::Vec3::UnitZ())), placement.toRoom(at)};
+        const core::Insert insert = vr::shapeAt(core::Primitive::Kind::Cone, tip, brush, placement);
+        QVERIFY(insert.symmetry == core::Symmetry::X);
+        QCOMPARE(insert.centre.x() == 0, share < 1);
+        QCOMPARE(insert.primitive->axis.x() == 0, share < 1);
+        const core::TubePoint point = vr::tubePointAt(tip, brush, placement);
+        QCOMPARE(point.position.x() == 0, share < 1);
+        std::vector<vr::Segment> outline;
+        vr::outlineOf(insert, placement, outline);
+        const std::size_t count = outline.size();
+        vr::addMirrorImage(outline, core::Symmetry::X, placement);
+        QCOMPARE(outline.size(), 2 * count);
+        for (std::size_t i = 0; i < count; ++i) {
+            core::Vec3 image = placement.toModel(outline[count + i].from);
+            image.x() *= -1;
+            QVERIFY((image - placement.toModel(outline[i].from)).norm() < 1e-6 * radius);
+        }
+    }
 }
 
 /// Moves and turns a hand at random: the part follows it exactly, about the centre that the document gives, and the
