@@ -62,6 +62,6 @@ std::span<const Primitive::Measure> measuresOf(Primitive::Kind kind)
 
 bool hasAxis(Primitive::Kind kind)
 {
-    return kind != PrimitiveKind::Ball && kind != PrimitiveKind::Tube;
+    return kind != PrimitiveKind::Tube;
 }
 } // namespace core

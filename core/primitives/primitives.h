@@ -48,7 +48,7 @@ std::optional<Primitive::Kind> primitiveNamed(std::string_view name);
 std::string_view name(Primitive::Measure measure);
 /// Returns the measures that a kind has; a lathe has only its profile, a tube its path.
 std::span<const Primitive::Measure> measuresOf(Primitive::Kind kind);
-/// Returns whether a kind can be turned to another axis: all but a ball, which would stay the same, and a tube.
+/// Returns whether a kind can be turned to another axis: all but a tube.
 bool hasAxis(Primitive::Kind kind);
 
 /// Reasons why a primitive cannot be made.

@@ -53,7 +53,8 @@ MeshAppearance meshAppearance(const SceneState& state)
     if (state.blade) {
         const Eigen::Affine3d toModel = state.model.inverse();
         look.cut = {(toModel * state.blade->center).cast<float>(),
-                    (toModel.linear() * state.blade->normal).normalized().cast<float>(), state.blade->tints};
+                    (toModel.linear() * state.blade->normal).normalized().cast<float>(), state.blade->tints,
+                    state.blade->image};
     }
     look.sectors = static_cast<float>(state.radial);
     if (state.move)

@@ -75,6 +75,8 @@ struct Blade
     core::Vec3 center, normal; ///< the normal, of length 1, points to the side that would be cut away
     double radius;
     bool tints = false; ///< what would be cut away is tinted
+    /// About which the mirror image cuts as well; None: it does not.
+    core::Symmetry image = core::Symmetry::None;
 };
 
 /// A beam from a wand to a panel, in room space.

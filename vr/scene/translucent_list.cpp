@@ -62,7 +62,7 @@ public:
     void addBrush(const BallBrush& brush);
     void addBrush(const RayBrush& brush);
     void addOutline(const Segment& edge);
-    void addBlade(const Blade& blade);
+    void addBlade(const Blade& blade, float strength = 1);
     void addWand(const ShownWand& wand);
     void addLaser(const Laser& laser);
     void addSpotlight(const Spotlight& spotlight);
@@ -161,19 +161,19 @@ void TranslucentListBuilder::addOutline(const Segment& edge)
 }
 
 /// Adds a disc with a rim, and a line that points to the side that would be cut away.
-void TranslucentListBuilder::addBlade(const Blade& blade)
+void TranslucentListBuilder::addBlade(const Blade& blade, float strength)
 {
     Ring ring{.place = acrossTo(blade.center, blade.normal, blade.radius),
               .color = bladeColor,
-              .alpha = 0.28F,
-              .hiddenAlpha = 0.10F};
+              .alpha = 0.28F * strength,
+              .hiddenAlpha = 0.10F * strength};
     add(blade.center, ring);
     ring.hole = bladeHole;
-    ring.alpha = 0.9F;
-    ring.hiddenAlpha = 0.4F;
+    ring.alpha = 0.9F * strength;
+    ring.hiddenAlpha = 0.4F * strength;
     add(blade.center + offSurface * blade.normal, ring);
     addLine(blade.center, blade.center + bladeArrow * blade.normal,
-            {.width = thin, .color = bladeColor, .alphas = {0.9F, 0.0F}});
+            {.width = thin, .color = bladeColor, .alphas = {0.9F * strength, 0.0F}});
 }
 
 void TranslucentListBuilder::addFootprint(const RayBrush::Hit& hit, float strength)
@@ -291,6 +291,16 @@ void TranslucentListBuilder::addPanel(const Panel& panel)
                              Picture{rectangle(center, halfX, halfY), panel.textureId, panel.opacity}});
 }
 
+/// Returns the mirror image of a blade in the model.
+Blade imageOf(const Blade& blade, const Eigen::Affine3d& model)
+{
+    const core::Vec3 mirror = (model.linear() * core::planeNormal(blade.image)).normalized();
+    Blade image = blade;
+    image.center -= 2 * mirror.dot(blade.center - model.translation()) * mirror;
+    image.normal -= 2 * mirror.dot(blade.normal) * mirror;
+    return image;
+}
+
 void sortByDistance(std::vector<TranslucentShape>& list)
 {
     std::ranges::sort(list, std::greater(), &TranslucentShape::distance);
@@ -304,8 +314,11 @@ void buildTranslucentList(const SceneState& state, LabelTextures& labels, Transl
     TranslucentListBuilder builder(state, labels, into);
     builder.addPlane();
     std::visit([&](const auto& brush) { builder.addBrush(brush); }, state.brush);
-    if (state.blade)
+    if (state.blade) {
         builder.addBlade(*state.blade);
+        if (state.blade->image != core::Symmetry::None)
+            builder.addBlade(imageOf(*state.blade, state.model), mirrored);
+    }
     for (const Segment& edge : state.outline)
         builder.addOutline(edge);
     for (const ShownWand& wand : state.wands)

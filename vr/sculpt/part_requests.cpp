@@ -125,10 +125,19 @@ DocumentRequest requestAt(const TipUse& use, const PartsPanel& panel, const Brus
     if (use.task == HandTask::PlaceShape)
         return inserted(panel, shapeAt(panel.shape, use.tip, brush, placement));
     if (use.task == HandTask::Cut) {
-        const core::Trim cut = core::trimBeyond(placement.toModel(use.tip.position), forward, use.box);
+        const core::Trim cut =
+            core::trimBeyond(placement.toModel(use.tip.position), forward, use.box, brush.stroke.symmetry);
         return ChangePart{panel.active, panel.makesPart ? core::ModelCommand(core::SplitPart{cut.area, {}})
                                                         : core::ModelCommand(cut)};
     }
     return PickPart{{placement.toModel(use.tip.position - tipReach * use.tip.forward()), forward}};
+}
+
+core::Symmetry imageOfCut(const TipUse& use, const BrushState& brush, const ModelPlacement& placement)
+{
+    const core::Symmetry symmetry = brush.stroke.symmetry;
+    const core::MirroredPlane image = core::mirroredPlane(
+        placement.toModel(use.tip.position), placement.directionToModel(use.tip.forward()), use.box, symmetry);
+    return image == core::MirroredPlane::Other ? symmetry : core::Symmetry::None;
 }
 } // namespace vr

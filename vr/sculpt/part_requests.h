@@ -24,4 +24,6 @@ DocumentRequest requestAt(const TipUse& use, const PartsPanel& panel, const Brus
                           const ModelPlacement& placement);
 /// Returns the request that adds a tube where its path is, with the brush's symmetry. Thread: any.
 DocumentRequest tubeRequest(const core::Primitive& tube, const PartsPanel& panel, const BrushState& brush);
+/// Returns the plane of symmetry about which a cut at the tip is made again; None if it is made once. Thread: any.
+core::Symmetry imageOfCut(const TipUse& use, const BrushState& brush, const ModelPlacement& placement);
 } // namespace vr

@@ -432,7 +432,8 @@ void SculptClient::updateScene(const FrameInput& input)
         addMirrorImage(m_state.outline, brush.stroke.symmetry, m_placement);
     m_state.blade = {};
     if (m_mapping.task() == HandTask::Cut && usesTip)
-        m_state.blade = Blade{m_tip->position, m_tip->forward(), bladeRadius, m_update.parts.size() == 1};
+        m_state.blade = Blade{m_tip->position, m_tip->forward(), bladeRadius, m_update.parts.size() == 1,
+                              imageOfCut({*m_tip, HandTask::Cut, m_update.box}, brush, m_placement)};
     m_state.move = m_partHand.shown();
     const bool paints = brush.stroke.tool == core::Tool::Paint;
     m_state.brushColor = paints ? brush.stroke.color : SceneState().brushColor;

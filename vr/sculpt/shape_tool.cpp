@@ -130,7 +130,8 @@ core::Insert shapeAt(Primitive::Kind kind, const Pose& tip, const BrushState& br
     insert.primitive = shapeOfSize(kind, 2 * radius);
     insert.symmetry = brush.stroke.symmetry;
     const Vec3 up = placement.directionToModel(tip.rotation * Vec3::UnitY()).normalized(), axis = core::nearestAxis(up);
-    insert.primitive->axis = axis.dot(up) > alongAxis ? axis : up;
+    if (kind != Primitive::Kind::Ball)
+        insert.primitive->axis = axis.dot(up) > alongAxis ? axis : up;
     if (isAtPlane(insert.centre, brush, radius))
         core::putOnPlane(insert.centre, insert.primitive->axis, insert.symmetry);
     return insert;

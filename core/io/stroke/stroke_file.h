@@ -65,8 +65,8 @@ namespace core
 /// subtract, intersect or part; only part may have "name". An insertion has either "file" or "primitive", a name of a
 /// Primitive::Kind. A primitive needs the keys of its measures, which measuresOf() lists; a lathe needs "profile", a
 /// list of pairs [radius, height], a tube "path", a list of [x, y, z, radius]. "edge_length", "axis" (x, y or
-/// z; default y) or "along" (a direction in its place), and "symmetry" (mirrors what is inserted) are optional; a ball
-/// and a tube have no axis. "recenter" and "center" are accepted, too.
+/// z; default y) or "along" (a direction in its place), and "symmetry" (mirrors what is inserted) are optional; a tube
+/// has no axis. "recenter" and "center" are accepted, too.
 /// An area (ViewArea) has "eye" if the view along "along" is a perspective one. The side that is meant is inside (the
 /// default) or outside: "remove" of a trim, "side" of the others. "front": only what is seen first (default false).
 /// "color" is the colour of the cut. A mask_area with "invert" removes the mask.

@@ -1,6 +1,7 @@
 // Tests the parts of a model in the headset: the parts panel, pointing at parts, and strokes on one of several parts.
 // FETTLE_HEADSET_PICTURES=<folder> saves a picture of a tube that is being drawn.
 #include "tests/app/headset/headset_visit.h"
+#include "tests/support/mirror_asserts.h"
 #include "tests/support/test_main.h"
 #include "tests/vr/vr_test.h"
 
@@ -120,6 +121,7 @@ private Q_SLOTS:
     void grip_movesThePartThoughTheEngineIsBusy();
     void grip_showsThePartBeforeItMoves();
     void blade_cutsAwayWhatIsBeyond();
+    void blade_cutsBothSides();
     void blade_isShownWhereItCuts();
 };
 
@@ -518,8 +520,8 @@ void TestHeadsetParts::grip_showsThePartBeforeItMoves()
     QCOMPARE(v.complaints(), QString());
 }
 
-/// Cuts the active part of two, obliquely, and with symmetry: what is beyond the blade is gone, the rest is a sound
-/// solid, and undo brings everything back.
+/// Cuts the active part of two, obliquely: what is beyond the blade is gone, the rest is a sound solid, and undo brings
+/// everything back.
 void TestHeadsetParts::blade_cutsAwayWhatIsBeyond()
 {
     AtParts v;
@@ -552,6 +554,50 @@ void TestHeadsetParts::blade_cutsAwayWhatIsBeyond()
     v.hand.pressPad(Side::Right, -0.8, 0); // undo
     v.hand.settle();
     QCOMPARE(v.hashOf(0), before);
+    QCOMPARE(v.complaints(), QString());
+}
+
+/// With symmetry the clay beyond the blade and beyond its mirror image is tinted beforehand. The cut takes both, and
+/// what is left is symmetric bit for bit.
+void TestHeadsetParts::blade_cutsBothSides()
+{
+    AtParts v(HeadsetHand::enough);
+    v.hand.pressPad(Side::Right, 0, -0.8);
+    QTRY_COMPARE_WITH_TIMEOUT(v.brush().symmetry, core::Symmetry::Y, longestWait);
+    const Vec3 tip(0, 10, 0), forward = Vec3(0.2, 1, 0).normalized();
+    const auto hold = [&] {
+        v.hand.put(Side::Right, v.hand.place(tip), forward);
+        v.hand.frames(4);
+        return v.hand.picture();
+    };
+    const QImage before = hold();
+    v.hand.click(v.panel(), vr::PartsPage::Cut);
+    const QImage cut = hold();
+    const Look look{cut, *v.hand.seen().head};
+    const auto redness = [](const QColor& color) { return 2 * color.red() - color.green() - color.blue(); };
+    const auto change = [&](const Vec3& place) {
+        const QPoint at = look.at(v.hand.place(place));
+        return redness(cut.pixelColor(at)) - redness(before.pixelColor(at));
+    };
+    for (const double side : {1.0, -1.0})
+        QVERIFY2(change({-20, 30 * side, 34}) > 30, qPrintable(QString::number(change({-20, 30 * side, 34}))));
+    QVERIFY2(std::abs(change({-20, 6, 45})) < 12, qPrintable(QString::number(change({-20, 6, 45}))));
+    const int changes = v.changes();
+    v.hand.press(Side::Right, "trigger", 2);
+    v.hand.settle();
+    QCOMPARE(v.changes(), changes + 1);
+    std::string asymmetry;
+    double beyond = -1e9;
+    v.hand.ask([&](core::Sculptor& sculptor) {
+        asymmetry = mirror_asserts::asymmetry(sculptor.mesh(), core::Symmetry::Y);
+        for (const core::Slot vertex : sculptor.mesh().vertices()) {
+            const Vec3 point = sculptor.mesh().point(vertex).cast<double>(), image(point.x(), -point.y(), point.z());
+            beyond = std::max({beyond, (point - tip).dot(forward), (image - tip).dot(forward)});
+        }
+        return true;
+    });
+    QVERIFY2(asymmetry.empty(), asymmetry.c_str());
+    QVERIFY2(std::abs(beyond) < 0.01, qPrintable(QString::number(beyond)));
     QCOMPARE(v.complaints(), QString());
 }
 

@@ -83,6 +83,7 @@ private Q_SLOTS:
     void combine_takesTheMarked();
     void others_requestNothing();
     void pick_beginsAtThePalm();
+    void cut_hasTheSymmetry();
     void shape_isAsLargeAsTheBrush_data();
     void shape_isAsLargeAsTheBrush();
     void outline_isOnTheShape_data() { shape_isAsLargeAsTheBrush_data(); }
@@ -177,6 +178,33 @@ void TestPartRequests::pick_beginsAtThePalm()
     QVERIFY((ray.direction - placement.directionToModel(tip.forward())).norm() < 1e-12);
     const core::Vec3 way = placement.toRoom(core::Vec3::Zero()) - placement.toRoom(ray.origin);
     QVERIFY(std::abs(way.norm() - vr::tipReach) < 1e-9 && way.normalized().dot(tip.forward()) > 1 - 1e-9);
+}
+
+/// Checks what is cut with symmetry, and what is shown beforehand: the mirror image, too, unless the plane is its own
+/// or that of symmetry. Rounding by the placement does not count.
+void TestPartRequests::cut_hasTheSymmetry()
+{
+    const vr::ModelPlacement placement = turnedPlacement();
+    const core::Box box(core::Vec3(-20, -20, -20), core::Vec3(20, 20, 20));
+    vr::BrushState brush;
+    const auto use = [&](const core::Vec3& point, const core::Vec3& forward) {
+        const core::Vec3 inRoom = placement.toRoom(point + forward) - placement.toRoom(point);
+        const vr::Pose tip{Eigen::Quaterniond::FromTwoVectors(vr::Pose().forward(), inRoom), placement.toRoom(point)};
+        return vr::TipUse{tip, vr::HandTask::Cut, box};
+    };
+    const auto cutBy = [&](const vr::TipUse& of) {
+        const auto request = vr::requestAt(of, threeParts(), brush, placement);
+        return std::get<core::Trim>(std::get<vr::ChangePart>(request).command).area.symmetry;
+    };
+    const vr::TipUse oblique = use({5, 0, 3}, {1, 2, 0}), own = use({5, 0, 3}, {0, 1, 2}),
+                     halving = use({0, 4, 4}, {1, 0, 0});
+    for (const core::Symmetry symmetry : {core::Symmetry::None, core::Symmetry::X}) {
+        brush.stroke.symmetry = symmetry;
+        QVERIFY(cutBy(oblique) == symmetry && vr::imageOfCut(oblique, brush, placement) == symmetry);
+        QVERIFY(cutBy(own) == symmetry && vr::imageOfCut(own, brush, placement) == core::Symmetry::None);
+        QVERIFY(cutBy(halving) == core::Symmetry::None &&
+                vr::imageOfCut(halving, brush, placement) == core::Symmetry::None);
+    }
 }
 
 void TestPartRequests::shape_isAsLargeAsTheBrush_data()
