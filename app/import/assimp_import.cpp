@@ -196,6 +196,12 @@ void addNotes(const aiScene& scene, const ImportFolder::Notes& notes, const fs::
     header.unreadNodes += fbxNurbs(bytes);
 }
 
+/// Returns the name of a node, or nothing if Assimp invented it for a node without one.
+std::string_view givenName(std::string_view name)
+{
+    return name.starts_with("$ColladaAutoName$") || name.starts_with('<') ? std::string_view() : name;
+}
+
 /// Reads a format that core reads, in this process because only it has the Draco decoder.
 int importOwn(const fs::path& path, const ImportLimits& limits, bool keepsObjects)
 {
@@ -242,7 +248,7 @@ int importForeign(const fs::path& path, const ImportLimits& limits, bool keepsOb
     if (isFbx)
         missing = addFbxScene(*scene, notes.models, mesh);
     else
-        mesh.addAll(placeOf(path, start), lowerEnding(path) == ".x3d" ? core::io::x3dNameIn : nullptr);
+        mesh.addAll(placeOf(path, start), lowerEnding(path) == ".x3d" ? core::io::x3dNameIn : givenName);
     if (mesh.faces() == 0 && !notes.outside.empty())
         return refuse(ImportHeader::Outcome::Outside, notes.outside);
     if (mesh.faces() == 0 && (missing > 0 || !log.first().empty()))

@@ -135,7 +135,8 @@ std::vector<Vec3> middlesOf(const TriangleMesh& mesh)
 {
     std::vector<Vec3> middles;
     for (const auto& [a, b, c] : mesh.triangles)
-        middles.emplace_back((mesh.points[a] + mesh.points[b] + mesh.points[c]).cast<double>() / 3);
+        middles.emplace_back(
+            (mesh.points[a].cast<double>() + mesh.points[b].cast<double>() + mesh.points[c].cast<double>()) / 3);
     return middles;
 }
 

@@ -18,7 +18,8 @@ class CutPieces
 {
 public:
     /// Precondition: the arguments outlive this; isSurgeryOk(mesh, whole); `whole` cuts along the area's curve. Cost:
-    /// O(exchanged faces); with voids, a winding number for each.
+    /// O(exchanged faces); with voids, a winding number for each of
+    /// their faces and each larger piece.
     CutPieces(const Mesh& mesh, const Surgery& whole);
 
     std::size_t count() const { return m_count; }

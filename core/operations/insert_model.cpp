@@ -236,7 +236,8 @@ void insertModel(Mesh& mesh, const Insert& command, ModelChange& change, const J
     else
         combineModels(mesh, command.combination, {added, offset, whole}, change, control.part(afterJudging, 1));
     const bool isMade = change.refusal == ModelRefusal::None && !control.isCancelled();
-    if (isMade && wasSymmetric && !isSymmetric(mesh, plane) && !mirrorHalf(mesh, plane, {control.stop, {}}))
+    if (isMade && wasSymmetric && !isSymmetric(mesh, plane) && !mirrorHalf(mesh, plane, {control.stop, {}}) &&
+        !control.isCancelled())
         change.refusal = ModelRefusal::Uncut;
 }
 } // namespace core

@@ -4,7 +4,7 @@
 
 namespace core
 {
-/// Edits the mesh; on refusal leaves it unchanged and sets `change.refusal`. Precondition: a stroke of the mesh is
-/// open.
+/// Edits the mesh. On refusal sets `change.refusal`, and the mesh must be given up or rolled back. Precondition: a
+/// stroke of the mesh is open.
 void insertModel(Mesh& mesh, const Insert& command, ModelChange& change, const JobControl& control);
 } // namespace core

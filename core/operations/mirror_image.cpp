@@ -8,13 +8,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
+#include <iterator>
 #include <utility>
 
 namespace core
 {
 namespace
 {
+/// Largest difference of the volumes of a tube along the plane and of its half with its image, as a share.
+constexpr double sameVolume = 1e-3;
+
 /// Returns whether each vertex has a mirror image, bit for bit.
 bool hasImages(const Mesh& mesh, Symmetry plane)
 {
@@ -24,6 +27,68 @@ bool hasImages(const Mesh& mesh, Symmetry plane)
         place[static_cast<std::size_t>(axisOf(plane))] *= -1;
         return index.vertexAt(place) != noSlot;
     });
+}
+
+/// What the vertices have besides their places, by place.
+class AttributesByPlace
+{
+public:
+    explicit AttributesByPlace(const Mesh& mesh)
+    {
+        for (const Slot v : mesh.vertices())
+            m_all.push_back(
+                {SurfaceIndex::placeOf(mesh.latticePoint(v)), mesh.color(v), mesh.mask(v), mesh.isHidden(v)});
+        std::ranges::sort(m_all, {}, &Entry::place);
+    }
+
+    /// Gives them to the vertices of the mesh that are at these places.
+    void writeTo(Mesh& mesh) const
+    {
+        for (const Slot v : mesh.vertices()) {
+            const SurfaceIndex::Place place = SurfaceIndex::placeOf(mesh.latticePoint(v));
+            const auto at = std::ranges::lower_bound(m_all, place, {}, &Entry::place);
+            if (at == m_all.end() || at->place != place)
+                continue;
+            if (mesh.color(v) != at->color)
+                mesh.setColor(v, at->color);
+            if (mesh.mask(v) != at->mask)
+                mesh.setMask(v, at->mask);
+            if (mesh.isHidden(v) != at->isHidden)
+                mesh.setHidden(v, at->isHidden);
+        }
+    }
+
+private:
+    struct Entry
+    {
+        SurfaceIndex::Place place;
+        Rgb color;
+        std::uint8_t mask;
+        bool isHidden;
+    };
+    std::vector<Entry> m_all;
+};
+
+/// Returns the surface, made symmetric if it is not; nothing if neither half allows it.
+std::optional<TriangleMesh> withMirroredHalf(const TriangleMesh& surface, const Lattice& lattice, Symmetry plane,
+                                             const JobControl& control)
+{
+    Mesh mesh(withoutUnusedVertices(surface), lattice);
+    mesh.beginStroke();
+    const bool isMirrored = isSymmetric(mesh, plane) || mirrorHalf(mesh, plane, {control.stop, {}});
+    mesh.endStroke();
+    return isMirrored ? std::optional(extractMesh(mesh)) : std::nullopt;
+}
+
+double volumeInside(const TriangleMesh& surface)
+{
+    double sum = 0;
+    for (const auto& [a, b, c] : surface.triangles)
+        sum += surface.points[a]
+                   .cast<double>()
+                   .cross(surface.points[b].cast<double>())
+                   .dot(surface.points[c].cast<double>());
+    return sum / 6;
 }
 } // namespace
 
@@ -50,7 +115,9 @@ void putOnPlane(Vec3& place, Vec3& direction, Symmetry plane)
     constexpr double rightAngle = 0.999; // cosine of 2.5 degrees
     const int axis = axisOf(plane);
     place[axis] = 0;
-    if (std::abs(direction.stableNormalized()[axis]) < rightAngle)
+    if (const double across = direction.stableNormalized()[axis]; std::abs(across) > rightAngle)
+        direction = std::copysign(1, across) * Vec3::Unit(axis);
+    else
         direction[axis] = 0;
 }
 
@@ -76,33 +143,36 @@ std::optional<TriangleMesh> withMirrorImage(TriangleMesh solid, const Lattice& l
     const Box box = boxOf(solid);
     if (!box.intersects(mirrorImage(box, plane)))
         return besideImage(std::move(solid), plane);
-    auto mesh = std::make_unique<Mesh>(solid, lattice);
-    if (isSymmetric(*mesh, plane))
+    const Mesh alone(solid, lattice);
+    if (isSymmetric(alone, plane))
         return solid;
     // A tube along the plane is its own image but for the diagonals of its faces, along which the union would be cut.
-    if (!hasImages(*mesh, plane)) {
-        const std::array<TriangleMesh, 2> both = {solid, mirrorImage(solid, plane)};
-        const BooleanResult united = combineOn(lattice, SetOperation::Union, both, {control.stop, {}});
-        mesh = united.mesh ? std::make_unique<Mesh>(withoutUnusedVertices(*united.mesh), lattice) : nullptr;
+    if (hasImages(alone, plane)) {
+        const double volume = volumeInside(solid);
+        auto half = withMirroredHalf(solid, lattice, plane, control);
+        if (half && std::abs(volumeInside(*half) - volume) < sameVolume * volume)
+            return half;
     }
-    if (mesh) {
-        mesh->beginStroke();
-        const bool isMirrored = isSymmetric(*mesh, plane) || mirrorHalf(*mesh, plane, {control.stop, {}});
-        mesh->endStroke();
-        if (isMirrored)
-            return extractMesh(*mesh);
-    }
-    change.refusal = ModelRefusal::Uncut;
+    const std::array<TriangleMesh, 2> both = {solid, mirrorImage(solid, plane)};
+    const BooleanResult united = combineOn(lattice, SetOperation::Union, both, {control.stop, {}});
+    if (united.mesh)
+        if (auto mirrored = withMirroredHalf(*united.mesh, lattice, plane, control))
+            return mirrored;
+    if (!control.isCancelled())
+        change.refusal = ModelRefusal::Uncut;
     return std::nullopt;
 }
 
 bool mirrorHalf(Mesh& mesh, Symmetry plane, const JobControl& control)
 {
+    const AttributesByPlace attributes(mesh);
     for (const Half kept : {Half::Positive, Half::Negative}) {
         ModelChange change;
         symmetrize(mesh, {plane, kept}, change, control);
-        if (change.refusal == ModelRefusal::None)
-            return !control.isCancelled();
+        if (change.refusal != ModelRefusal::None || control.isCancelled())
+            continue;
+        attributes.writeTo(mesh);
+        return true;
     }
     return false;
 }

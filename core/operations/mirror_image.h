@@ -12,16 +12,18 @@ Box mirrorImage(const Box& box, Symmetry plane);
 /// the surface.
 TriangleMesh besideImage(TriangleMesh surface, Symmetry plane);
 
-/// Moves a place onto the plane, and turns a direction into it unless it is at a right angle to the plane.
+/// Moves a place onto the plane, and turns a direction into it or, if it almost is at a right angle to it, to that.
 void putOnPlane(Vec3& place, Vec3& direction, Symmetry plane);
 
-/// Returns the union of a solid and its mirror image, symmetric bit for bit, on the lattice. Returns nothing, and sets
+/// Returns the union of a solid and its mirror image, symmetric bit for bit, on the lattice. If the solid is its
+/// own image but for its triangles, that is one half and its image. Masks are dropped. Returns nothing, and sets
 /// `change` unless the job was cancelled, if there is no sound one. Precondition: the solid is print-ready, and the
 /// lattice contains both. Cost: a boolean (mesh_boolean.h) if both overlap.
 std::optional<TriangleMesh> withMirrorImage(TriangleMesh solid, const Lattice& lattice, Symmetry plane,
                                             ModelChange& change, const JobControl& control);
 
-/// Replaces the half of the mesh that allows it by the image of the other (symmetrize.h). Returns false if neither does
-/// or the job was cancelled. Precondition: a stroke of the mesh is open.
+/// Replaces the half of the mesh that allows it by the image of the other (symmetrize.h). Vertices at places where
+/// there were some keep their colours and masks, and stay hidden. Returns false if neither half allows it or the job
+/// was cancelled. Precondition: a stroke of the mesh is open.
 bool mirrorHalf(Mesh& mesh, Symmetry plane, const JobControl& control);
 } // namespace core

@@ -237,8 +237,8 @@ bool cutAway(Mesh& mesh, const Trim& command, ModelChange& change, const JobCont
     mesh.replaceFaces(surgery);
     control.reportProgress(afterExchanging);
     if (wasSymmetric && !isSymmetric(mesh, plane) && !mirrorHalf(mesh, plane, control.part(afterExchanging, 1)))
-        change.refusal = ModelRefusal::NoCut;
-    if (change.refusal != ModelRefusal::None)
+        change.refusal = control.isCancelled() ? ModelRefusal::None : ModelRefusal::NoCut;
+    if (change.refusal != ModelRefusal::None || control.isCancelled())
         mesh.rollback(mark);
     return change.refusal == ModelRefusal::None && !control.isCancelled();
 }

@@ -207,16 +207,24 @@ std::optional<TriangleMesh> unionOf(std::vector<TriangleMesh> pieces, const JobC
     return combineOn(placement.lattice, SetOperation::Union, pieces, control).mesh;
 }
 
-/// Returns the rotation of least angle that turns the y axis to a direction of unit length.
+/// Returns the rotation that turns the y axis to a direction of unit length: the one of least angle, but steeply
+/// downwards after half a turn about x, since there is no least one to -y. A level direction leaves an axis on the
+/// plane y = 0, so that the solid is symmetric about it.
 Eigen::Matrix3d rotationTo(const Vec3& up)
 {
-    if (up.y() < 0) // turned by half about x first: there is no least rotation to -y
+    constexpr double steeplyDown = -0.5;
+    const double x = up.x(), y = up.y(), z = up.z(), f = 1 / (1 + y);
+    if (y < steeplyDown)
         return rotationTo(-up) * Vec3(1, -1, -1).asDiagonal();
     Eigen::Matrix3d rotation;
-    const double x = up.x(), y = up.y(), z = up.z(), f = 1 / (1 + y);
-    rotation << 1 - f * x * x, x, -f * x * z, //
-        -x, y, -z,                            //
-        -f * x * z, z, 1 - f * z * z;
+    if (y == 0)
+        rotation << 0, x, -z, //
+            -1, 0, 0,         //
+            0, z, x;
+    else
+        rotation << 1 - f * x * x, x, -f * x * z, //
+            -x, y, -z,                            //
+            -f * x * z, z, 1 - f * z * z;
     return rotation;
 }
 

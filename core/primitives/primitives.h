@@ -33,8 +33,8 @@ struct Primitive
     std::vector<TubePoint> path; ///< of a tube
     double edge = 0;             ///< length that edges have approximately; 0: so that there are about 20,000 triangles
     /// Direction in the document that the primitive's y axis gets, any length above 0. For the x or z axis the others
-    /// follow cyclically; for any other direction the primitive is turned as little as possible. Ignored if the kind
-    /// has no axis.
+    /// follow cyclically; another level direction leaves its z axis level; else the primitive is turned as little as
+    /// possible, after half a turn about x if the direction is steeply downwards. Ignored if the kind has no axis.
     Vec3 axis = Vec3::UnitY();
 
     double& length(Measure measure) { return lengths[static_cast<std::size_t>(measure)]; }

@@ -92,22 +92,28 @@ SolidCard::SolidCard(QWidget* view)
     grid->addWidget(m_problem, last + 1, 0, 1, 2);
     fillCombinations(m_combination);
     m_problem->setWordWrap(true);
-    auto* cancel = named(new QPushButton(tr("&Cancel")), "solidCancel", tr("Makes no solid (Esc)."));
-    auto* ends = new QHBoxLayout;
-    ends->addStretch();
-    ends->addWidget(m_apply);
-    ends->addWidget(cancel);
-    grid->addLayout(ends, last + 2, 0, 1, 2);
-    connect(m_apply, &QPushButton::clicked, this, &SolidCard::applied);
-    connect(this, &ViewCard::entered, this, &SolidCard::applied);
+    grid->addLayout(makeButtons(), last + 2, 0, 1, 2);
     m_isTurned->setChecked(true);
     connect(m_isTurned, &QCheckBox::toggled, this, &SolidCard::noteMeasure);
-    connect(cancel, &QPushButton::clicked, this, &SolidCard::cancelled);
     connect(m_kind, &QComboBox::currentIndexChanged, this, [this] {
         showKind();
         noteMeasure();
     });
     showKind();
+}
+
+/// Returns the buttons that end the card.
+QLayout* SolidCard::makeButtons()
+{
+    auto* cancel = named(new QPushButton(tr("&Cancel")), "solidCancel", tr("Makes no solid (Esc)."));
+    auto* buttons = new QHBoxLayout;
+    buttons->addStretch();
+    buttons->addWidget(m_apply);
+    buttons->addWidget(cancel);
+    connect(m_apply, &QPushButton::clicked, this, &SolidCard::applied);
+    connect(this, &ViewCard::entered, this, &SolidCard::applied);
+    connect(cancel, &QPushButton::clicked, this, &SolidCard::cancelled);
+    return buttons;
 }
 
 QDoubleSpinBox* SolidCard::makeNumber(const QString& name, const QString& label, double least)

@@ -10,6 +10,7 @@ class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
+class QLayout;
 class QPushButton;
 
 namespace ui
@@ -46,6 +47,7 @@ Q_SIGNALS:
 
 private:
     QDoubleSpinBox* makeNumber(const QString& name, const QString& label, double least);
+    QLayout* makeButtons();
     void showKind();
     void noteMeasure();
     core::Primitive primitive() const;

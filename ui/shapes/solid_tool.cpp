@@ -26,12 +26,15 @@ constexpr double around = 12; ///< pixels from the press within which the surfac
 constexpr int aroundRays = 8;
 
 constexpr double mostGlass = 200'000; ///< number of triangles; a larger solid is not shown while it changes
+
 /// Returns the mean of the surface's normals, so that a solid does not follow each triangle.
 core::Vec3 meanNormal(const ViewTool::Hits& hits)
 {
     core::Vec3 sum = core::Vec3::Zero();
-    for (const auto& hit : hits)
-        sum += hit ? hit->normal : core::Vec3(core::Vec3::Zero());
+    for (const auto& hit : hits) {
+        if (hit && hit->normal.dot(hits.front()->normal) > 0.5) // of the same side, not of something behind it
+            sum += hit->normal;
+    }
     return sum.norm() > 0.1 ? sum.normalized() : hits.front()->normal;
 }
 } // namespace

@@ -218,6 +218,8 @@ void TubeTool::drag(const QSinglePointEvent& event)
     core::TubePoint& point = m_path[m_dragged->point];
     if (!m_dragged->isRim) {
         point.position = handles.placeAt(event.position(), m_dragged->point);
+        if (isAtPlane(point.position))
+            point.position[core::axisOf(symmetry())] = 0;
         return refreshSoon();
     }
     const double radius = std::max(handles.radiusAt(event.position(), m_dragged->point), core::ModelLimits::minExtent);

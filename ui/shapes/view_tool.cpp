@@ -12,6 +12,7 @@
 #include <QKeyEvent>
 #include <QPointer>
 
+#include <cmath>
 #include <utility>
 
 namespace ui

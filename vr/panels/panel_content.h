@@ -147,11 +147,10 @@ public:
     std::vector<core::PartId> others() const;
     /// Returns the name of a copy of the active part.
     QString nameOfCopy() const;
-    QString nameOfShape() const { return nameOf(shape); }
+    static QString nameOf(core::Primitive::Kind kind);
 
 private:
     int shownPage() const;
-    static QString nameOf(core::Primitive::Kind kind);
     static QStringList readyNames();
     void addList(PanelBuilder& builder) const;
     void addNames(PanelBuilder& builder) const;

@@ -80,7 +80,7 @@ DocumentRequest inserted(const PartsPanel& panel, core::Insert shape)
 {
     shape.combination = panel.makesPart ? core::Insert::Combination::Part : core::Insert::Combination::Join;
     if (panel.makesPart)
-        shape.name = panel.nameOfShape().toStdString();
+        shape.name = PartsPanel::nameOf(shape.primitive->kind).toStdString();
     return ChangePart{panel.active, std::move(shape)};
 }
 } // namespace

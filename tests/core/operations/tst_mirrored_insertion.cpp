@@ -2,6 +2,7 @@
 
 #include "core/mesh/mesh_builder.h"
 #include "core/operations/detached_part.h"
+#include "core/operations/mirror_image.h"
 #include "core/operations/model_command.h"
 #include "tests/support/clay.h"
 #include "tests/support/effort.h"
@@ -72,7 +73,9 @@ private Q_SLOTS:
     void both_areCombined();
     void part_isSymmetric();
     void tubeInThePlane_staysOne();
+    void solidPutOnThePlane_isItsOwnImage();
     void solidInThePlane_staysAsItIs();
+    void attributes_stayOnTheirSide();
     void undo_restoresTheState();
 };
 
@@ -171,6 +174,32 @@ void TestMirroredInsertion::tubeInThePlane_staysOne()
     QCOMPARE_LE(part.triangles.size(), plain.triangles.size());
 }
 
+/// A solid that putOnPlane() puts on any plane is its own image: it stays one solid of its volume.
+void TestMirroredInsertion::solidPutOnThePlane_isItsOwnImage()
+{
+    StrokeFuzzer random(31);
+    const auto mesh = symmetricModel(Symmetry::X, true);
+    for (int i = 0; i < 90; ++i) {
+        const auto plane = Symmetry(std::size_t(Symmetry::X) + std::size_t(i) % 3);
+        Insert insert{{}, Insert::Place::Centre, Vec3(0.5, 0.6, 0.7), Insert::Combination::Part};
+        insert.primitive = randomSolid(random, 0.4);
+        insert.primitive->axis = random.direction();
+        if (i % 10 == 0) // almost at a right angle
+            insert.primitive->axis = planeNormal(plane) + 0.04 * insert.primitive->axis;
+        if (insert.primitive->kind == Kind::Cone && i % 10 == 0)
+            continue; // its ends differ
+        putOnPlane(insert.centre, insert.primitive->axis, plane);
+        insert.symmetry = plane;
+        const auto after = made(*mesh, insert);
+        const std::string where = "round " + std::to_string(i);
+        QVERIFY2(after, where.c_str());
+        const TriangleMesh part = surfaceOf(*after, 1), plain = *makePrimitive(*insert.primitive).mesh;
+        QVERIFY2(mirror_asserts::asymmetry(Mesh(part, after->lattice()), plane).empty(), where.c_str());
+        QVERIFY2(part.triangles.size() == plain.triangles.size(), where.c_str());
+        QVERIFY2(std::abs(*checkMesh(part).volume / *checkMesh(plain).volume - 1) < 1e-3, where.c_str());
+    }
+}
+
 void TestMirroredInsertion::solidInThePlane_staysAsItIs()
 {
     const auto mesh = symmetricModel(Symmetry::X, true);
@@ -185,6 +214,35 @@ void TestMirroredInsertion::solidInThePlane_staysAsItIs()
     QVERIFY(plain && mirrored);
     VERIFY_SYMMETRIC(*mirrored, Symmetry::X);
     QVERIFY(std::abs(volumeInside(*plain) - volumeInside(*mirrored)) < 1e-4 * volumeInside(*plain));
+}
+
+/// What is painted and masked on one side only stays there.
+void TestMirroredInsertion::attributes_stayOnTheirSide()
+{
+    StrokeFuzzer random(23);
+    for (int i = 0; i < 6; ++i) {
+        const auto mesh = symmetricModel(Symmetry::X, true);
+        mesh->beginStroke();
+        for (const Slot v : mesh->vertices()) {
+            if (mesh->point(v).x() > 0 && mesh->point(v).y() < 0) {
+                mesh->setColor(v, {200, 10, 10});
+                mesh->setMask(v, 90);
+            }
+        }
+        mesh->endStroke();
+        Insert insert{{}, Insert::Place::Centre, Vec3(random.uniform(0.2, 0.6), 0.7, random.uniform(0, 0.5))};
+        insert.primitive = randomSolid(random, 0.3);
+        insert.combination = i % 2 ? Insert::Combination::Join : Insert::Combination::Subtract;
+        insert.symmetry = Symmetry::X;
+        const auto after = made(*mesh, insert);
+        QVERIFY(after);
+        for (const Slot v : after->vertices()) {
+            if (after->point(v).x() < 0)
+                QVERIFY(after->color(v) == Rgb() && after->mask(v) == 0);
+            else if (after->point(v).y() < -0.2 && after->point(v).x() > 0)
+                QVERIFY(after->color(v) == (Rgb{200, 10, 10}) && after->mask(v) == 90);
+        }
+    }
 }
 
 void TestMirroredInsertion::undo_restoresTheState()

@@ -34,6 +34,7 @@ using core::SetOperation;
 using core::Slot;
 using core::TriangleMesh;
 using core::Vec3;
+using core::Vec3f;
 
 namespace
 {
