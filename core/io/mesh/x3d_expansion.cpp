@@ -173,6 +173,13 @@ public:
         m_named.erase(&named);
         --m_nextName;
     }
+    /// Removes text as shrink(size), and the names of nodes that are not used, given since there were so many.
+    void shrink(std::size_t size, std::size_t names)
+    {
+        m_text.resize(size);
+        m_nextName = names;
+    }
+    std::size_t names() const { return m_nextName; }
     std::string take() { return std::move(m_text); }
 
     void begin(const X3dNode& node, std::string_view name)
@@ -339,7 +346,7 @@ private:
     {
         if (m_open.size() >= maxDepth || !m_open.insert(&meant).second)
             refuseX3d(m_file, node, FileFault::TooDeep, "nodes of USE=" + std::string(node.text("USE")));
-        const std::size_t before = m_to.size();
+        const std::size_t before = m_to.size(), names = m_to.names();
         const bool isTransform = isIn(transforms, meant.name);
         m_to.begin(node, isTransform ? "Transform" : "Group");
         m_to.addName(meant);
@@ -353,7 +360,7 @@ private:
         else
             addChildren(meant);
         if (m_to.size() == inside)
-            m_to.shrink(before);
+            m_to.shrink(before, names);
         else
             m_to.add(isTransform ? "</Transform>" : "</Group>");
         m_open.erase(&meant);

@@ -306,6 +306,12 @@ void TestX3dExpansion::expandedFiles_stayAsTheyAre()
                  "<Shape><Cone/></Shape></Transform><Transform USE='T'/><Shape><IndexedTriangleSet index='0 1 2'>" +
                  points + "</IndexedTriangleSet></Shape>");
     QCOMPARE(core::io::expandX3d({path, once.text}).text, once.text);
+    // a named group of which nothing is left takes no number from those after it
+    const X3dExpansion other = expanded("<Group DEF='A'><Group DEF='B'><ProtoInstance name='x'/></Group></Group>"
+                                        "<Group DEF='C'>" +
+                                        box + "</Group>");
+    QVERIFY(sceneOf(other).contains("_C\""));
+    QCOMPARE(core::io::expandX3d({path, other.text}).text, other.text);
 }
 
 void TestX3dExpansion::axes_areOfUnitLength()
