@@ -233,8 +233,8 @@ foreach(LANGUAGE en de zh_CN)
         list(APPEND FETTLE_RESOURCE_FILES help/${LANGUAGE}/${PAGE}.md)
     endforeach()
     foreach(PICTURE
-            class export handles history lesson palette presets print recovery repair simulator start time-lapse unit
-            window)
+            class cut export handles history lesson palette presets print recovery repair simulator start time-lapse
+            tube unit window)
         list(APPEND FETTLE_RESOURCE_FILES help/${LANGUAGE}/pictures/${PICTURE}.png) # made by TestGuidePictures
     endforeach()
 endforeach()

@@ -25,9 +25,11 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
 #include <QDir>
+#include <QDoubleSpinBox>
 #include <QGroupBox>
 #include <QLabel>
 #include <QListView>
@@ -47,7 +49,7 @@ namespace
 {
 constexpr QSize windowSize{1000, 640}, narrowSize{820, 640};
 constexpr int maxWidth = 700; ///< maximum width of a picture in pixels, equal to that of the guide's text
-constexpr qint64 maxBytes = 3'000'000;
+constexpr qint64 maxBytes = 3'200'000;
 constexpr int flightMs = 600; ///< ms that the camera takes to fly to another side
 constexpr int settleMs = 300; ///< ms that layouts and results of other threads take
 const QString languageKey = QStringLiteral("Language"), textsKey = QStringLiteral("Texts");
@@ -138,11 +140,15 @@ void stroke(Program& program, const QList<QPointF>& way)
     sendMouse(view, QEvent::MouseMove, at(way.first()));
     QTest::qWait(settleMs);
     sendMouse(view, QEvent::MouseButtonPress, at(way.first()), Qt::LeftButton);
+    const auto send = [&](QEvent::Type type, const QPoint& place, Qt::MouseButton button, Qt::MouseButtons held) {
+        QMouseEvent event(type, place, view->mapToGlobal(place), button, held, Qt::NoModifier);
+        QCoreApplication::sendEvent(view, &event);
+    };
     for (const QPointF& share : way) {
-        sendMouse(view, QEvent::MouseMove, at(share), Qt::LeftButton);
+        send(QEvent::MouseMove, at(share), Qt::NoButton, Qt::LeftButton);
         QTest::qWait(30);
     }
-    sendMouse(view, QEvent::MouseButtonRelease, at(way.last()), Qt::LeftButton);
+    send(QEvent::MouseButtonRelease, at(way.last()), Qt::LeftButton, Qt::NoButton);
     waitForRest(program);
 }
 } // namespace
@@ -337,12 +343,12 @@ void TestGuidePictures::takeHandles(Program& program)
     action->trigger();
 }
 
-/// Returns the middle of the view, as wide as it is high.
-static QRect middleOfView(const Program& program)
+/// Returns the part of the view between two shares of its height.
+static QRect partOfView(const Program& program, double from, double to)
 {
     const ui::Viewport* view = program.window.viewport();
-    const QSize size(view->height(), view->height());
-    return {view->mapTo(&program.window, QPoint((view->width() - size.width()) / 2, 0)), size};
+    const QRect part(0, int(from * view->height()), view->width(), int((to - from) * view->height()));
+    return part.translated(view->mapTo(&program.window, QPoint()));
 }
 
 /// Takes a picture of two horns of the head, one drawn and one mirrored.
@@ -351,8 +357,11 @@ void TestGuidePictures::takeTube(Program& program)
     QAction* action = program.window.action(QStringLiteral("model.tube"));
     action->trigger();
     stroke(program, {{0.55, 0.3}, {0.6, 0.24}, {0.65, 0.2}, {0.69, 0.14}, {0.7, 0.08}});
-    QTRY_VERIFY_WITH_TIMEOUT(program.window.findChild<QWidget*>(QStringLiteral("tubeCard"))->isVisible(), longestWait);
-    take(program.window, QStringLiteral("tube"), middleOfView(program));
+    const auto* card = program.window.findChild<QWidget*>(QStringLiteral("tubeCard"));
+    QTRY_VERIFY_WITH_TIMEOUT(card->isVisible(), longestWait);
+    card->findChild<QCheckBox*>(QStringLiteral("tubeAllRadii"))->setChecked(true);
+    card->findChild<QDoubleSpinBox*>(QStringLiteral("tubeRadius"))->setValue(5);
+    take(program.window, QStringLiteral("tube"), partOfView(program, 0, 0.6));
     action->trigger();
 }
 
@@ -363,7 +372,7 @@ void TestGuidePictures::takeCut(Program& program)
     action->trigger();
     const auto* gizmo = program.window.findChild<ui::Gizmo*>(QStringLiteral("planeCutGizmo"));
     QTRY_VERIFY_WITH_TIMEOUT(gizmo->isVisible(), longestWait);
-    take(program.window, QStringLiteral("cut"), middleOfView(program));
+    take(program.window, QStringLiteral("cut"), partOfView(program, 0.1, 1));
     action->trigger();
 }
 
