@@ -1,5 +1,6 @@
 #include "core/operations/mirror_image.h"
 
+#include "core/geometry/face_geometry.h"
 #include "core/mesh/mesh_builder.h"
 #include "core/operations/detached_part.h"
 #include "core/operations/surface_exchange.h"
