@@ -30,7 +30,7 @@ bool hasImages(const Mesh& mesh, Symmetry plane)
     });
 }
 
-/// What the vertices have besides their places, by place.
+/// The colours, masks and hidden state of the vertices, by place.
 class AttributesByPlace
 {
 public:

@@ -22,8 +22,8 @@ class ViewCard;
 class Viewport;
 
 /// Cuts the active part along a plane that handles place in the view, and with symmetry along its mirror image, too.
-/// What goes is tinted. Switched by the action "area.plane". Knows no document: it asks for the part's box by a signal,
-/// and requests cuts. Thread: gui.
+/// The clay that goes is tinted. Switched by the action "area.plane". Knows no document: it asks for the part's box by
+/// a signal, and requests cuts. Thread: gui.
 class PlaneCutTool : public QObject
 {
     Q_OBJECT

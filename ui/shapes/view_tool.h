@@ -31,7 +31,7 @@ public:
     /// The viewport is the parent. `brush`: has the symmetry and the radius.
     ViewTool(QAction* action, const BrushSettings* brush, Viewport* viewport, const char* name);
 
-    /// Where rays meet the model, in their order; nullopt: a ray misses it.
+    /// Places where rays meet the model, in their order; nullopt: a ray misses it.
     using Hits = std::vector<std::optional<core::SurfaceHit>>;
     using Answer = std::function<void(const Hits& hits)>;
 

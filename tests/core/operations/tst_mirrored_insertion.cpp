@@ -216,7 +216,7 @@ void TestMirroredInsertion::solidInThePlane_staysAsItIs()
     QVERIFY(std::abs(volumeInside(*plain) - volumeInside(*mirrored)) < 1e-4 * volumeInside(*plain));
 }
 
-/// What is painted and masked on one side only stays there.
+/// Paint and mask that only one side has stay on that side.
 void TestMirroredInsertion::attributes_stayOnTheirSide()
 {
     StrokeFuzzer random(23);

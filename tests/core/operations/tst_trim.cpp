@@ -621,7 +621,7 @@ void TestTrim::modelBesideThePlaneOfSymmetry_isCutByTheImage()
     }
 }
 
-/// What is beyond the plane and beyond its image becomes one part, which is symmetric, too.
+/// The clay beyond the plane and beyond its image becomes one part, which is symmetric, too.
 void TestTrim::symmetricSplit_isOnePart()
 {
     const auto mesh = sculptable(icosphere(4, 1));

@@ -111,7 +111,7 @@ void TestSolidTool::solid_standsOnTheModel()
     QVERIFY(std::abs(box.center().x()) < 0.3 && std::abs(box.center().y()) < 0.3);
 }
 
-/// On a slanted surface the solid is turned with it, unless the user wants it upright.
+/// The solid is turned with a slanted surface, unless the user wants it upright.
 void TestSolidTool::solid_isTurnedToTheSurface()
 {
     SolidStage stage;
@@ -129,7 +129,7 @@ void TestSolidTool::solid_isTurnedToTheSurface()
     QVERIFY((upright.centre - Vec3(0, 0, half) - 30 * normal).norm() < 0.5);
 }
 
-/// With symmetry the solid is mirrored, but one that is put almost on the plane is on it.
+/// The solid is mirrored with symmetry, but one that is put almost on the plane is on it.
 void TestSolidTool::solid_isMirrored()
 {
     SolidStage stage;

@@ -131,7 +131,7 @@ void TestTubeTool::straightCurve_bendsOverTheModel()
     QCOMPARE(core::checkMesh(swept).intersections.count, std::size_t(0));
 }
 
-/// With symmetry the tube and its mirror image are shown and made.
+/// The tube and its mirror image are shown and made with symmetry.
 void TestTubeTool::tube_isMirrored()
 {
     TubeStage stage;

@@ -265,7 +265,7 @@ void TestPartRequests::outline_isOnTheShape()
             QVERIFY(core::nearestPoint(mesh, octree, placement.toModel(end) - insert.centre, 0.02 * size));
 }
 
-/// With symmetry a shape has the brush's plane, and one near to it is on it; each line of the outline gets an image.
+/// A shape has the plane of the brush's symmetry, and one near to it is on it; each line of the outline gets an image.
 void TestPartRequests::shape_isMirrored()
 {
     const vr::ModelPlacement placement = turnedPlacement();
