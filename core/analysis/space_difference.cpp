@@ -101,12 +101,17 @@ SpaceDifference spaceDifference(const TriangleMesh& faces, WoundAround counted, 
                                 const JobControl& control)
 {
     constexpr std::size_t maxSamples = 65'536, perStep = 8192, perChunk = 256;
-    constexpr std::size_t enough = 16'384; // number of points inside either surface at which sampling stops
+    // Numbers of points inside either surface at which sampling stops
+    constexpr std::size_t enough = 16'384, enoughIfSame = 4096;
     const WindingNumber ofFaces = windingOf(faces), ofSolid = windingOf(solid);
     const SpaceSamples samples(faces, solid);
     Sums all;
     std::vector<Sums> sums(chunksOf(perStep, perChunk));
-    for (std::size_t first = 0; first < maxSamples && all.inside < enough && !control.isCancelled(); first += perStep) {
+    const auto isEnough = [&] {
+        const bool isSame = all.lost == 0 && all.gained == 0;
+        return all.inside >= (isSame ? enoughIfSame : enough);
+    };
+    for (std::size_t first = 0; first < maxSamples && !isEnough() && !control.isCancelled(); first += perStep) {
         std::ranges::fill(sums, Sums{});
         forEachChunk(perStep, perChunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {

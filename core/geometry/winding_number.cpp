@@ -27,8 +27,9 @@ public:
             return;
         const bool wasUpper = isUpper(m_x, m_y), isOtherUpper = isUpper(x, y);
         const bool wasLower = m_y < 0, isOtherLower = y < 0;
-        m_x = re / size;
-        m_y = im / size;
+        const double scale = size > largest || size < 1 / largest ? 1 / size : 1;
+        m_x = scale * re;
+        m_y = scale * im;
         if (wasUpper && isOtherUpper && !isUpper(m_x, m_y))
             ++m_turns;
         else if (wasLower && isOtherLower && m_y >= 0)
@@ -39,6 +40,8 @@ public:
 private:
     /// Returns whether the angle of (x, y) is in (0, pi].
     static bool isUpper(double x, double y) { return y > 0 || (y == 0 && x < 0); }
+
+    static constexpr double largest = 1e100; ///< size of a product from which it is scaled, so as not to overflow
 
     double m_x = 1, m_y = 0;
     int m_turns = 0;
