@@ -4,12 +4,11 @@
 #include "app/model/slicer_check.h"
 
 #include "core/analysis/part_overlap.h"
-#include "core/boolean/mesh_boolean.h"
 #include "core/decimation/decimate.h"
 #include "core/io/mesh_io.h"
 #include "core/io/placed_mesh.h"
 #include "core/mesh/mesh_builder.h"
-#include "core/parts/part_split.h"
+#include "core/operations/part_union.h"
 #include "ui/util/error_messages.h"
 
 #include <QDir>
@@ -72,23 +71,17 @@ ExportOutcome ModelExport::run(ExportRequest request, const OnStage& onStage, co
 QString ModelExport::join(ExportRequest& request, core::TriangleMesh& mesh, const OnStage& onStage,
                           const core::JobControl& control)
 {
-    if (!request.joinsParts || !joinsPartsByDefault(request.path) || !request.metadata.frame ||
-        !core::doPartsOverlap(mesh, control.part(0, 0)) || control.isCancelled())
+    if (!request.joinsParts || !joinsPartsByDefault(request.path) || !request.metadata.frame || mesh.parts.empty())
         return {};
     onStage(tr("Joining the parts"));
-    std::vector<core::TriangleMesh> solids;
-    for (core::PartPiece& piece : core::splitByPart(mesh))
-        solids.push_back(std::move(piece.mesh));
-    core::BooleanResult all =
-        core::combineOn(request.mesh->lattice(), core::SetOperation::Union, solids, control.part(0, 0));
-    if (all.mesh) {
-        mesh = std::move(*all.mesh);
+    const core::PartUnion done = core::uniteParts(mesh, request.mesh->lattice(), control.part(0, 0));
+    if (done == core::PartUnion::Done)
         request.metadata.frame->parts = {};
-    } else if (!control.isCancelled())
-        return tr("%1 was not written: its parts overlap and cannot be joined. Move one a little, or export them "
-                  "one by one.")
-            .arg(QDir::toNativeSeparators(request.path));
-    return {};
+    if (done != core::PartUnion::Failed || control.isCancelled())
+        return {};
+    return tr("%1 was not written: its parts overlap and cannot be joined. Move one a little, or export them one by "
+              "one.")
+        .arg(QDir::toNativeSeparators(request.path));
 }
 
 /// Decimates each part by the same share. Metadata describe the undecimated model; only the list of parts is kept.
