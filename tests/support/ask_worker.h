@@ -6,7 +6,9 @@
 #include "ui/util/thread_mailbox.h"
 
 #include <QCoreApplication>
+#include <QEventLoop>
 #include <QTest>
+#include <QTimer>
 
 #include <cstdint>
 #include <optional>
@@ -20,11 +22,17 @@ template <class Question> auto ask(SculptWorker& worker, const Question& questio
 {
     using Answer = decltype(question(std::declval<core::Sculptor&>()));
     std::optional<Answer> answer;
+    QEventLoop waiting; // QTRY_VERIFY looks only every 50 ms
+    QTimer::singleShot(longestWait, &waiting, &QEventLoop::quit);
     ui::ThreadMailbox mail;
     worker.post([&](core::Sculptor& sculptor) {
-        mail.post([&answer, value = question(sculptor)]() mutable { answer = std::move(value); });
+        mail.post([&, value = question(sculptor)]() mutable {
+            answer = std::move(value);
+            waiting.quit();
+        });
     });
-    [&] { QTRY_VERIFY_WITH_TIMEOUT(answer, longestWait); }();
+    waiting.exec();
+    [&] { QVERIFY2(answer, "the mesh thread does not answer"); }();
     return answer ? std::move(*answer) : Answer();
 }
 

@@ -11,7 +11,8 @@ read -r number <"$place/display" || {
     cat "$place/said" >&2
     exit 1
 }
-export DISPLAY=:$number LIBGL_ALWAYS_SOFTWARE=1
+# One thread draws: tests run side by side anyway, and more threads cost more than they bring in small windows.
+export DISPLAY=:$number LIBGL_ALWAYS_SOFTWARE=1 LP_NUM_THREADS=0
 unset WAYLAND_DISPLAY
 openbox --startup "sh -c 'echo >$place/managed'" >/dev/null 2>&1 &
 read -r -t 60 <>"$place/managed" || {

@@ -15,6 +15,7 @@
 // berries leave no tunnel between them.
 #include "core/primitives/starter_models.h"
 #include "tests/app/commands/played_strokes.h"
+#include "tests/support/effort.h"
 #include "tests/support/solid_asserts.h"
 #include "tests/support/test_main.h"
 
@@ -523,8 +524,11 @@ void TestGrapes::eachStage_hasTheHandlesCounted()
 {
     Vintner vintner;
     std::size_t vertices = 0;
-    for (const auto& step : steps) {
+    for (std::size_t i = 0; i < std::size(steps); ++i) {
+        const auto& step = steps[i];
         (vintner.*step.work)();
+        if (effort() == Effort::Small && i % 3 != 2) // each stage repeats the strokes of all earlier ones
+            continue;
         const auto grapes = played(vintner);
         QVERIFY2(grapes, step.name);
         const auto mesh = mesh_asserts::sculptable(grapes->mesh);

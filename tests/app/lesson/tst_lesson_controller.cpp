@@ -42,7 +42,7 @@ QString marks(Program& program)
 /// Opens a bundled lesson at its first step, at four times the teacher's speed.
 void begin(Program& program, const QString& title)
 {
-    program.window.resize(1300, 900);
+    program.window.resize(900, 560);
     program.window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&program.window));
     program.window.action(QStringLiteral("help.lessons"))->trigger();
@@ -705,7 +705,7 @@ private Q_SLOTS:
     void startPage_opensALesson()
     {
         Program program;
-        program.window.resize(1300, 900);
+        program.window.resize(900, 560);
         program.window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&program.window));
         program.window.action(QStringLiteral("help.start"))->trigger();

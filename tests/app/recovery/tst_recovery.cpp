@@ -485,7 +485,7 @@ void TestRecovery::kill_losesNothingThatWasFinished_data()
 void TestRecovery::kill_losesNothingThatWasFinished()
 {
     QFETCH(quint64, seed);
-    constexpr int changes = 60;
+    const int changes = byEffort(40, 60);
     const int kills = byEffort(4, 12, 300);
     QProcess whole;
     QElapsedTimer clock;

@@ -199,7 +199,10 @@ private:
 void TestGuidePictures::pictures_data()
 {
     QTest::addColumn<QString>("language");
-    for (const char* language : {"en", "de", "zh_CN"})
+    QTest::newRow("en") << QStringLiteral("en");
+    if (effort() == Effort::Small && !isWritten())
+        return;
+    for (const char* language : {"de", "zh_CN"})
         QTest::newRow(language) << QString::fromLatin1(language);
 }
 

@@ -59,6 +59,7 @@ namespace
 {
 constexpr QSize smallScreen{1280, 720}, largeScreen{1920, 1080};
 constexpr int flightMs = 600; ///< ms that the camera takes to fly to a place
+constexpr int fastPng = 80;   ///< quality of a PNG file (0 to 100); larger ones are written faster
 constexpr int settleMs = 250; ///< ms that layouts and results of other threads take
 
 int widthOf(const QWidget* widget, const QString& text)
@@ -115,6 +116,9 @@ QStringList clippedTexts(const QWidget& window)
     return clipped;
 }
 
+/// Which states of the window are pictured; each includes those before it.
+enum class Extent { Window, Panels, All };
+
 /// Returns whether the picture of the last preset has been drawn.
 bool isDrawn(const QListWidget& presets)
 {
@@ -164,23 +168,24 @@ void TestScreenshots::states_data()
 {
     QTest::addColumn<ui::ThemeChoice>("theme");
     QTest::addColumn<QString>("locale");
-    QTest::addColumn<bool>("isWhole");
-    const auto add = [](ui::ThemeChoice theme, const char* locale, bool isWhole) {
+    QTest::addColumn<Extent>("extent");
+    const auto add = [](ui::ThemeChoice theme, const char* locale, Extent extent) {
         QTest::addRow("%s %s", theme == ui::ThemeChoice::Light ? "light" : "dark", locale)
-            << theme << QString::fromLatin1(locale) << isWhole;
+            << theme << QString::fromLatin1(locale) << extent;
     };
     using enum ui::ThemeChoice;
+    using enum Extent;
     const bool isLong = effort() != Effort::Small;
     if (qApp->devicePixelRatio() > 1) { // scale factor set in tests/app/window/CMakeLists.txt
-        add(Light, "de", true);
-        add(Dark, "zh_CN", isLong);
+        add(Light, "de", isLong ? All : Panels);
+        add(Dark, "zh_CN", isLong ? All : Window);
         return;
     }
     for (const ui::ThemeChoice theme : {Light, Dark}) {
         for (const char* locale : {"en", "de", "zh_CN"}) {
             const bool isGerman = qstrcmp(locale, "de") == 0; // German texts are the longest
             if (isLong || isGerman == (theme == Dark))
-                add(theme, locale, isLong || isGerman);
+                add(theme, locale, isLong || isGerman ? All : Window);
         }
     }
 }
@@ -191,7 +196,7 @@ void TestScreenshots::states()
         QSKIP("There is no OpenGL here.");
     QFETCH(ui::ThemeChoice, theme);
     QFETCH(QString, locale);
-    QFETCH(bool, isWhole);
+    QFETCH(Extent, extent);
     m_folder.setPath(QStringLiteral(FETTLE_SCREENSHOT_DIR "/%1x %2")
                          .arg(qApp->devicePixelRatio())
                          .arg(QString::fromLatin1(QTest::currentDataTag())));
@@ -212,7 +217,9 @@ void TestScreenshots::states()
     QTRY_VERIFY(program.document.queue().isSettled());
     QTRY_COMPARE(program.window.size(), smallScreen);
     take(program.window, QStringLiteral("window"));
-    if (isWhole)
+    if (extent == Extent::Panels)
+        takePanels(program);
+    else if (extent == Extent::All)
         takeAll(program);
 }
 
@@ -237,7 +244,7 @@ void TestScreenshots::takeAll(Program& program)
 void TestScreenshots::take(QWidget& window, const QString& state, const QSize& screen)
 {
     QTest::qWait(settleMs);
-    QVERIFY(window.grab().save(m_folder.filePath(state + QStringLiteral(".png"))));
+    QVERIFY(window.grab().save(m_folder.filePath(state + QStringLiteral(".png")), nullptr, fastPng));
     const QStringList clipped = clippedTexts(window);
     QVERIFY2(clipped.isEmpty(), qPrintable(QStringLiteral("%1: %2").arg(state, clipped.join(QStringLiteral("; ")))));
     QVERIFY2(window.width() <= screen.width() && window.height() <= screen.height(), qPrintable(state));
@@ -574,7 +581,7 @@ void TestScreenshots::takeSmallForm(QWidget& window)
     window.resize(size);
     QTRY_COMPARE(window.size(), size);
     QTest::qWait(settleMs);
-    QVERIFY(window.grab().save(m_folder.filePath(QStringLiteral("class-questions-small.png"))));
+    QVERIFY(window.grab().save(m_folder.filePath(QStringLiteral("class-questions-small.png")), nullptr, fastPng));
     const auto* panel = window.findChild<ui::QuestionnairePanel*>();
     const auto isWhole = [](const QWidget* widget) { return widget->visibleRegion().boundingRect() == widget->rect(); };
     for (const char* name : {"questionsDone", "skipQuestions"})

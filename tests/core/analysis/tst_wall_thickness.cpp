@@ -933,7 +933,7 @@ void TestWallThickness::edgesOf60Degrees_areNoThinPlaces()
 void TestWallThickness::parts_agreeWithDenseSampling()
 {
     const auto first = static_cast<unsigned>(std::max(1, qEnvironmentVariableIntValue("FETTLE_SEED")));
-    const auto count = static_cast<unsigned>(byEffort(40, 400, 4000));
+    const auto count = static_cast<unsigned>(byEffort(20, 400, 4000));
     for (unsigned number = first; number < first + count; ++number) {
         const TriangleMesh part = randomPart(number);
         const PrintMeasures measures = core::measureForPrint(part);
@@ -1068,7 +1068,8 @@ void TestWallThickness::ridges_areMeasuredAtTheirGround()
     QFETCH(const TriangleMesh, mesh);
     QFETCH(const double, left);
     Random random(1);
-    for (int turn = 0; turn < 4; ++turn) {
+    const int turns = byEffort(2, 4);
+    for (int turn = 0; turn < turns; ++turn) {
         const PrintMeasures measures = core::measureForPrint(turn == 0 ? mesh : turned(mesh, random.rotation()));
         const PrintReport report = core::checkForPrint(measures, {.minWall = 0.8, .bed = {}});
         QVERIFY2(report.minByBalls && std::abs(*report.minByBalls / left - 1) < 0.02,

@@ -270,7 +270,8 @@ void TestHollowSolids::volume_isKept()
     QFETCH(const TriangleMesh, mesh);
     QFETCH(const double, volume);
     StrokeFuzzer random(5);
-    for (int turn = 0; turn < 12; ++turn) {
+    const int turns = byEffort(4, 12);
+    for (int turn = 0; turn < turns; ++turn) {
         const RepairResult result = repairMesh(turn == 0 ? mesh : turned(mesh, random));
         QVERIFY2(result.mesh, qPrintable(QStringLiteral("turn %1 is refused").arg(turn)));
         QVERIFY2(std::abs(result.report.after.volume / volume - 1) < 1e-3,

@@ -29,9 +29,9 @@ QRect difference(const QImage& a, const QImage& b)
     for (int y = 0; y < a.height(); ++y) {
         const auto *rowA = reinterpret_cast<const QRgb*>(a.constScanLine(y)),
                    *rowB = reinterpret_cast<const QRgb*>(b.constScanLine(y));
-        const auto first = std::mismatch(rowA, rowA + a.width(), rowB).first - rowA;
-        if (first == a.width())
+        if (std::equal(rowA, rowA + a.width(), rowB)) // for most rows, and faster than std::mismatch
             continue;
+        const auto first = std::mismatch(rowA, rowA + a.width(), rowB).first - rowA;
         auto last = static_cast<std::ptrdiff_t>(a.width()) - 1;
         while (rowA[last] == rowB[last])
             --last;
@@ -70,18 +70,31 @@ QStringList iconsOf(const PanelLayout& layout)
     return names;
 }
 
+/// Returns the panel with this item alone, which is painted faster.
+PanelLayout only(const PanelLayout& layout, const PanelItem& item)
+{
+    PanelLayout one = layout;
+    one.items = {item};
+    return one;
+}
+
+PanelItem withText(PanelItem item, const QString& text)
+{
+    std::visit(
+        [&](auto& look) {
+            if constexpr (requires { look.text; })
+                look.text = text;
+        },
+        item.look);
+    return item;
+}
+
 /// Returns true if the item's text is not cut off. Letters appended to a cut text are invisible, so the image does not
 /// change.
-bool isWhole(const PanelLayout& layout, std::size_t item, const QImage& painted)
+bool isWhole(const PanelLayout& layout, const PanelItem& item)
 {
-    PanelLayout more = layout;
-    std::visit(
-        [](auto& look) {
-            if constexpr (requires { look.text; })
-                look.text += QStringLiteral("WWW");
-        },
-        more.items[item].look);
-    return !difference(painted, vr::paint(more)).isNull();
+    const PanelItem more = withText(item, textOf(item) + QStringLiteral("WWW"));
+    return !difference(vr::paint(only(layout, item)), vr::paint(only(layout, more))).isNull();
 }
 
 PanelTouches touching(const PanelItem& item, bool isPressed, double held = 0)
@@ -176,23 +189,17 @@ void TestPanelPainter::texts_keepWithinTheirParts()
 {
     QFETCH(int, index);
     const PanelLayout layout = exampleLayout(index);
-    const QImage plain = vr::paint(layout);
-    for (std::size_t i = 0; i < layout.items.size(); ++i) {
-        if (textOf(layout.items[i]).isEmpty())
+    for (const PanelItem& item : layout.items) {
+        if (textOf(item).isEmpty())
             continue;
+        const QImage plain = vr::paint(only(layout, item));
         for (const QString& text : {QStringLiteral("Åg"), QStringLiteral("Ågjp ") + QString(60, QLatin1Char('W')),
                                     QStringLiteral("jÅg gÅp ").repeated(12)}) {
-            PanelLayout other = layout;
-            std::visit(
-                [&](auto& look) {
-                    if constexpr (requires { look.text; })
-                        look.text = text;
-                },
-                other.items[i].look);
-            const QRect area = pixels(layout.items[i].area), changed = difference(plain, vr::paint(other));
-            QVERIFY2(area.contains(changed), qPrintable(textOf(layout.items[i])));
+            const QImage other = vr::paint(only(layout, withText(item, text)));
+            const QRect area = pixels(item.area), changed = difference(plain, other);
+            QVERIFY2(area.contains(changed), qPrintable(textOf(item)));
             QVERIFY2(changed.top() > area.top() && changed.bottom() < area.bottom(),
-                     qPrintable(textOf(layout.items[i]) + QLatin1Char('|') + text));
+                     qPrintable(textOf(item) + QLatin1Char('|') + text));
         }
     }
 }
@@ -219,10 +226,8 @@ void TestPanelPainter::noTranslation_isCut()
         words.emplace(TestTranslation::ofLanguage(language));
     for (const ExamplePanel& example : examples) {
         const PanelLayout layout = vr::layoutOf(example.content);
-        const QImage plain = vr::paint(layout);
-        for (std::size_t i = 0; i < layout.items.size(); ++i)
-            QVERIFY2(textOf(layout.items[i]).isEmpty() || isWhole(layout, i, plain),
-                     qPrintable(textOf(layout.items[i])));
+        for (const PanelItem& item : layout.items)
+            QVERIFY2(textOf(item).isEmpty() || isWhole(layout, item), qPrintable(textOf(item)));
     }
 }
 
@@ -240,8 +245,7 @@ void TestPanelPainter::aChosenTool_isNotCut()
         const auto item = std::ranges::find_if(
             layout.items, [&](const PanelItem& p) { return p.action && vr::isSameItem(*p.action, panel.tool); });
         QVERIFY(item != layout.items.end());
-        const auto index = static_cast<std::size_t>(item - layout.items.begin());
-        QVERIFY2(isWhole(layout, index, vr::paint(layout)), qPrintable(textOf(*item)));
+        QVERIFY2(isWhole(layout, *item), qPrintable(textOf(*item)));
     }
 }
 
