@@ -210,7 +210,6 @@ set(FETTLE_RESOURCE_FILES
     shaders/ground.vert
     shaders/hidden.frag
     shaders/hidden.vert
-    shaders/layer.frag
     shaders/line.frag
     shaders/line.vert
     shaders/picture.frag

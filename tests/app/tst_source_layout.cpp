@@ -241,6 +241,8 @@ QString otherHeaderFault(const QString& path, const QString& header)
         return "OpenMesh belongs to core";
     if (library != "vr" && header.startsWith("openxr/"))
         return "OpenXR belongs to vr";
+    if (header.startsWith("Qt3D") && !path.startsWith("ui/scene/qt3d_"))
+        return "Qt3D belongs to the files of ui/scene that are named after it";
     if (header.startsWith("CGAL/"))
         return "CGAL belongs to the tests";
     if (platformHeader.match(header).hasMatch() && !platformFile.match(path).hasMatch())
@@ -341,6 +343,7 @@ const Example badIncludes[] = {
     {"core to Qt, old name", "core/mesh/a.h", "#include <qstring.h>"},
     {"ui to vr", "ui/scene/a.cpp", "#include \"vr/openxr/xr_session.h\""},
     {"ui to app", "ui/scene/a.cpp", "#include \"app/document/document.h\""},
+    {"ui to Qt3D", "ui/scene/scene.cpp", "#include <Qt3DRender/QMesh>"},
     {"ui to OpenXR", "ui/scene/a.cpp", "#include <openxr/openxr.h>"},
     {"ui to OpenMesh", "ui/scene/a.cpp", "#include <OpenMesh/Core/Mesh/TriConnectivity.hh>"},
     {"vr to ui", "vr/scene/a.cpp", "#include \"ui/viewport/viewport.h\""},
@@ -362,7 +365,7 @@ const Example goodIncludes[] = {
     {"core to OpenMesh", "core/mesh/mesh.h", "#include <OpenMesh/Core/Mesh/TriConnectivity.hh>"},
     {"core to standard", "core/mesh/a.cpp", "#include <vector>"},
     {"ui to core", "ui/scene/a.cpp", "#include \"core/mesh/mesh_patch.h\""},
-    {"ui to Qt3D", "ui/scene/a.cpp", "#include <Qt3DRender/QMesh>"},
+    {"ui to Qt3D", "ui/scene/qt3d_engine.cpp", "#include <Qt3DRender/QMesh>"},
     {"vr to QtGui", "vr/scene/a.cpp", "#include <QOpenGLContext>"},
     {"vr to QtOpenGL", "vr/gl/a.cpp", "#include <QOpenGLShaderProgram>"},
     {"vr to OpenXR", "vr/openxr/a.cpp", "#include <openxr/openxr.h>"},

@@ -16,51 +16,25 @@
 #include <Qt3DRender/QRenderAspect>
 #include <Qt3DRender/QRenderSettings>
 #include <Qt3DRender/QRenderSurfaceSelector>
-#include <Qt3DRender/QRenderTarget>
-#include <Qt3DRender/QRenderTargetOutput>
-#include <Qt3DRender/QRenderTargetSelector>
-#include <Qt3DRender/QTexture>
 #include <Qt3DRender/QViewport>
 
 namespace ui
 {
-namespace
-{
-Qt3DRender::QTexture2D* attach(Qt3DRender::QRenderTarget* target,
-                               Qt3DRender::QRenderTargetOutput::AttachmentPoint point,
-                               Qt3DRender::QAbstractTexture::TextureFormat format)
-{
-    auto* output = new Qt3DRender::QRenderTargetOutput;
-    output->setAttachmentPoint(point);
-    auto* texture = new Qt3DRender::QTexture2D(output);
-    texture->setFormat(format);
-    texture->setGenerateMipMaps(false);
-    output->setTexture(texture);
-    target->addOutput(output);
-    return texture;
-}
-} // namespace
-
 struct Qt3dEngine::State
 {
-    QOffscreenSurface* surface;
-    Target target;
+    QOffscreenSurface* surface = nullptr;
     Qt3DCore::QEntityPtr root{new Qt3DCore::QEntity};
     Qt3DCore::QAspectEngine engine;
     Qt3DRender::QRenderSurfaceSelector* selector = nullptr;
     Qt3DRender::QClearBuffers* clear = nullptr;
     Qt3DRender::QCamera* camera = nullptr;
-    Qt3DRender::QTexture2D *color = nullptr, *depth = nullptr;
     QOpenGLContext* context = nullptr;
-    QSize size;
-    bool started = false;
 
     void buildFrameGraph();
-    Qt3DCore::QNode* targetBranch();
 };
 
-/// Builds the frame graph: surface -> [own textures, cleared] -> whole view -> camera. A second leaf draws nothing,
-/// because a graph without a live leaf stalls Qt3D. The bound framebuffer is not cleared, because it contains the clay.
+/// Builds the frame graph: surface -> whole view -> camera. A second leaf draws nothing, because a graph without a live
+/// leaf stalls Qt3D. The bound framebuffer is not cleared, because it contains the clay.
 void Qt3dEngine::State::buildFrameGraph()
 {
     selector = new Qt3DRender::QRenderSurfaceSelector;
@@ -69,7 +43,7 @@ void Qt3dEngine::State::buildFrameGraph()
     clear->setBuffers(Qt3DRender::QClearBuffers::None);
     new Qt3DRender::QNoDraw(clear);
     auto* viewport = new Qt3DRender::QViewport;
-    viewport->setParent(targetBranch());
+    viewport->setParent(selector);
     viewport->setNormalizedRect({0, 0, 1, 1});
     camera = new Qt3DRender::QCamera(root.get());
     (new Qt3DRender::QCameraSelector(viewport))->setCamera(camera);
@@ -80,25 +54,9 @@ void Qt3dEngine::State::buildFrameGraph()
     root->addComponent(settings);
 }
 
-Qt3DCore::QNode* Qt3dEngine::State::targetBranch()
+Qt3dEngine::Qt3dEngine(QOffscreenSurface& surface) : m_state(std::make_unique<State>())
 {
-    if (target == Target::BoundFramebuffer)
-        return selector;
-    auto* renderTarget = new Qt3DRender::QRenderTarget;
-    color = attach(renderTarget, Qt3DRender::QRenderTargetOutput::Color0, Qt3DRender::QAbstractTexture::RGBA8_UNorm);
-    depth = attach(renderTarget, Qt3DRender::QRenderTargetOutput::Depth, Qt3DRender::QAbstractTexture::D24);
-    auto* targetSelector = new Qt3DRender::QRenderTargetSelector(selector);
-    targetSelector->setTarget(renderTarget);
-    auto* clearOwn = new Qt3DRender::QClearBuffers(targetSelector);
-    clearOwn->setBuffers(Qt3DRender::QClearBuffers::ColorDepthBuffer);
-    clearOwn->setClearColor(Qt::transparent);
-    return clearOwn;
-}
-
-Qt3dEngine::Qt3dEngine(QOffscreenSurface* surface, Target target) : m_state(std::make_unique<State>())
-{
-    m_state->surface = surface;
-    m_state->target = target;
+    m_state->surface = &surface;
     m_state->engine.setRunMode(Qt3DCore::QAspectEngine::Manual);
     m_state->engine.registerAspect(new Qt3DCore::QCoreAspect);
     m_state->engine.registerAspect(new Qt3DRender::QRenderAspect(Qt3DRender::QRenderAspect::Automatic));
@@ -123,7 +81,6 @@ void Qt3dEngine::start()
     const QOpenGLContextGroup* group = QOpenGLContext::globalShareContext()->shareGroup();
     const QList<QOpenGLContext*> before = group->shares();
     m_state->engine.setRootEntity(m_state->root);
-    m_state->started = true;
     for (QOpenGLContext* context : group->shares())
         if (!before.contains(context))
             m_state->context = context;
@@ -168,24 +125,11 @@ void Qt3dEngine::setView(const OrbitCamera& camera, QSize pixels)
     m_state->camera->setViewCenter(eye - place.column(2).toVector3D());
     m_state->camera->setUpVector(place.column(1).toVector3D());
     m_state->camera->lens()->setProjectionMatrix(toQt(camera.projectionMatrix()));
-    if (pixels == m_state->size)
-        return;
-    m_state->size = pixels;
     m_state->selector->setExternalRenderTargetSize(pixels);
-    for (Qt3DRender::QTexture2D* texture : {m_state->color, m_state->depth})
-        if (texture)
-            texture->setSize(pixels.width(), pixels.height());
-    if (m_state->color && m_state->started)
-        frame(); // the old texture's name is stale for one frame
 }
 
 void Qt3dEngine::frame()
 {
     m_state->engine.processFrame();
-}
-
-unsigned int Qt3dEngine::texture() const
-{
-    return m_state->color ? m_state->color->handle().toUInt() : 0;
 }
 } // namespace ui

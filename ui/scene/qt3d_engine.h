@@ -17,15 +17,12 @@ namespace ui
 class Qt3dEngine
 {
 public:
-    /// Render target. OwnTexture: Qt3D renders into its own textures, in its own context.
-    enum class Target { BoundFramebuffer, OwnTexture };
-
     /// Number of frames after which a new entity is visible: shaders are loaded in one frame, commands built in the
     /// next.
     static constexpr int warmUpFrames = 4;
 
     /// The surface must outlive the engine. Entities should be added to root() before start().
-    Qt3dEngine(QOffscreenSurface* surface, Target target);
+    explicit Qt3dEngine(QOffscreenSurface& surface);
     ~Qt3dEngine();
 
     Qt3DCore::QEntity* root() const;
@@ -38,11 +35,8 @@ public:
     bool drawsIntoBoundFramebuffer(unsigned int framebuffer);
 
     void setView(const OrbitCamera& camera, QSize pixels);
-    /// Renders a frame. Target BoundFramebuffer: into the bound framebuffer; precondition: the context is current.
-    /// Target OwnTexture: into texture(); no context is current afterwards.
+    /// Renders a frame into the bound framebuffer. Precondition: the context is current.
     void frame();
-    /// Returns the OpenGL name of the texture for Target OwnTexture; 0 until Qt3D has created it.
-    unsigned int texture() const;
 
 private:
     struct State;

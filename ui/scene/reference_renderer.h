@@ -11,8 +11,8 @@ class QOpenGLShaderProgram;
 namespace ui
 {
 /// Draws a reference image with OpenGL 3.3 core over the contents of the bound framebuffer, without changing depths.
-/// Plain OpenGL rather than Qt3D, so that it also appears in Layered mode and only the visible image is uploaded.
-/// Thread: the OpenGL context that was current at create() must be current at every call.
+/// Plain OpenGL rather than Qt3D, so that only the visible image is uploaded, level by level. Thread: the OpenGL
+/// context that was current at create() must be current at every call.
 class ReferenceRenderer
 {
 public:

@@ -1,8 +1,9 @@
 #include "ui/scene/scene.h"
 
 #include "ui/scene/ghost_renderer.h"
-#include "ui/scene/overlay_entities.h"
-#include "ui/scene/qt3d_engine.h"
+#include "ui/scene/gl_overlays.h"
+#include "ui/scene/overlays.h"
+#include "ui/scene/qt3d_overlays.h"
 #include "ui/scene/reference_renderer.h"
 #include "ui/scene/render_target.h"
 
@@ -12,7 +13,6 @@
 #include <QElapsedTimer>
 #include <QOffscreenSurface>
 #include <QOpenGLFunctions_3_3_Core>
-#include <QOpenGLShaderProgram>
 #include <QOpenGLVersionFunctionsFactory>
 
 namespace ui
@@ -40,189 +40,67 @@ QOpenGLFunctions_3_3_Core* functionsOf(QOpenGLContext* context)
 
 struct Scene::State
 {
-    QOffscreenSurface surface;                  ///< outlives the engine and the contexts
-    std::unique_ptr<QOpenGLContext> ownContext; ///< used in Layered mode only
-    std::unique_ptr<Qt3dEngine> engine;
-    Ground* ground = nullptr;                       ///< owned by the engine's root
-    BrushCursor *cursor = nullptr, *mark = nullptr; ///< owned by the engine's root
-    SymmetryPlane* plane = nullptr;                 ///< owned by the engine's root
-    SectorBorders* borders = nullptr;               ///< owned by the engine's root
-    Mode mode = Mode::InQt3dContext;
-    QOpenGLContext* context = nullptr; ///< the context that has the clay's buffers and the target
+    QOffscreenSurface surface; ///< outlives the context
+    Ground ground;
+    BrushCursor cursor, mark;
+    SymmetryPlane plane;
+    SectorBorders borders;
+    std::unique_ptr<OverlayRenderer> overlays;
+    Mode mode = Mode::Qt3d;
+    QOpenGLContext* context = nullptr; ///< the context of `overlays`
     QOpenGLFunctions_3_3_Core* gl = nullptr;
     RenderTarget target;
     MeshRenderer painter;
     ReferenceRenderer referenceRenderer;
     PlacedReference reference;
     GhostRenderer ghosts;
-    std::unique_ptr<QOpenGLShaderProgram> layerProgram;
-    unsigned int noVertices = 0;
     MeshView picture;
     std::shared_ptr<const core::Footprint> footprint; ///< footprint that is tinted at present
     std::shared_ptr<const core::Footprint> shades;
     bool hasModel = false, wantsGround = true;
     bool usable = false;
 
-    void startEngine(Qt3dEngine::Target target);
-    bool startInQt3dContext();
-    bool startLayered();
-    bool createResources();
-    void warmUp();
+    bool start(Mode wanted);
     void makeCurrent() { context->makeCurrent(&surface); }
-    void showGround();
-    void drawOverlay();
-    void drawOverlay(unsigned int texture);
+    void showGround() { ground.setShown(hasModel && wantsGround); }
 };
 
-void Scene::State::startEngine(Qt3dEngine::Target wanted)
+bool Scene::State::start(Mode wanted)
 {
-    engine = std::make_unique<Qt3dEngine>(&surface, wanted);
-    ground = new Ground(engine->root());
-    ground->setEnabled(false);
-    cursor = new BrushCursor(engine->root());
-    cursor->setEnabled(false);
-    mark = new BrushCursor(engine->root());
-    mark->setColor(markColor);
-    mark->setEnabled(false);
-    plane = new SymmetryPlane(engine->root());
-    plane->setEnabled(false);
-    borders = new SectorBorders(engine->root());
-    borders->setEnabled(false);
-    engine->start();
-}
-
-bool Scene::State::startInQt3dContext()
-{
-    startEngine(Qt3dEngine::Target::BoundFramebuffer);
-    context = engine->context();
-    if (!context || !(gl = functionsOf(context)) || !createResources())
-        return false;
-    RenderTarget test; // not multisampled, because it is read back
-    test.create(gl, 0);
-    const bool works = test.resize({16, 16}) && (test.bind(), engine->drawsIntoBoundFramebuffer(test.framebuffer()));
-    test.destroy();
-    return works;
-}
-
-bool Scene::State::startLayered()
-{
-    if (gl) {
-        painter.destroy();
-        referenceRenderer.destroy();
-        ghosts.destroy();
-        target.destroy();
+    const std::vector<const Overlay*> all{&ground, &cursor, &mark, &plane, &borders};
+    mode = wanted;
+    if (mode == Mode::Qt3d)
+        overlays = makeQt3dOverlays(surface, all);
+    if (!overlays) {
+        mode = Mode::OpenGl;
+        overlays = makeGlOverlays(surface, all);
     }
-    engine.reset();
-    mode = Mode::Layered;
-    startEngine(Qt3dEngine::Target::OwnTexture);
-    ownContext = std::make_unique<QOpenGLContext>();
-    ownContext->setFormat(surface.requestedFormat());
-    ownContext->setShareContext(QOpenGLContext::globalShareContext());
-    if (!ownContext->create() || !ownContext->makeCurrent(&surface))
+    if (!overlays)
         return false;
-    context = ownContext.get();
+    context = overlays->context();
     gl = functionsOf(context);
-    if (!gl || !createResources())
-        return false;
-    layerProgram = std::make_unique<QOpenGLShaderProgram>();
-    gl->glGenVertexArrays(1, &noVertices);
-    return layerProgram->addShaderFromSourceFile(QOpenGLShader::Vertex, QStringLiteral(":/shaders/background.vert")) &&
-           layerProgram->addShaderFromSourceFile(QOpenGLShader::Fragment, QStringLiteral(":/shaders/layer.frag")) &&
-           layerProgram->link();
-}
-
-bool Scene::State::createResources()
-{
     target.create(gl, samplesPerPixel);
     return painter.create(gl) && referenceRenderer.create(gl) && ghosts.create(gl);
-}
-
-/// Draws Qt3D's entities over clay and backdrop. Qt3D restores most of the OpenGL state that others left behind, but
-/// not the state set here.
-void Scene::State::drawOverlay()
-{
-    if (mode == Mode::InQt3dContext) {
-        gl->glCullFace(GL_BACK);
-        gl->glFrontFace(GL_CCW);
-        gl->glDisable(GL_FRAMEBUFFER_SRGB);
-        gl->glDisable(GL_RASTERIZER_DISCARD);
-        gl->glEnable(GL_DEPTH_TEST);
-        engine->frame();
-    } else if (cursor->isEnabled() || mark->isEnabled()) {
-        engine->frame();
-        makeCurrent();
-        target.bind();
-        drawOverlay(engine->texture());
-    }
-}
-
-void Scene::State::drawOverlay(unsigned int texture)
-{
-    if (!texture)
-        return;
-    gl->glDisable(GL_DEPTH_TEST);
-    gl->glEnable(GL_BLEND);
-    gl->glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    gl->glActiveTexture(GL_TEXTURE0);
-    gl->glBindTexture(GL_TEXTURE_2D, texture);
-    layerProgram->bind();
-    gl->glBindVertexArray(noVertices);
-    gl->glDrawArrays(GL_TRIANGLES, 0, 3);
-    gl->glBindVertexArray(0);
-    layerProgram->release();
-    gl->glBindTexture(GL_TEXTURE_2D, 0);
-    gl->glDisable(GL_BLEND);
-}
-
-/// Shows the ground if there is a model and it is wanted. Layered mode has neither ground, symmetry plane nor sector
-/// borders, because their depth could not be compared with the clay's.
-void Scene::State::showGround()
-{
-    ground->setEnabled(hasModel && wantsGround && mode == Mode::InQt3dContext);
-}
-
-/// Draws every entity once, offscreen. Otherwise ground and cursor would be missing in the first frames.
-void Scene::State::warmUp()
-{
-    ground->setEnabled(mode == Mode::InQt3dContext);
-    plane->setEnabled(mode == Mode::InQt3dContext);
-    borders->setEnabled(mode == Mode::InQt3dContext);
-    cursor->setEnabled(true);
-    mark->setEnabled(true);
-    for (int i = 0; i < Qt3dEngine::warmUpFrames; ++i) {
-        makeCurrent();
-        target.resize({16, 16});
-        target.bind();
-        drawOverlay();
-    }
-    cursor->setEnabled(false);
-    mark->setEnabled(false);
-    plane->setEnabled(false);
-    borders->setEnabled(false);
-    ground->setEnabled(false); // hidden until there is a model
 }
 
 Scene::Scene(Mode wanted) : m_state(std::make_unique<State>())
 {
     m_state->surface.setFormat(QSurfaceFormat::defaultFormat());
     m_state->surface.create();
-    m_state->usable = (wanted == Mode::InQt3dContext && m_state->startInQt3dContext()) || m_state->startLayered();
+    m_state->mark.setColor(markColor);
+    m_state->usable = m_state->start(wanted);
     setAppearance({}, false);
-    if (m_state->usable)
-        m_state->warmUp();
 }
 
 Scene::~Scene()
 {
     if (m_state->context && m_state->context->makeCurrent(&m_state->surface)) {
-        m_state->layerProgram.reset();
         m_state->painter.destroy();
         m_state->referenceRenderer.destroy();
         m_state->ghosts.destroy();
         m_state->target.destroy();
         m_state->context->doneCurrent();
     }
-    m_state->engine.reset();
 }
 
 bool Scene::usable() const
@@ -243,21 +121,21 @@ MeshBuffer& Scene::meshBuffer()
 
 void Scene::placeGround(const core::Box& box)
 {
-    m_state->ground->place(box);
+    m_state->ground.place(box);
     m_state->hasModel = true;
     m_state->showGround();
 }
 
 void Scene::placeCursor(const core::SurfaceHit& hit, double radius, const QColor& color)
 {
-    m_state->cursor->place(hit.position, hit.normal, radius);
-    m_state->cursor->setColor(color);
-    m_state->cursor->setEnabled(true);
+    m_state->cursor.place(hit.position, hit.normal, radius);
+    m_state->cursor.setColor(color);
+    m_state->cursor.setShown(true);
 }
 
 void Scene::hideCursor()
 {
-    m_state->cursor->setEnabled(false);
+    m_state->cursor.setShown(false);
 }
 
 void Scene::tintBall(const core::Vec3& center, const core::StrokeSettings& brush)
@@ -292,13 +170,13 @@ void Scene::shade(const std::shared_ptr<const core::Footprint>& shades)
 
 void Scene::showMark(const core::Vec3& point, const core::Vec3& normal, double radius)
 {
-    m_state->mark->place(point, normal, radius);
-    m_state->mark->setEnabled(true);
+    m_state->mark.place(point, normal, radius);
+    m_state->mark.setShown(true);
 }
 
 void Scene::hideMark()
 {
-    m_state->mark->setEnabled(false);
+    m_state->mark.setShown(false);
 }
 
 void Scene::showPlane(core::Symmetry symmetry, const core::Box& box)
@@ -306,22 +184,22 @@ void Scene::showPlane(core::Symmetry symmetry, const core::Box& box)
     const bool shown = symmetry != core::Symmetry::None && !box.isEmpty();
     m_state->painter.setCut({shown ? core::planeNormal(symmetry) : core::Vec3::Zero()});
     if (shown)
-        m_state->plane->place(symmetry, box);
-    m_state->plane->setEnabled(shown && m_state->mode == Mode::InQt3dContext);
+        m_state->plane.place(symmetry, box);
+    m_state->plane.setShown(shown);
 }
 
 void Scene::showCut(const core::Vec3& point, const core::Vec3& normal, core::Symmetry image)
 {
     m_state->painter.setCut({normal, point, true, image});
-    m_state->plane->setEnabled(false);
+    m_state->plane.setShown(false);
 }
 
 void Scene::showSectors(int sectors, core::Symmetry symmetry, const core::Box& box)
 {
     const bool shown = sectors > 1 && !box.isEmpty();
     if (shown)
-        m_state->borders->place(sectors, symmetry, box);
-    m_state->borders->setEnabled(shown && m_state->mode == Mode::InQt3dContext);
+        m_state->borders.place(sectors, symmetry, box);
+    m_state->borders.setShown(shown);
 }
 
 void Scene::showReference(const PlacedReference& reference)
@@ -353,9 +231,9 @@ void Scene::setAppearance(const ViewAppearance& appearance, bool darkTheme)
     s.picture.tint = appearance.tint;
     s.picture.cavity = appearance.cavity;
     s.picture.wireframe = appearance.wireframe;
-    s.ground->setDark(isDark(s.picture.backdrop));
-    s.plane->setDark(isDark(s.picture.backdrop));
-    s.borders->setDark(isDark(s.picture.backdrop));
+    s.ground.setDark(isDark(s.picture.backdrop));
+    s.plane.setDark(isDark(s.picture.backdrop));
+    s.borders.setDark(isDark(s.picture.backdrop));
     s.ghosts.setDark(isDark(s.picture.backdrop));
     s.wantsGround = appearance.ground;
     s.showGround();
@@ -366,11 +244,10 @@ Scene::Image Scene::render(const OrbitCamera& camera, QSize pixels, double pixel
     State& s = *m_state;
     Image image;
     QElapsedTimer timer;
-    s.engine->setView(camera, pixels);
-    s.cursor->setPixels(pixels, pixelRatio);
-    s.mark->setPixels(pixels, pixelRatio);
-    s.plane->setPixelRatio(pixelRatio);
-    s.borders->setPixelRatio(pixelRatio);
+    s.cursor.setPixels(pixels, pixelRatio);
+    s.mark.setPixels(pixels, pixelRatio);
+    s.plane.setPixelRatio(pixelRatio);
+    s.borders.setPixelRatio(pixelRatio);
     s.makeCurrent();
     if (!s.target.resize(pixels))
         return image;
@@ -383,7 +260,7 @@ Scene::Image Scene::render(const OrbitCamera& camera, QSize pixels, double pixel
     image.isDraft = s.referenceRenderer.draw(camera, s.reference);
     image.drawMs = milliseconds(timer);
     timer.start();
-    s.drawOverlay();
+    s.overlays->draw(camera, pixels);
     s.ghosts.draw(camera);
     image.sceneMs = milliseconds(timer);
     s.target.resolve();

@@ -16,19 +16,17 @@
 
 namespace ui
 {
-/// Draws everything into one image: MeshRenderer draws clay and backdrop, Qt3D the overlays (overlay_entities.h). Qt3D
-/// renders on demand, on this thread, into Fettle's own framebuffer, so that both share one depth buffer.
-///
-/// Sharing works only if Qt3D draws into the bound framebuffer when its context is already current, which is tested at
-/// the start. If the test fails (Mode::Layered), the clay has a context of its own, and Qt3D's image, with brush ring
-/// and mark only, is laid over it.
+/// Draws everything into one image: MeshRenderer draws clay and backdrop, an OverlayRenderer the overlays (overlays.h),
+/// with one depth buffer. The overlays are drawn by Qt3D, which then has the OpenGL context of all; in a build without
+/// Qt3D, and where it does not draw into Fettle's own framebuffer, by OpenGL (Mode::OpenGl).
 ///
 /// Thread: gui. Precondition: QApplication exists, and prepareGraphics() was called before it was made. No other
 /// context may be current during a call; afterwards the scene's context is current.
 class Scene
 {
 public:
-    enum class Mode { InQt3dContext, Layered };
+    /// What draws the overlays.
+    enum class Mode { Qt3d, OpenGl };
 
     struct Image
     {
@@ -38,8 +36,8 @@ public:
         double drawMs = 0, sceneMs = 0;
     };
 
-    /// `wanted`: Layered forces that mode, for tests; InQt3dContext uses it if the driver allows.
-    explicit Scene(Mode wanted = Mode::InQt3dContext);
+    /// `wanted`: OpenGl forces that mode, for tests; Qt3d uses it if the build and the driver allow.
+    explicit Scene(Mode wanted = Mode::Qt3d);
     ~Scene();
 
     /// Returns false if the driver gave no usable context or framebuffer. Then no other function may be called.

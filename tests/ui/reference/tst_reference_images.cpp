@@ -353,18 +353,18 @@ private Q_SLOTS:
     /// Mip levels are uploaded over several frames; the finest is visible in the last frame.
     void aLargeImageGrowsSharp_data()
     {
-        QTest::addColumn<bool>("layered");
-        QTest::newRow("in Qt3D's context") << false;
-        QTest::newRow("in layers") << true;
+        QTest::addColumn<ui::Scene::Mode>("mode");
+        QTest::newRow("by Qt3D") << ui::Scene::Mode::Qt3d;
+        QTest::newRow("by OpenGL") << ui::Scene::Mode::OpenGl;
     }
 
     void aLargeImageGrowsSharp()
     {
-        QFETCH(bool, layered);
+        QFETCH(ui::Scene::Mode, mode);
         const QString large = m_folder.filePath(QStringLiteral("fine.png"));
         QVERIFY(testPicture({3000, 3000}).save(large));
         const ui::SharedReferencePicture picture = ui::readReference(large);
-        ui::Scene scene(layered ? ui::Scene::Mode::Layered : ui::Scene::Mode::InQt3dContext);
+        ui::Scene scene(mode);
         ui::OrbitCamera camera;
         camera.setViewport(100, 100);
         camera.turnTo(Side::Front);

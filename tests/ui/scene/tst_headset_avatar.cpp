@@ -130,7 +130,7 @@ private Q_SLOTS:
     void ghosts_areWhereTheyShouldBe_data();
     void ghosts_areWhereTheyShouldBe();
     void clay_hidesThem();
-    void layers_showThem();
+    void bothModes_showThem();
     void drawing_isCoalesced();
     void pressOnAGhost_isAPressBesideTheModel();
     void modelAndView_areNotTheirs();
@@ -193,12 +193,12 @@ void TestHeadsetAvatar::clay_hidesThem()
     QVERIFY(changed(bare, s.picture()).contains(onModel));
 }
 
-void TestHeadsetAvatar::layers_showThem()
+void TestHeadsetAvatar::bothModes_showThem()
 {
     constexpr QSize size(400, 300);
     const SphereModel model;
     const OrbitCamera camera = cameraOnBall();
-    for (const auto mode : {ui::Scene::Mode::InQt3dContext, ui::Scene::Mode::Layered}) {
+    for (const auto mode : {ui::Scene::Mode::Qt3d, ui::Scene::Mode::OpenGl}) {
         ui::Scene scene(mode);
         scene.meshBuffer().apply(model.whole());
         const auto picture = [&] {
