@@ -85,9 +85,9 @@ std::vector<double> smoothed(const std::vector<double>& depths, const std::vecto
     std::vector<double> result(depths.size());
     for (std::size_t i = 0; i < depths.size(); ++i) {
         double sum = 0, weights = 0;
-        const double reach = std::min({radius, ways[i] - ways.front(), ways.back() - ways[i]});
+        const double halfWidth = std::min({radius, ways[i] - ways.front(), ways.back() - ways[i]});
         for (std::size_t k = 0; k < depths.size(); ++k) {
-            const double weight = std::max(0.0, reach - std::abs(ways[k] - ways[i]));
+            const double weight = std::max(0.0, halfWidth - std::abs(ways[k] - ways[i]));
             sum += weight * depths[k];
             weights += weight;
         }
