@@ -152,13 +152,14 @@ void TestPanelPainter::whatIsPointedAt_isLitWhereItIsHit()
     for (const PanelItem& item : layout.items) {
         if (!item.isInteractive())
             continue;
-        const QImage lit = vr::paint(layout, touching(item, false)), pressed = vr::paint(layout, touching(item, true));
-        const QRect area = pixels(item.area), changed = difference(plain, lit);
+        const QRect area = pixels(item.area), changed = difference(plain, vr::paint(layout, touching(item, false)));
         QVERIFY(area.contains(changed));
         QVERIFY(changed.width() >= area.width() - 8 && changed.height() >= area.height() - 8);
-        QVERIFY(area.contains(difference(plain, pressed)));
+        const PanelLayout one = only(layout, item);
+        const QImage lit = vr::paint(one, touching(item, false)), pressed = vr::paint(one, touching(item, true));
+        QVERIFY(area.contains(difference(vr::paint(one), pressed)));
         QVERIFY(!difference(lit, pressed).isNull());
-        QVERIFY(difference(lit, vr::paint(layout, {std::nullopt, PanelTouch{*item.action, false, 0}})).isNull());
+        QVERIFY(difference(lit, vr::paint(one, {std::nullopt, PanelTouch{*item.action, false, 0}})).isNull());
     }
 }
 
