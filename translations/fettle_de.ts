@@ -8873,6 +8873,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
 <context>
     <name>vr::OpenXrRuntime</name>
     <message>
+        <source>The OpenXR runtime needs OpenXR 1.1, which this computer&apos;s OpenXR loader does not know (%1). Install a newer loader, or choose another runtime.</source>
+        <extracomment>%1: a name from OpenXR, such as XR_ERROR_API_VERSION_UNSUPPORTED</extracomment>
+        <translation>Die OpenXR-Laufzeitumgebung braucht OpenXR 1.1, das der OpenXR-Loader dieses Computers nicht kennt (%1). Bitte einen neueren Loader installieren oder eine andere Laufzeitumgebung wählen.</translation>
+    </message>
+    <message>
         <source>No OpenXR runtime answers (%1). Start SteamVR, Monado or the headset&apos;s own program, then ask again.</source>
         <extracomment>%1: a name from OpenXR, such as XR_ERROR_RUNTIME_UNAVAILABLE</extracomment>
         <translation>Es antwortet keine OpenXR-Laufzeitumgebung (%1). Bitte SteamVR, Monado oder das Programm der VR-Brille starten und erneut suchen.</translation>

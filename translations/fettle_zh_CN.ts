@@ -8839,6 +8839,11 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
 <context>
     <name>vr::OpenXrRuntime</name>
     <message>
+        <source>The OpenXR runtime needs OpenXR 1.1, which this computer&apos;s OpenXR loader does not know (%1). Install a newer loader, or choose another runtime.</source>
+        <extracomment>%1: a name from OpenXR, such as XR_ERROR_API_VERSION_UNSUPPORTED</extracomment>
+        <translation>该 OpenXR 运行时需要 OpenXR 1.1，而这台电脑的 OpenXR 加载器不支持（%1）。请安装更新的加载器，或选择其他运行时。</translation>
+    </message>
+    <message>
         <source>No OpenXR runtime answers (%1). Start SteamVR, Monado or the headset&apos;s own program, then ask again.</source>
         <extracomment>%1: a name from OpenXR, such as XR_ERROR_RUNTIME_UNAVAILABLE</extracomment>
         <translation>没有 OpenXR 运行时响应 (%1)。请启动 SteamVR、Monado 或头显自带的程序，然后再次查找。</translation>

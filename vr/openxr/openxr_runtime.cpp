@@ -22,6 +22,11 @@ QString OpenXrRuntime::textOf(const HeadsetStatus& status)
 {
     switch (status.state) {
     case HeadsetStatus::State::NoRuntime:
+        if (status.reason == resultName(XR_ERROR_API_VERSION_UNSUPPORTED))
+            //: %1: a name from OpenXR, such as XR_ERROR_API_VERSION_UNSUPPORTED
+            return tr("The OpenXR runtime needs OpenXR 1.1, which this computer's OpenXR loader does not know (%1). "
+                      "Install a newer loader, or choose another runtime.")
+                .arg(status.reason);
         //: %1: a name from OpenXR, such as XR_ERROR_RUNTIME_UNAVAILABLE
         return tr("No OpenXR runtime answers (%1). Start SteamVR, Monado or the headset's own program, then ask again.")
             .arg(status.reason);

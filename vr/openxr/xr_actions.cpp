@@ -42,7 +42,8 @@ Actions::Actions(const Instance& instance, XrSession session) : m_instance(insta
         m_hands[side].path = instance.path(handPaths[side]);
     makeActions();
     for (const WandProfile& profile : wandProfiles())
-        suggest(profile);
+        if (instance.knows(profile))
+            suggest(profile);
     attach();
     for (Hand& hand : m_hands) {
         hand.grip = makeSpace(Control::Grip, hand.path);

@@ -1,4 +1,6 @@
-// Paths are from section 6.4 of the OpenXR specification, "Interaction Profile Paths".
+// Paths are from section 6.4 of the OpenXR specification, "Interaction Profile Paths", and from the section of each
+// extension, as of version 1.1.62. XR_VALVE_frame_controller_interaction is not in the specification; its paths are
+// those of Valve's OpenXR package for Unity. Names of extensions are written out, because older headers lack most.
 #include "vr/openxr/xr_bindings.h"
 
 namespace vr
@@ -23,7 +25,7 @@ constexpr Binding trackpadWand[]{
     pulse,
 };
 
-constexpr std::array<Binding, controlCount> stickWand(const Binding& side, const Binding& menu)
+constexpr std::array<Binding, 9> stickWand(const Binding& side, const Binding& menu)
 {
     return {{grip,
              aim,
@@ -36,25 +38,66 @@ constexpr std::array<Binding, controlCount> stickWand(const Binding& side, const
              pulse}};
 }
 
+constexpr Binding squeezeValue{Control::Side, "/input/squeeze/value"};
+constexpr Binding squeezeClick{Control::Side, "/input/squeeze/click"};
+/// The upper buttons, which are at the same place in both hands. They serve as menu buttons where only the left wand
+/// has one.
+constexpr Binding upperButtons{Control::Menu, "/input/y/click", "/input/b/click"};
+
 /// Bindings of Valve's Index. A squeeze is measured by force, because the grip senses every finger that touches it. The
 /// system reserves the menu button, so B is used as menu.
 constexpr auto index = stickWand({Control::Side, "/input/squeeze/force"}, {Control::Menu, "/input/b/click"});
 
-/// Bindings of Oculus Touch. Only the left wand has a menu button, so Y and B are used, which are at the same place in
-/// both hands.
-constexpr auto touch =
-    stickWand({Control::Side, "/input/squeeze/value"}, {Control::Menu, "/input/y/click", "/input/b/click"});
+/// Bindings of Valve's Frame controllers. The right one has four buttons, the left one a pad of four directions. The
+/// top one of either serves as menu button, because SteamVR may keep View and Menu for itself.
+constexpr auto frame = stickWand(squeezeValue, {Control::Menu, "/input/dpad_up/click", "/input/y/click"});
+
+/// Bindings of Meta's Touch controllers, of Pico's and of the Vive Focus 3's.
+constexpr auto touch = stickWand(squeezeValue, upperButtons);
+
+/// Bindings of the Vive Cosmos.
+constexpr auto cosmos = stickWand(squeezeClick, upperButtons);
+
+/// Bindings of HP's Reverb, whose thumbstick does not sense touches.
+constexpr Binding reverb[]{
+    grip,
+    aim,
+    trigger,
+    {Control::Pad, "/input/thumbstick"},
+    {Control::PadPress, "/input/thumbstick/click"},
+    squeezeValue,
+    {Control::Menu, "/input/menu/click"},
+    pulse,
+};
 
 constexpr Binding simple[]{
     grip, aim, {Control::Trigger, "/input/select/click"}, {Control::Menu, "/input/menu/click"}, pulse,
 };
 
+constexpr XrVersion in10 = XR_MAKE_VERSION(1, 0, 0), in11 = XR_MAKE_VERSION(1, 1, 0), inNone = 0;
+
+// OpenXR 1.1 renamed two profiles of Meta when it took them over: they have a row for each name.
 constexpr WandProfile profiles[]{
-    {"/interaction_profiles/htc/vive_controller", false, trackpadWand},
-    {"/interaction_profiles/valve/index_controller", true, index},
-    {"/interaction_profiles/oculus/touch_controller", true, touch},
-    {"/interaction_profiles/microsoft/motion_controller", false, trackpadWand},
-    {"/interaction_profiles/khr/simple_controller", false, simple},
+    {"/interaction_profiles/htc/vive_controller", false, trackpadWand, in10},
+    {"/interaction_profiles/htc/vive_cosmos_controller", true, cosmos, in11,
+     "XR_HTC_vive_cosmos_controller_interaction"},
+    {"/interaction_profiles/htc/vive_focus3_controller", true, touch, in11,
+     "XR_HTC_vive_focus3_controller_interaction"},
+    {"/interaction_profiles/valve/index_controller", true, index, in10},
+    {"/interaction_profiles/valve/frame_controller_valve", true, frame, inNone,
+     "XR_VALVE_frame_controller_interaction"},
+    {"/interaction_profiles/oculus/touch_controller", true, touch, in10},
+    {"/interaction_profiles/meta/touch_plus_controller", true, touch, in11},
+    {"/interaction_profiles/meta/touch_controller_plus", true, touch, inNone, "XR_META_touch_controller_plus"},
+    {"/interaction_profiles/meta/touch_pro_controller", true, touch, in11},
+    {"/interaction_profiles/facebook/touch_controller_pro", true, touch, inNone, "XR_FB_touch_controller_pro"},
+    {"/interaction_profiles/bytedance/pico_neo3_controller", true, touch, in11, "XR_BD_controller_interaction"},
+    {"/interaction_profiles/bytedance/pico4_controller", true, touch, in11, "XR_BD_controller_interaction"},
+    {"/interaction_profiles/bytedance/pico_ultra_controller_bd", true, touch, inNone,
+     "XR_BD_ultra_controller_interaction"},
+    {"/interaction_profiles/microsoft/motion_controller", false, trackpadWand, in10},
+    {"/interaction_profiles/hp/mixed_reality_controller", true, reverb, in11, "XR_EXT_hp_mixed_reality_controller"},
+    {"/interaction_profiles/khr/simple_controller", false, simple, in10},
 };
 } // namespace
 

@@ -46,12 +46,18 @@ struct Binding
     {}
 };
 
-/// One kind of wand: an interaction profile of OpenXR.
+/// One kind of wand: an interaction profile of OpenXR. A runtime knows a profile if it belongs to the core of the
+/// OpenXR version in use, or if the extension that defines it is enabled. Others must not be suggested.
 struct WandProfile
 {
     const char* path;
     bool isStick; ///< see WandState::isStick
     std::span<const Binding> bindings;
+    /// First version of OpenXR with the profile in its core; 0: none has it.
+    XrVersion core = XR_MAKE_VERSION(1, 0, 0);
+    const char* extension = nullptr; ///< extension that defines the profile; null: none
+
+    constexpr bool isInCore(XrVersion version) const { return core != 0 && core <= version; }
 };
 
 /// OpenXR's paths of the hands, indexed by Side.

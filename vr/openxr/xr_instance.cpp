@@ -9,9 +9,9 @@ namespace
 /// Locked by the existing instance: the loader allows only one at a time.
 std::mutex onlyInstance;
 
-/// OpenXR version that this client is written and tested for. The headers' own version may be 1.1, which a runtime of
-/// OpenXR 1.0 refuses.
-constexpr XrVersion requestedVersion = XR_MAKE_VERSION(1, 0, 20);
+/// OpenXR versions to ask for until the runtime accepts one. The first is the one that this client is written and
+/// tested for; the headers' own version may be 1.1, which a runtime of OpenXR 1.0 refuses.
+constexpr XrVersion requestedVersions[] = {XR_MAKE_VERSION(1, 0, 20), XR_MAKE_VERSION(1, 1, 0)};
 
 /// Extension for drawing with OpenGL. An EGL context needs XR_MNDX_egl_enable too.
 constexpr const char* openGlExtension = "XR_KHR_opengl_enable";
@@ -27,6 +27,21 @@ template <std::size_t N> QString textOf(const char (&name)[N])
     return QString::fromUtf8(name, static_cast<qsizetype>(strnlen(name, N)));
 }
 
+/// Returns all extensions that are used if the runtime has them, some of them more than once.
+std::vector<const char*> allWantedExtensions()
+{
+    std::vector<const char*> wanted(std::begin(wantedExtensions), std::end(wantedExtensions));
+    for (const WandProfile& profile : wandProfiles())
+        if (profile.extension)
+            wanted.push_back(profile.extension);
+    return wanted;
+}
+
+bool contains(const std::vector<const char*>& extensions, const char* name)
+{
+    return std::ranges::any_of(extensions, [&](const char* one) { return std::strcmp(one, name) == 0; });
+}
+
 std::vector<const char*> offeredExtensions()
 {
     const auto offered = enumerate("xrEnumerateInstanceExtensionProperties",
@@ -35,25 +50,24 @@ std::vector<const char*> offeredExtensions()
                                        return xrEnumerateInstanceExtensionProperties(nullptr, capacity, count, items);
                                    });
     std::vector<const char*> found;
-    for (const char* wanted : wantedExtensions)
-        if (std::any_of(offered.begin(), offered.end(),
-                        [&](const auto& one) { return std::strcmp(one.extensionName, wanted) == 0; }))
+    for (const char* wanted : allWantedExtensions())
+        if (!contains(found, wanted) && std::any_of(offered.begin(), offered.end(), [&](const auto& one) {
+                return std::strcmp(one.extensionName, wanted) == 0;
+            }))
             found.push_back(wanted);
     return found;
 }
 
-InstanceHandle makeInstance(const std::vector<const char*>& extensions)
+XrResult tryInstance(const std::vector<const char*>& extensions, XrVersion version, XrInstance& made)
 {
     XrInstanceCreateInfo info{};
     info.type = XR_TYPE_INSTANCE_CREATE_INFO;
     std::strncpy(info.applicationInfo.applicationName, "Fettle", XR_MAX_APPLICATION_NAME_SIZE - 1);
     info.applicationInfo.applicationVersion = 1;
-    info.applicationInfo.apiVersion = requestedVersion;
+    info.applicationInfo.apiVersion = version;
     info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
     info.enabledExtensionNames = extensions.data();
-    XrInstance made = XR_NULL_HANDLE;
-    check(xrCreateInstance(&info, &made), "xrCreateInstance");
-    return InstanceHandle(made);
+    return xrCreateInstance(&info, &made);
 }
 
 QString runtimeName(XrInstance instance)
@@ -92,7 +106,16 @@ Instance::Instance(std::unique_lock<std::mutex> lock) : m_lock(std::move(lock))
 void Instance::create()
 {
     m_extensions = offeredExtensions();
-    m_handle = makeInstance(m_extensions);
+    XrResult result = XR_ERROR_API_VERSION_UNSUPPORTED;
+    for (const XrVersion version : requestedVersions) {
+        if (result != XR_ERROR_API_VERSION_UNSUPPORTED)
+            break;
+        XrInstance made = XR_NULL_HANDLE;
+        result = tryInstance(m_extensions, version, made);
+        m_version = version;
+        m_handle = InstanceHandle(made);
+    }
+    check(result, "xrCreateInstance");
     m_status.runtime = runtimeName(handle());
 }
 
@@ -110,8 +133,12 @@ void Instance::findHeadset()
 
 bool Instance::has(const char* extension) const
 {
-    return std::any_of(m_extensions.begin(), m_extensions.end(),
-                       [&](const char* one) { return std::strcmp(one, extension) == 0; });
+    return contains(m_extensions, extension);
+}
+
+bool Instance::knows(const WandProfile& profile) const
+{
+    return profile.isInCore(m_version) || (profile.extension && has(profile.extension));
 }
 
 XrPath Instance::path(const char* text) const

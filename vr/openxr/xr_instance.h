@@ -1,6 +1,7 @@
 #pragma once
 
 #include "vr/openxr/openxr_runtime.h"
+#include "vr/openxr/xr_bindings.h"
 #include "vr/openxr/xr_handle.h"
 #include "vr/openxr/xr_result.h"
 
@@ -50,6 +51,10 @@ public:
     XrSystemId system() const { return m_system; }
     /// Returns whether the runtime offers the extension and it is enabled.
     bool has(const char* extension) const;
+    /// Returns the version of OpenXR in use, which the runtime supports at least: 1.0, or 1.1 if it refuses 1.0.
+    XrVersion version() const { return m_version; }
+    /// Returns whether the runtime knows this kind of wand, so that its bindings may be suggested.
+    bool knows(const WandProfile& profile) const;
 
     // The functions below throw XrError.
 
@@ -71,6 +76,7 @@ private:
     std::unique_lock<std::mutex> m_lock;
     HeadsetStatus m_status;
     std::vector<const char*> m_extensions;
+    XrVersion m_version = 0;
     InstanceHandle m_handle;
     XrSystemId m_system = XR_NULL_SYSTEM_ID;
 };

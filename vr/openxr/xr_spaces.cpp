@@ -22,7 +22,7 @@ SpaceHandle makeSpace(XrSession session, XrReferenceSpaceType type, const Pose& 
     return SpaceHandle(made);
 }
 
-/// XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR_EXT, which older OpenXR headers do not define.
+/// XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR_EXT, also of the core of OpenXR 1.1, which older headers do not define.
 constexpr auto localFloor = static_cast<XrReferenceSpaceType>(1000426000);
 
 XrReferenceSpaceType roomSpaceType(const Instance& instance, XrSession session)
@@ -34,7 +34,8 @@ XrReferenceSpaceType roomSpaceType(const Instance& instance, XrSession session)
     const auto has = [&](XrReferenceSpaceType type) { return std::ranges::find(offered, type) != offered.end(); };
     if (has(XR_REFERENCE_SPACE_TYPE_STAGE))
         return XR_REFERENCE_SPACE_TYPE_STAGE;
-    return instance.has(localFloorExtension) && has(localFloor) ? localFloor : XR_REFERENCE_SPACE_TYPE_LOCAL;
+    const bool knowsLocalFloor = instance.has(localFloorExtension) || instance.version() >= XR_MAKE_VERSION(1, 1, 0);
+    return knowsLocalFloor && has(localFloor) ? localFloor : XR_REFERENCE_SPACE_TYPE_LOCAL;
 }
 
 /// Returns the pose of the room in the runtime's space before the user has recentred.

@@ -159,7 +159,7 @@ XrResult suggestInteractionProfileBindings(Call& call, XrInstance handle,
     validated(suggestion, XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING);
     const std::string& path = instance.paths.text(suggestion->interactionProfile);
     const Profile* profile = profileAt(path);
-    require(profile, XR_ERROR_PATH_UNSUPPORTED, "no such interaction profile here");
+    require(profile && instance.knows(*profile), XR_ERROR_PATH_UNSUPPORTED, "no such interaction profile here");
     require(suggestion->countSuggestedBindings > 0, XR_ERROR_VALIDATION_FAILURE, "no bindings");
     std::vector<SuggestedBinding> bindings;
     for (std::uint32_t i = 0; i < suggestion->countSuggestedBindings; ++i)

@@ -31,6 +31,8 @@
 ///     "stage": bool, "local_floor": bool, "bounds": [w,d]|null
 ///     "runtime", "headset", "opengl": bool   whether each is available, for queries from now on
 ///     "extensions": bool            whether extensions other than OpenGL's are offered
+///     "withheld": [names]           extensions that are not offered
+///     "api_minors": [n]             minor versions of OpenXR 1 that a client may ask for
 ///     "least_opengl": [major,minor]
 ///     "pace": "real"|"live"|"fast"|"stepped"   live: the display time is the clock's; else it waits for a slow client
 ///     "worn", "visible", "focus", "should_render": bool

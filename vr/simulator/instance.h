@@ -2,6 +2,7 @@
 
 #include "vr/simulator/handles.h"
 #include "vr/simulator/paths.h"
+#include "vr/simulator/profiles.h"
 
 #include <deque>
 #include <map>
@@ -46,6 +47,14 @@ struct SuggestedBinding
 class Instance : public Object
 {
 public:
+    /// Returns whether the client may suggest bindings for the profile: its version of OpenXR, or an extension that it
+    /// has enabled, defines the profile.
+    bool knows(const Profile& profile) const
+    {
+        const bool isCore = profile.coreMinor && *profile.coreMinor <= static_cast<int>(XR_VERSION_MINOR(apiVersion));
+        return isCore || extensions.contains(profile.extension);
+    }
+
     Paths paths;
     Events events;
     XrVersion apiVersion = 0;                      ///< version that the client asked for

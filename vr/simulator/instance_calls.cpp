@@ -9,7 +9,7 @@ namespace
 {
 struct Extension
 {
-    const char* name;
+    std::string_view name;
     std::uint32_t version;
 };
 
@@ -20,15 +20,29 @@ constexpr Extension others[] = {
     {XR_FB_DISPLAY_REFRESH_RATE_EXTENSION_NAME, XR_FB_display_refresh_rate_SPEC_VERSION},
 };
 
+/// Adds the extensions that define interaction profiles, each once.
+void addProfileExtensions(std::vector<Extension>& offered)
+{
+    for (const Profile& profile : profiles()) {
+        const bool isNew =
+            std::ranges::none_of(offered, [&](const Extension& it) { return it.name == profile.extension; });
+        if (!profile.extension.empty() && isNew)
+            offered.push_back({profile.extension, 1});
+    }
+}
+
 std::vector<Extension> offeredExtensions(const SimulatedWorld& world)
 {
     std::vector<Extension> offered;
     if (world.hasOpenGl)
         offered.push_back(openGl);
-    if (world.hasExtensions)
+    if (world.hasExtensions) {
         offered.insert(offered.end(), std::begin(others), std::end(others));
+        addProfileExtensions(offered);
+    }
     if (world.hasLocalFloor)
         offered.push_back({localFloorExtension, 1});
+    std::erase_if(offered, [&](const Extension& it) { return world.withheld.contains(it.name); });
     return offered;
 }
 
@@ -38,8 +52,7 @@ void checkExtensions(const XrInstanceCreateInfo& info, const SimulatedWorld& wor
     for (std::uint32_t i = 0; i < info.enabledExtensionCount; ++i) {
         const char* name = (&validated(info.enabledExtensionNames))[i];
         validated(name);
-        const bool isOffered =
-            std::ranges::any_of(offered, [name](const Extension& one) { return std::strcmp(one.name, name) == 0; });
+        const bool isOffered = std::ranges::any_of(offered, [name](const Extension& one) { return one.name == name; });
         require(isOffered, XR_ERROR_EXTENSION_NOT_PRESENT, "an extension is not offered");
     }
 }
@@ -98,8 +111,8 @@ XrResult createInstance(Call& call, const XrInstanceCreateInfo* info, XrInstance
     require(info->createFlags == 0, XR_ERROR_VALIDATION_FAILURE, "there are no flags");
     require(info->applicationInfo.applicationName[0] != 0, XR_ERROR_NAME_INVALID, "the application has no name");
     const XrVersion version = info->applicationInfo.apiVersion;
-    require(XR_VERSION_MAJOR(version) == 1 && XR_VERSION_MINOR(version) == 0, XR_ERROR_API_VERSION_UNSUPPORTED,
-            "not 1.0");
+    const bool isKnown = XR_VERSION_MAJOR(version) == 1 && runtime.world.minors.contains(XR_VERSION_MINOR(version));
+    require(isKnown, XR_ERROR_API_VERSION_UNSUPPORTED, "not a version of the script");
     checkExtensions(*info, runtime.world);
     require(!runtime.instance, XR_ERROR_LIMIT_REACHED, "one instance at a time");
     runtime.instance = std::make_shared<Instance>();

@@ -103,6 +103,47 @@ constexpr Component touch[] = {{"/input/x/click", Kind::Boolean, Input::ButtonA,
                                aimPose,
                                haptic};
 
+// Profiles of later extensions list what a client may want of them.
+constexpr Component leftX{"/input/x/click", Kind::Boolean, Input::ButtonA, Where::Left};
+constexpr Component leftY{"/input/y/click", Kind::Boolean, Input::ButtonB, Where::Left};
+constexpr Component leftMenu{"/input/menu/click", Kind::Boolean, Input::Menu, Where::Left};
+constexpr Component rightA{"/input/a/click", Kind::Boolean, Input::ButtonA, Where::Right};
+constexpr Component rightB{"/input/b/click", Kind::Boolean, Input::ButtonB, Where::Right};
+
+constexpr Component pico[] = {leftX,        leftY,        leftMenu,     rightA,       rightB, squeezeClick,
+                              squeezeValue, triggerClick, triggerValue, triggerTouch, stickX, stickY,
+                              stickClick,   stickTouch,   gripPose,     aimPose,      haptic};
+
+/// Parts of Pico's Neo3, whose right controller has a menu button, too.
+constexpr Component picoNeo3[] = {leftX,        leftY,        menuClick,    rightA,       rightB, squeezeClick,
+                                  squeezeValue, triggerClick, triggerValue, triggerTouch, stickX, stickY,
+                                  stickClick,   stickTouch,   gripPose,     aimPose,      haptic};
+
+constexpr Component cosmos[] = {leftX,        leftY,        leftMenu,     rightA,  rightB,
+                                squeezeClick, triggerClick, triggerValue, stickX,  stickY,
+                                stickClick,   stickTouch,   gripPose,     aimPose, haptic};
+
+constexpr Component reverb[] = {leftX,  leftY,  rightA,     rightB,   menuClick, squeezeValue, triggerValue,
+                                stickX, stickY, stickClick, gripPose, aimPose,   haptic};
+
+constexpr Component frame[] = {{"/input/dpad_up/click", Kind::Boolean, Input::ButtonB, Where::Left},
+                               {"/input/dpad_down/click", Kind::Boolean, Input::ButtonA, Where::Left},
+                               {"/input/view/click", Kind::Boolean, Input::Menu, Where::Left},
+                               {"/input/menu/click", Kind::Boolean, Input::Menu, Where::Right},
+                               rightA,
+                               {"/input/y/click", Kind::Boolean, Input::ButtonB, Where::Right},
+                               squeezeClick,
+                               squeezeValue,
+                               triggerValue,
+                               triggerTouch,
+                               stickX,
+                               stickY,
+                               stickClick,
+                               stickTouch,
+                               gripPose,
+                               aimPose,
+                               haptic};
+
 constexpr Component motion[] = {menuClick, squeezeClick, triggerValue, stickX,   stickY,  stickClick, padX,
                                 padY,      padClick,     padTouch,     gripPose, aimPose, haptic};
 
@@ -157,6 +198,62 @@ constexpr Profile known[] = {
     {"/interaction_profiles/oculus/go_controller", "Go Controller", go},
     {"/interaction_profiles/htc/vive_pro", "Vive Pro", {}, vivePro},
     {"/interaction_profiles/microsoft/xbox_controller", "Xbox Controller", {}, gamepad},
+    {"/interaction_profiles/htc/vive_cosmos_controller",
+     "Cosmos Controller",
+     cosmos,
+     {},
+     1,
+     "XR_HTC_vive_cosmos_controller_interaction"},
+    {"/interaction_profiles/htc/vive_focus3_controller",
+     "Focus 3 Controller",
+     pico,
+     {},
+     1,
+     "XR_HTC_vive_focus3_controller_interaction"},
+    {"/interaction_profiles/valve/frame_controller_valve",
+     "Frame Controller",
+     frame,
+     {},
+     {},
+     "XR_VALVE_frame_controller_interaction"},
+    {"/interaction_profiles/meta/touch_plus_controller", "Touch Plus Controller", touch, {}, 1},
+    {"/interaction_profiles/meta/touch_controller_plus",
+     "Touch Plus Controller",
+     touch,
+     {},
+     {},
+     "XR_META_touch_controller_plus"},
+    {"/interaction_profiles/meta/touch_pro_controller", "Touch Pro Controller", touch, {}, 1},
+    {"/interaction_profiles/facebook/touch_controller_pro",
+     "Touch Pro Controller",
+     touch,
+     {},
+     {},
+     "XR_FB_touch_controller_pro"},
+    {"/interaction_profiles/bytedance/pico_neo3_controller",
+     "Neo3 Controller",
+     picoNeo3,
+     {},
+     1,
+     "XR_BD_controller_interaction"},
+    {"/interaction_profiles/bytedance/pico4_controller",
+     "Pico 4 Controller",
+     pico,
+     {},
+     1,
+     "XR_BD_controller_interaction"},
+    {"/interaction_profiles/bytedance/pico_ultra_controller_bd",
+     "Pico Ultra Controller",
+     pico,
+     {},
+     {},
+     "XR_BD_ultra_controller_interaction"},
+    {"/interaction_profiles/hp/mixed_reality_controller",
+     "Reverb Controller",
+     reverb,
+     {},
+     1,
+     "XR_EXT_hp_mixed_reality_controller"},
 };
 
 /// A full path, cut after the hand.

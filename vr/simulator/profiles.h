@@ -57,6 +57,9 @@ struct Profile
     std::span<const Component> components;
     /// Full paths that may be bound but are never read, because no hand holds the device.
     std::span<const std::string_view> unread = {};
+    /// Minor version of OpenXR 1 from which on the profile is in the core; none: it is in no core.
+    std::optional<int> coreMinor = 0;
+    std::string_view extension = {}; ///< extension that defines the profile; empty: none
 };
 
 std::span<const Profile> profiles();

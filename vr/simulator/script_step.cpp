@@ -37,6 +37,23 @@ Change hertzChange(const json& value, Over)
     return [hertz = readPositive(value)](Runtime& runtime, XrTime) { runtime.world.headset.hertz = hertz; };
 }
 
+/// Sets the minor versions of OpenXR 1 that are accepted.
+Change minorsChange(const json& value, Over)
+{
+    std::set<std::uint64_t> minors;
+    for (const json& minor : value)
+        minors.insert(static_cast<std::uint64_t>(readCount(minor)));
+    return [minors](Runtime& runtime, XrTime) { runtime.world.minors = minors; };
+}
+
+Change withheldChange(const json& value, Over)
+{
+    std::set<std::string, std::less<>> withheld;
+    for (const json& name : value)
+        withheld.insert(readText(name));
+    return [withheld](Runtime& runtime, XrTime) { runtime.world.withheld = withheld; };
+}
+
 Change leastOpenGlChange(const json& value, Over)
 {
     const std::vector<double> version = readNumbers(value, 2);
@@ -233,6 +250,8 @@ const std::map<std::string_view, Reader>& vocabulary()
         {"opengl", flag<&SimulatedWorld::hasOpenGl>},
         {"least_opengl", leastOpenGlChange},
         {"extensions", flag<&SimulatedWorld::hasExtensions>},
+        {"withheld", withheldChange},
+        {"api_minors", minorsChange},
         {"stage", flag<&SimulatedWorld::hasStage>},
         {"local_floor", flag<&SimulatedWorld::hasLocalFloor>},
         {"worn", flag<&SimulatedWorld::isWorn>},

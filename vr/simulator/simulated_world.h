@@ -84,7 +84,9 @@ struct SimulatedWorld
     Headset headset;
 
     bool hasRuntime = true, hasHeadset = true, hasOpenGl = true;
-    bool hasExtensions = true; ///< extensions other than OpenGL's are offered
+    bool hasExtensions = true;                   ///< extensions other than OpenGL's are offered
+    std::set<std::string, std::less<>> withheld; ///< extensions that are not offered
+    std::set<std::uint64_t> minors{0};           ///< minor versions of OpenXR 1 that a client may ask for
     XrVersion leastOpenGl = XR_MAKE_VERSION(3, 3, 0);
     bool isWorn = true, isVisible = true, hasFocus = true, shouldRender = true;
 

@@ -4,6 +4,8 @@
 #include "tests/vr/simulator/scripted_headset.h"
 #include "tests/vr/vr_test.h"
 
+#include "vr/openxr/xr_bindings.h"
+
 #include <QJsonArray>
 
 #include <array>
@@ -55,6 +57,9 @@ private Q_SLOTS:
     void handsAndHeadAreWhereTheyWillBeSeen();
     void lostWandsStayWhereTheyWere();
     void wandsMayChange();
+    void wandsOfEveryKindAreRead_data();
+    void wandsOfEveryKindAreRead();
+    void unknownKindsOfWandsAreNotSuggested();
     void restingHandsSqueezeNothing();
     void refusedKindsOfWandsAreLeftOut();
     void pulsesAreFelt();
@@ -466,6 +471,60 @@ void TestHeadsetFrames::wandsMayChange()
     m_headset->step("{'profile': '/interaction_profiles/khr/simple_controller'}");
     QVERIFY(m_headset->frames(4));
     QVERIFY(visitor.client->last().wands[0].isSimple && !visitor.client->last().wands[0].isStick);
+    leave(visitor);
+}
+
+void TestHeadsetFrames::wandsOfEveryKindAreRead_data()
+{
+    QTest::addColumn<QString>("path");
+    QTest::addColumn<bool>("isStick");
+    for (const vr::WandProfile& profile : vr::wandProfiles())
+        if (profile.isInCore(XR_MAKE_VERSION(1, 0, 0)) || profile.extension)
+            QTest::newRow(profile.path) << profile.path << profile.isStick;
+}
+
+void TestHeadsetFrames::wandsOfEveryKindAreRead()
+{
+    QFETCH(QString, path);
+    QFETCH(bool, isStick);
+    Visitor visitor(*m_headset);
+    enter(visitor);
+    m_headset->step(qPrintable(QStringLiteral("{'profile': '%1'}").arg(path)));
+    QVERIFY(m_headset->frames(4));
+    for (const char* hand : {"left", "right"})
+        m_headset->step(qPrintable(QStringLiteral("{'%1': {'trigger': 1, 'squeeze': 1, 'menu': true, 'button_b': true, "
+                                                  "'pad': [0.5, -0.25], 'pad_touch': true, 'stick': [0.5, -0.25]}}")
+                                       .arg(hand)));
+    QVERIFY(m_headset->frames(2));
+    for (const vr::WandState& wand : visitor.client->last().wands) {
+        QVERIFY(wand.isTracked && wand.isActive && wand.menu);
+        QCOMPARE(wand.trigger, 1.0);
+        QCOMPARE(wand.isStick, isStick);
+        QCOMPARE(wand.isSimple, path.contains("simple"));
+        QCOMPARE(wand.side, !wand.isSimple);
+        QVERIFY(wand.isSimple || (wand.pad - Eigen::Vector2d(0.5, -0.25)).norm() < 1e-6);
+    }
+    leave(visitor);
+}
+
+/// Checks that bindings are suggested only for kinds of wands of which the runtime has the extension. The runtime
+/// counts others as errors of the client, as cleanup() would notice.
+void TestHeadsetFrames::unknownKindsOfWandsAreNotSuggested()
+{
+    QStringList withheld;
+    int inCore = 0;
+    for (const vr::WandProfile& profile : vr::wandProfiles()) {
+        inCore += profile.isInCore(XR_MAKE_VERSION(1, 0, 0)) ? 1 : 0;
+        if (profile.extension)
+            withheld << QStringLiteral("'%1'").arg(QLatin1StringView(profile.extension));
+    }
+    m_headset->step(qPrintable(QStringLiteral("{'withheld': [%1]}").arg(withheld.join(", "))));
+    Visitor visitor(*m_headset);
+    enter(visitor);
+    QCOMPARE(m_headset->calls("xrSuggestInteractionProfileBindings"), inCore);
+    m_headset->step("{'profile': '/interaction_profiles/valve/frame_controller_valve'}");
+    QVERIFY(m_headset->frames(3));
+    QVERIFY(!visitor.client->last().wands[0].isActive && !visitor.client->last().wands[1].isActive);
     leave(visitor);
 }
 

@@ -12,6 +12,10 @@
 #include <QElapsedTimer>
 #include <QRegularExpression>
 
+#include <openxr/openxr.h>
+
+#include <cstring>
+
 using vr::HeadsetEnd;
 using vr::HeadsetStage;
 
@@ -98,6 +102,7 @@ private Q_SLOTS:
 
     void entersAndLeaves();
     void asksForOpenXr10();
+    void asksForOpenXr11IfItMust();
     void entersAgainAndAgain();
     void entersFromTheLastReport();
     void leavesWhenItGoes();
@@ -185,6 +190,35 @@ void TestHeadsetThread::asksForOpenXr10()
     QVERIFY(visitor.enterAndRun());
     QCOMPARE(m_headset->report()["api_minor"].toInt(-1), 0);
     QVERIFY(visitor.leave());
+}
+
+/// Checks that a runtime that refuses OpenXR 1.0 is asked for 1.1. The loader must know that version, too; if it does
+/// not, the reason is said. Runs without the validation layer, which knows only the version of its headers.
+void TestHeadsetThread::asksForOpenXr11IfItMust()
+{
+    const auto layer = m_headset->withoutLayer();
+    m_headset->load("{'start': {'pace': 'fast', 'size': [64, 48], 'api_minors': [1]}}");
+    XrInstanceCreateInfo info{};
+    info.type = XR_TYPE_INSTANCE_CREATE_INFO;
+    std::strcpy(info.applicationInfo.applicationName, "Loader test");
+    info.applicationInfo.apiVersion = XR_MAKE_VERSION(1, 1, 0);
+    XrInstance probed = XR_NULL_HANDLE;
+    const bool isLoaderOf11 = xrCreateInstance(&info, &probed) == XR_SUCCESS;
+    if (isLoaderOf11)
+        xrDestroyInstance(probed);
+    m_headset->load("{'start': {'pace': 'fast', 'size': [64, 48], 'api_minors': [1]}}"); // forgets the refusal
+    Visitor visitor(*m_headset);
+    if (isLoaderOf11) {
+        QVERIFY(visitor.enterAndRun());
+        QCOMPARE(m_headset->report()["api_minor"].toInt(-1), 1);
+        QVERIFY(visitor.leave());
+    } else {
+        QVERIFY(visitor.enter());
+        QVERIFY(visitor.waitForEnd());
+        QCOMPARE(visitor.reports.last().end, HeadsetEnd::Unavailable);
+        QVERIFY2(visitor.reports.last().text.contains("newer loader"), qPrintable(visitor.reports.last().text));
+    }
+    m_headset->load(small);
 }
 
 /// Checks that threads, files and contexts are released after each visit.
