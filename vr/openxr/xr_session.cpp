@@ -68,17 +68,10 @@ std::vector<std::int64_t> formatsOf(XrSession session)
     });
 }
 
-ImageFormat imageFormatOf(XrSession session)
-{
-    if (const auto best = bestFormat(formatsOf(session)))
-        return *best;
-    throw XrError("xrEnumerateSwapchainFormats", XR_ERROR_SWAPCHAIN_FORMAT_UNSUPPORTED);
-}
-
-std::optional<ImageFormat> depthFormatOf(const Instance& instance, XrSession session)
+std::vector<ImageFormat> depthFormatsOf(const Instance& instance, XrSession session)
 {
     const bool isWanted = instance.has(XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME);
-    return isWanted ? bestDepthFormat(formatsOf(session)) : std::nullopt;
+    return isWanted ? usableDepthFormats(formatsOf(session)) : std::vector<ImageFormat>();
 }
 
 /// Requests the offered rate that is nearest to wantedRefreshRate. Throws XrError.
@@ -124,8 +117,8 @@ Session::Session(const Instance& instance, const GlBinding& binding)
     , m_blendMode(blendModeOf(instance, m_viewConfiguration))
     , m_imageSizes(imageSizesOf(instance, m_viewConfiguration))
     , m_handle(makeSession(instance, binding))
-    , m_imageFormat(imageFormatOf(handle()))
-    , m_depthFormat(depthFormatOf(instance, handle()))
+    , m_imageFormats(usableFormats(formatsOf(handle())))
+    , m_depthFormats(depthFormatsOf(instance, handle()))
 {
     if (instance.has(XR_FB_DISPLAY_REFRESH_RATE_EXTENSION_NAME))
         tryRefreshRate(instance, handle());

@@ -28,7 +28,7 @@ inline constexpr float wantedRefreshRate = 90;
 /// this query before a session is made. Throws XrError.
 QVersionNumber leastOpenGl(const Instance& instance);
 
-/// A session with one headset, and the sizes and formats of the images that the runtime wants. Precondition: the
+/// A session with one headset, and the sizes and formats of the images that the runtime offers. Precondition: the
 /// context described by the binding is current at every call. All members except those that only return a value throw
 /// XrError.
 class Session
@@ -39,10 +39,11 @@ public:
     XrSession handle() const { return m_handle.get(); }
     /// Returns the image size of each view, as the runtime recommends it for this session.
     const std::vector<ImageSize>& imageSizes() const { return m_imageSizes; }
-    const ImageFormat& imageFormat() const { return m_imageFormat; }
-    /// Returns the format of the depth images that the runtime wants with the pictures
-    /// (XR_KHR_composition_layer_depth); none if it wants no depth.
-    const std::optional<ImageFormat>& depthFormat() const { return m_depthFormat; }
+    /// Returns the formats that the images may have, the best first. The runtime may refuse one that it offers.
+    const std::vector<ImageFormat>& imageFormats() const { return m_imageFormats; }
+    /// Returns the formats that the depth images may have, the best first; empty if the runtime wants no depth with the
+    /// pictures (XR_KHR_composition_layer_depth).
+    const std::vector<ImageFormat>& depthFormats() const { return m_depthFormats; }
     XrViewConfigurationType viewConfiguration() const { return m_viewConfiguration; }
 
     void begin();
@@ -59,8 +60,7 @@ private:
     XrEnvironmentBlendMode m_blendMode;
     std::vector<ImageSize> m_imageSizes;
     SessionHandle m_handle;
-    ImageFormat m_imageFormat;
-    std::optional<ImageFormat> m_depthFormat;
+    std::vector<ImageFormat> m_imageFormats, m_depthFormats;
 };
 
 /// A frame that has begun. It is always ended: by show(), or without a picture by the destructor.

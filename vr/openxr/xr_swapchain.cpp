@@ -22,12 +22,13 @@ constexpr ImageFormat formats[] = {
 /// millimetres.
 constexpr ImageFormat depthFormats[] = {{GL_DEPTH_COMPONENT24, false, true}, {GL_DEPTH_COMPONENT32F, false, true}};
 
-std::optional<ImageFormat> firstOffered(std::span<const ImageFormat> wanted, std::span<const std::int64_t> offered)
+std::vector<ImageFormat> allOffered(std::span<const ImageFormat> wanted, std::span<const std::int64_t> offered)
 {
-    for (const ImageFormat& format : wanted)
-        if (std::find(offered.begin(), offered.end(), format.name) != offered.end())
-            return format;
-    return {};
+    std::vector<ImageFormat> found;
+    std::ranges::copy_if(wanted, std::back_inserter(found), [&](const ImageFormat& format) {
+        return std::ranges::find(offered, format.name) != offered.end();
+    });
+    return found;
 }
 
 SwapchainHandle makeSwapchain(XrSession session, const ImageFormat& format, const ImageSize& size)
@@ -49,14 +50,14 @@ SwapchainHandle makeSwapchain(XrSession session, const ImageFormat& format, cons
 }
 } // namespace
 
-std::optional<ImageFormat> bestFormat(std::span<const std::int64_t> offered)
+std::vector<ImageFormat> usableFormats(std::span<const std::int64_t> offered)
 {
-    return firstOffered(formats, offered);
+    return allOffered(formats, offered);
 }
 
-std::optional<ImageFormat> bestDepthFormat(std::span<const std::int64_t> offered)
+std::vector<ImageFormat> usableDepthFormats(std::span<const std::int64_t> offered)
 {
-    return firstOffered(depthFormats, offered);
+    return allOffered(depthFormats, offered);
 }
 
 Swapchain::Swapchain(XrSession session, const ImageFormat& format, const ImageSize& size)

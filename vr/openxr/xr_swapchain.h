@@ -3,7 +3,6 @@
 #include "vr/openxr/xr_handle.h"
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,10 +20,10 @@ struct ImageFormat
     friend bool operator==(const ImageFormat&, const ImageFormat&) = default;
 };
 
-/// Returns the best of the offered colour formats; none if Fettle can draw into none of them.
-std::optional<ImageFormat> bestFormat(std::span<const std::int64_t> offered);
-/// Returns the best of the offered depth formats; none if Fettle can draw into none of them.
-std::optional<ImageFormat> bestDepthFormat(std::span<const std::int64_t> offered);
+/// Returns the offered colour formats that Fettle can draw into, the best first.
+std::vector<ImageFormat> usableFormats(std::span<const std::int64_t> offered);
+/// Returns the offered depth formats that Fettle can draw into, the best first.
+std::vector<ImageFormat> usableDepthFormats(std::span<const std::int64_t> offered);
 
 struct ImageSize
 {

@@ -47,25 +47,42 @@ private:
 Views::Views(const Instance& instance, const Session& session)
     : m_session(session.handle())
     , m_viewConfiguration(session.viewConfiguration())
-    , m_format(session.imageFormat())
     , m_hidden(instance, session)
+    , m_images(makeImages(session, session.imageFormats()))
     , m_views(session.imageSizes().size(), unknownView)
 {
-    for (const ImageSize& size : session.imageSizes())
-        m_swapchains.emplace_back(m_session, session.imageFormat(), size);
-    if (session.depthFormat())
+    if (!session.depthFormats().empty())
         makeDepths(session);
 }
 
-/// Makes a swapchain of depth images for each eye. A runtime that refuses gets no depth.
+/// Makes a swapchain for each eye, of the first format that the runtime does not refuse. Some runtimes offer formats of
+/// which they make no images: SteamVR 2.9 for Linux refuses GL_RGBA8 and GL_RGBA16F.
+Views::Images Views::makeImages(const Session& session, const std::vector<ImageFormat>& formats)
+{
+    std::optional<XrError> refusal;
+    for (const ImageFormat& format : formats) {
+        try {
+            Images images{format, {}};
+            for (const ImageSize& size : session.imageSizes())
+                images.swapchains.emplace_back(session.handle(), format, size);
+            return images;
+        } catch (const XrError& error) {
+            if (error.result() == XR_ERROR_INSTANCE_LOST || error.result() == XR_ERROR_SESSION_LOST)
+                throw;
+            qInfo("The OpenXR runtime makes no images of its OpenGL format 0x%llX: %s",
+                  static_cast<long long>(format.name), qPrintable(error.text()));
+            refusal = error;
+        }
+    }
+    throw refusal.value_or(XrError("xrEnumerateSwapchainFormats", XR_ERROR_SWAPCHAIN_FORMAT_UNSUPPORTED));
+}
+
+/// Makes the depth images of each eye. A runtime that refuses all formats gets no depth.
 void Views::makeDepths(const Session& session)
 {
-    m_depthFormat = *session.depthFormat();
     try {
-        for (const ImageSize& size : session.imageSizes())
-            m_depths.emplace_back(m_session, m_depthFormat, size);
+        m_depths = makeImages(session, session.depthFormats());
     } catch (const XrError& error) {
-        m_depths.clear();
         qInfo("The OpenXR runtime takes no depth: %s", qPrintable(error.text()));
     }
     XrCompositionLayerDepthInfoKHR info{};
@@ -73,7 +90,7 @@ void Views::makeDepths(const Session& session)
     info.maxDepth = 1;
     info.nearZ = nearPlane;
     info.farZ = farPlane;
-    for (const Swapchain& depth : m_depths) {
+    for (const Swapchain& depth : m_depths.swapchains) {
         info.subImage = {depth.handle(), {{0, 0}, {depth.size().width, depth.size().height}}, 0};
         m_depthInfos.push_back(info);
     }
@@ -108,14 +125,14 @@ bool Views::locate(XrSpace room, XrTime time)
 
 void Views::draw(std::size_t eye, const std::function<void(const EyeImage&, const EyeView&)>& draw)
 {
-    Swapchain& swapchain = m_swapchains[eye];
+    Swapchain& swapchain = m_images.swapchains[eye];
     Acquired image(swapchain);
     std::optional<Acquired> depth;
-    if (!m_depths.empty())
-        depth.emplace(m_depths[eye]);
+    if (!m_depths.swapchains.empty())
+        depth.emplace(m_depths.swapchains[eye]);
     const ImageSize& size = swapchain.size();
-    draw({image.texture(), static_cast<unsigned int>(m_format.name), size.width, size.height,
-          depth ? depth->texture() : 0, static_cast<unsigned int>(m_depthFormat.name)},
+    draw({image.texture(), static_cast<unsigned int>(m_images.format.name), size.width, size.height,
+          depth ? depth->texture() : 0, static_cast<unsigned int>(m_depths.format.name)},
          viewOf(eye));
     image.release();
     if (depth)
@@ -131,9 +148,9 @@ EyeView Views::viewOf(std::size_t eye) const
 {
     const Pose pose = fromXr(m_views[eye].pose).inverse();
     EyeView view;
-    view.width = m_swapchains[eye].size().width;
-    view.height = m_swapchains[eye].size().height;
-    view.isSrgb = m_format.isSrgb;
+    view.width = m_images.swapchains[eye].size().width;
+    view.height = m_images.swapchains[eye].size().height;
+    view.isSrgb = m_images.format.isSrgb;
     view.hidden = &m_hidden.of(eye);
     view.projection = projectionOf(m_views[eye].fov, nearPlane, farPlane);
     view.view = Eigen::Isometry3f(pose.matrix().cast<float>().matrix());

@@ -16,7 +16,7 @@ public:
     Views(const Instance& instance, const Session& session);
 
     HiddenAreas& hidden() { return m_hidden; }
-    std::size_t count() const { return m_swapchains.size(); }
+    std::size_t count() const { return m_images.swapchains.size(); }
 
     /// Reads the poses of the eyes at `time`. Returns false while they are unknown; nothing can be shown then. If only
     /// the position is lost, the eyes keep their last position.
@@ -30,19 +30,25 @@ public:
     std::span<const XrCompositionLayerProjectionView> pictures() const { return m_pictures; }
 
 private:
+    /// Swapchains of one format, indexed by eye.
+    struct Images
+    {
+        ImageFormat format;
+        std::vector<Swapchain> swapchains;
+    };
+
+    static Images makeImages(const Session& session, const std::vector<ImageFormat>& formats);
     void makeDepths(const Session& session);
     EyeView viewOf(std::size_t eye) const;
 
     XrSession m_session;
     XrViewConfigurationType m_viewConfiguration;
-    ImageFormat m_format, m_depthFormat;
     HiddenAreas m_hidden;
     bool m_isKnown = false; ///< the positions of the eyes were known at least once
-    std::vector<Swapchain> m_swapchains;
+    Images m_images;
     std::vector<XrView> m_views;
     std::vector<XrCompositionLayerProjectionView> m_pictures;
-    /// Swapchains of depth images, indexed by eye; empty if the runtime wants no depth, or refuses them.
-    std::vector<Swapchain> m_depths;
+    Images m_depths; ///< no swapchains: the runtime wants no depth, or refuses depth images
     /// Depth information of each eye, to which m_pictures points.
     std::vector<XrCompositionLayerDepthInfoKHR> m_depthInfos;
 };

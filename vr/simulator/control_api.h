@@ -32,6 +32,7 @@
 ///     "runtime", "headset", "opengl": bool   whether each is available, for queries from now on
 ///     "extensions": bool            whether extensions other than OpenGL's are offered
 ///     "withheld": [names]           extensions that are not offered
+///     "failing_formats": ["srgb8_alpha8"|"rgba16f"|"rgba8"|"depth24"|"depth32f"]   offered, but no images are made
 ///     "api_minors": [n]             minor versions of OpenXR 1 that a client may ask for
 ///     "least_opengl": [major,minor]
 ///     "pace": "real"|"live"|"fast"|"stepped"   live: the display time is the clock's; else it waits for a slow client

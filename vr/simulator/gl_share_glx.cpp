@@ -139,7 +139,8 @@ bool ShareContext::isClientCurrent() const
 
 const std::vector<std::int64_t>& ShareContext::formats()
 {
-    static const std::vector<std::int64_t> all{GL_SRGB8_ALPHA8, GL_RGBA8, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT24};
+    static const std::vector<std::int64_t> all{GL_SRGB8_ALPHA8, GL_RGBA16F, GL_RGBA8, GL_DEPTH_COMPONENT32F,
+                                               GL_DEPTH_COMPONENT24};
     return all;
 }
 
@@ -193,7 +194,7 @@ Picture ShareContext::read(const TexturePart& part) const
     else
         glGetTexImage(targetOf(part.form), 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
     Picture picture = cut(part, pixels.data() + layerSize * static_cast<std::size_t>(part.layer));
-    if (part.form.format == GL_RGBA8) {
+    if (part.form.format == GL_RGBA8 || part.form.format == GL_RGBA16F) {
         for (std::size_t i = 0; i < picture.rgba.size(); ++i)
             picture.rgba[i] = i % 4 == 3 ? picture.rgba[i] : encoded(picture.rgba[i]);
     }

@@ -54,6 +54,19 @@ Change withheldChange(const json& value, Over)
     return [withheld](Runtime& runtime, XrTime) { runtime.world.withheld = withheld; };
 }
 
+Change failingFormatsChange(const json& value, Over)
+{
+    const std::map<std::string, std::int64_t> names{{"srgb8_alpha8", 0x8C43}, // GL_SRGB8_ALPHA8
+                                                    {"rgba16f", 0x881A},      // GL_RGBA16F
+                                                    {"rgba8", 0x8058},        // GL_RGBA8
+                                                    {"depth24", 0x81A6},      // GL_DEPTH_COMPONENT24
+                                                    {"depth32f", 0x8CAC}};    // GL_DEPTH_COMPONENT32F
+    std::set<std::int64_t> failing;
+    for (const json& name : value)
+        failing.insert(readOneOf(name, names));
+    return [failing](Runtime& runtime, XrTime) { runtime.world.failingFormats = failing; };
+}
+
 Change leastOpenGlChange(const json& value, Over)
 {
     const std::vector<double> version = readNumbers(value, 2);
@@ -251,6 +264,7 @@ const std::map<std::string_view, Reader>& vocabulary()
         {"least_opengl", leastOpenGlChange},
         {"extensions", flag<&SimulatedWorld::hasExtensions>},
         {"withheld", withheldChange},
+        {"failing_formats", failingFormatsChange},
         {"api_minors", minorsChange},
         {"stage", flag<&SimulatedWorld::hasStage>},
         {"local_floor", flag<&SimulatedWorld::hasLocalFloor>},

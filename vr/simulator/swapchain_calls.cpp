@@ -53,6 +53,7 @@ XrResult createSwapchain(Call& call, XrSession handle, const XrSwapchainCreateIn
     validated(out);
     call.checkContext(session);
     const TextureForm form = checkedForm(*info);
+    require(!call.runtime.world.failingFormats.contains(form.format), XR_ERROR_RUNTIME_FAILURE, "so the script says");
     const bool isStatic = (info->createFlags & XR_SWAPCHAIN_CREATE_STATIC_IMAGE_BIT) != 0;
     *out = call.runtime.handles.add<XrSwapchain>(std::make_shared<Swapchain>(session.gl(), form, isStatic), &session);
     call.line.update({{"format", form.format}, {"size", {form.width, form.height}}, {"layers", form.layers}});

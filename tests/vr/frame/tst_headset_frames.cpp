@@ -47,6 +47,10 @@ private Q_SLOTS:
     void hiddenAreasMayBeRefused();
     void hiddenAreasAreNotAskedForInVain();
     void depthComesWithThePictures();
+    void formatsAreTried_data();
+    void formatsAreTried();
+    void depthFormatsAreTried_data();
+    void depthFormatsAreTried();
     void lostEventsAreMadeUpFor();
     void refreshRateIsTheNearestToTheWanted_data();
     void refreshRateIsTheNearestToTheWanted();
@@ -282,6 +286,66 @@ void TestHeadsetFrames::depthComesWithThePictures()
             }
         }
     }
+}
+
+void TestHeadsetFrames::formatsAreTried_data()
+{
+    QTest::addColumn<QByteArray>("failing");
+    QTest::addColumn<int>("format");
+    QTest::newRow("all are made") << QByteArray() << GL_SRGB8_ALPHA8;
+    QTest::newRow("no sRGB") << QByteArray("'srgb8_alpha8'") << GL_RGBA16F;
+    QTest::newRow("only the last") << QByteArray("'srgb8_alpha8', 'rgba16f'") << GL_RGBA8;
+}
+
+/// Checks that the next format is tried where the runtime makes no images of one that it offers, and that the colours
+/// are right in each.
+void TestHeadsetFrames::formatsAreTried()
+{
+    QFETCH(QByteArray, failing);
+    QFETCH(int, format);
+    m_headset->step(("{'failing_formats': [" + failing + "]}").constData());
+    Visitor visitor(*m_headset);
+    enter(visitor);
+    m_headset->step("{'keep': true}");
+    QVERIFY(m_headset->frames(1));
+    const int frame = visitor.client->frames - 1;
+    const std::vector<vr::EyeImage> images = visitor.client->images();
+    QCOMPARE(images.size(), std::size_t(2));
+    for (const vr::EyeImage& image : images)
+        QCOMPARE(int(image.format), format);
+    for (const vr::EyeView& view : visitor.client->views())
+        QCOMPARE(view.isSrgb, format == GL_SRGB8_ALPHA8);
+    leave(visitor);
+    constexpr int tolerance = 2; // the simulator reads linear light with 8 bits
+    const QColor written = RecordingClient::linear(0);
+    const QColor seen = m_headset->picture(0, frame, "left").pixelColor(540, 600);
+    QVERIFY(std::abs(seen.red() - encoded(written.redF())) <= tolerance);
+    QVERIFY(std::abs(seen.green() - encoded(written.greenF())) <= tolerance);
+    QVERIFY(std::abs(seen.blue() - encoded(written.blueF())) <= tolerance);
+}
+
+void TestHeadsetFrames::depthFormatsAreTried_data()
+{
+    QTest::addColumn<QByteArray>("failing");
+    QTest::addColumn<int>("format");
+    QTest::newRow("all are made") << QByteArray() << GL_DEPTH_COMPONENT24;
+    QTest::newRow("only one") << QByteArray("'depth24'") << GL_DEPTH_COMPONENT32F;
+    QTest::newRow("none") << QByteArray("'depth24', 'depth32f'") << 0;
+}
+
+void TestHeadsetFrames::depthFormatsAreTried()
+{
+    QFETCH(QByteArray, failing);
+    QFETCH(int, format);
+    m_headset->step(("{'failing_formats': [" + failing + "]}").constData());
+    Visitor visitor(*m_headset);
+    enter(visitor);
+    QVERIFY(m_headset->frames(1));
+    for (const vr::EyeImage& image : visitor.client->images()) {
+        QCOMPARE(int(image.depthFormat), format);
+        QCOMPARE(image.depthTexture != 0, format != 0);
+    }
+    leave(visitor);
 }
 
 /// Checks that after lost events the client queries their contents, here a new mask.

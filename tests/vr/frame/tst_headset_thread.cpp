@@ -421,12 +421,16 @@ void TestHeadsetThread::refusals_data()
         QTest::newRow(call) << call;
 }
 
-/// Checks that a refused call ends the visit, is named in the report, and that everything begun is ended.
+/// Checks that a refused call ends the visit, is named in the report, and that everything begun is ended. Images are
+/// asked for in each of the runtime's three colour formats.
 void TestHeadsetThread::refusals()
 {
     QFETCH(QString, call);
+    const bool isOfImages = call == "xrCreateSwapchain" || call == "xrEnumerateSwapchainImages";
     m_headset->step(
-        qPrintable(QStringLiteral("{'fail': {'call': '%1', 'result': 'XR_ERROR_RUNTIME_FAILURE'}}").arg(call)));
+        qPrintable(QStringLiteral("{'fail': {'call': '%1', 'result': 'XR_ERROR_RUNTIME_FAILURE', 'times': %2}}")
+                       .arg(call)
+                       .arg(isOfImages ? 3 : 1)));
     Visitor visitor(*m_headset);
     QVERIFY(visitor.enter());
     QVERIFY(visitor.waitForEnd());
