@@ -9150,6 +9150,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Bodengitter</translation>
     </message>
     <message>
+        <source>Real room</source>
+        <translation>Echter Raum</translation>
+    </message>
+    <message>
+        <source>Not on this headset</source>
+        <translation>Nicht verfügbar</translation>
+    </message>
+    <message>
         <source>Performance</source>
         <translation>Leistung</translation>
     </message>

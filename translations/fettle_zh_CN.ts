@@ -9116,6 +9116,14 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>地面网格</translation>
     </message>
     <message>
+        <source>Real room</source>
+        <translation>真实房间</translation>
+    </message>
+    <message>
+        <source>Not on this headset</source>
+        <translation>此头显不支持</translation>
+    </message>
+    <message>
         <source>Performance</source>
         <translation>性能</translation>
     </message>

@@ -23,6 +23,7 @@ const QString sculptingKey = QStringLiteral("headset/sculpting");
 const QString raisedKey = QStringLiteral("headset/raised");
 const QString turnsKey = QStringLiteral("headset/turnsBy");
 const QString floorKey = QStringLiteral("headset/floor");
+const QString passthroughKey = QStringLiteral("headset/passthrough");
 const QString performanceKey = QStringLiteral("headset/performance");
 
 QString feelKey(std::size_t sensation)
@@ -41,6 +42,7 @@ vr::HeadsetSettings HeadsetSettingsStore::load() const
         number(m_settings, raisedKey, -Panel::maxHeightOffset, Panel::maxHeightOffset, settings.heightOffset);
     settings.turnRate = number(m_settings, turnsKey, Panel::minTurnRate, Panel::maxTurnRate, settings.turnRate);
     settings.showsFloor = yesNo(m_settings, floorKey, settings.showsFloor);
+    settings.hasPassthrough = yesNo(m_settings, passthroughKey, settings.hasPassthrough);
     settings.showsPerformance = yesNo(m_settings, performanceKey, settings.showsPerformance);
     for (std::size_t i = 0; i < vr::sensationCount; ++i)
         settings.hapticLevels.of[i] = number(m_settings, feelKey(i), 0, 1, settings.hapticLevels.of[i]);
@@ -54,6 +56,7 @@ void HeadsetSettingsStore::save(const vr::HeadsetSettings& settings)
     m_settings.setValue(raisedKey, settings.heightOffset);
     m_settings.setValue(turnsKey, settings.turnRate);
     m_settings.setValue(floorKey, settings.showsFloor);
+    m_settings.setValue(passthroughKey, settings.hasPassthrough);
     m_settings.setValue(performanceKey, settings.showsPerformance);
     for (std::size_t i = 0; i < vr::sensationCount; ++i)
         m_settings.setValue(feelKey(i), settings.hapticLevels.of[i]);

@@ -34,11 +34,13 @@ QJsonObject script()
     const double side = degrees(ui::SimulatorControls::sideTangent), up = degrees(ui::SimulatorControls::upTangent);
     const QJsonObject aim{{QStringLiteral("position"), QJsonArray{0, 0, 0}},
                           {QStringLiteral("rotation"), QJsonArray{0, 0, 0, 1}}};
+    const QJsonArray blendModes{QStringLiteral("opaque"), QStringLiteral("alpha_blend")};
     return {{QStringLiteral("start"), QJsonObject{{QStringLiteral("pace"), QStringLiteral("live")},
                                                   {QStringLiteral("hz"), hertz},
                                                   {QStringLiteral("size"), QJsonArray{widthPixels, heightPixels}},
                                                   {QStringLiteral("fov"), QJsonArray{-side, side, up, -up}},
                                                   {QStringLiteral("views"), QStringLiteral("mono")},
+                                                  {QStringLiteral("blend_modes"), blendModes},
                                                   {QStringLiteral("aim"), aim}}}};
 }
 

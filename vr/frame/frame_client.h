@@ -25,6 +25,7 @@ struct FrameInput
     bool hasFocus = false;
     bool roomMoved = false; ///< room space was redefined since the last frame: grabs and strokes in progress must end
     const FrameTimings& timings;
+    bool offersPassthrough = false; ///< the headset can show the real room behind the picture
 
     double seconds() const { return static_cast<double>(displayNs) * 1e-9; }
 };
@@ -35,6 +36,7 @@ struct FrameOutput
     /// Recentres: moves the room's origin to the head's position and yaw. FrameInput::roomMoved reports the change.
     bool recentre = false;
     bool leave = false;
+    bool passthrough = false; ///< shows the real room behind the picture in this frame, if the headset can
 };
 
 /// Decides what the user sees and does in the headset.

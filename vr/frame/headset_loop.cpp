@@ -191,7 +191,7 @@ FrameInput HeadsetLoop::readInput(const FrameTime& time)
     if (hasFocus && std::exchange(m_areProfilesStale, false))
         m_actions.refreshProfiles();
     m_head = m_spaces.head(time.display);
-    return {wands, m_head, time.display, hasFocus, roomMoved, m_parts.timings};
+    return {wands, m_head, time.display, hasFocus, roomMoved, m_parts.timings, m_session.offersPassthrough()};
 }
 
 void HeadsetLoop::handle(const FrameOutput& output)
@@ -202,6 +202,7 @@ void HeadsetLoop::handle(const FrameOutput& output)
     if (output.recentre && m_head)
         m_spaces.recentre(*m_head);
     m_exitRequested = m_exitRequested || output.leave;
+    m_session.setPassthrough(output.passthrough);
 }
 
 void HeadsetLoop::drawViews()
@@ -210,7 +211,9 @@ void HeadsetLoop::drawViews()
         m_views.draw(eye, [&](const EyeImage& image, const EyeView& view) {
             m_parts.gl.makeCurrent();
             m_clock.endPhase(FramePhase::Images);
-            m_parts.client.draw(eye, image, view);
+            EyeView seen = view;
+            seen.hasPassthrough = m_session.hasPassthrough();
+            m_parts.client.draw(eye, image, seen);
             m_clock.endPhase(FramePhase::Draw);
         });
         m_clock.endPhase(FramePhase::Images);

@@ -29,6 +29,8 @@ struct EyeView
     bool isSrgb = true;           ///< the framebuffer is sRGB: OpenGL encodes the linear colours that are written
     Eigen::Matrix4f projection = Eigen::Matrix4f::Identity(); ///< eye space to OpenGL clip space; asymmetric
     Eigen::Isometry3f view = Eigen::Isometry3f::Identity();   ///< room space to eye space
+    /// The real room is seen where nothing is drawn: there the picture is black with the alpha value 0.
+    bool hasPassthrough = false;
     /// Area that the lens hides, which need not be drawn; null: none.
     const HiddenArea* hidden = nullptr;
 };

@@ -13,6 +13,7 @@ struct HeadsetSettings
     double heightOffset = 0;
     double turnRate = turnSpeed; ///< speed of turning the model, degrees a second
     bool showsFloor = true;
+    bool hasPassthrough = false; ///< the real room is seen behind the model, if the headset can show it
     bool showsPerformance = false;
     HapticLevels hapticLevels;
 

@@ -25,15 +25,12 @@ XrViewConfigurationType viewConfigurationOf(const Instance& instance)
     throw XrError("xrEnumerateViewConfigurations", XR_ERROR_VIEW_CONFIGURATION_TYPE_UNSUPPORTED);
 }
 
-/// Returns opaque, unless the headset can only show the real room behind the picture.
-XrEnvironmentBlendMode blendModeOf(const Instance& instance, XrViewConfigurationType type)
+std::vector<XrEnvironmentBlendMode> blendModesOf(const Instance& instance, XrViewConfigurationType type)
 {
-    const auto offered = enumerate(
+    return enumerate(
         "xrEnumerateEnvironmentBlendModes", XrEnvironmentBlendMode{}, [&](auto capacity, auto* count, auto* items) {
             return xrEnumerateEnvironmentBlendModes(instance.handle(), instance.system(), type, capacity, count, items);
         });
-    const bool hasOpaque = std::find(offered.begin(), offered.end(), XR_ENVIRONMENT_BLEND_MODE_OPAQUE) != offered.end();
-    return hasOpaque || offered.empty() ? XR_ENVIRONMENT_BLEND_MODE_OPAQUE : offered.front();
 }
 
 std::vector<ImageSize> imageSizesOf(const Instance& instance, XrViewConfigurationType type)
@@ -114,7 +111,8 @@ QVersionNumber leastOpenGl(const Instance& instance)
 
 Session::Session(const Instance& instance, const GlBinding& binding)
     : m_viewConfiguration(viewConfigurationOf(instance))
-    , m_blendMode(blendModeOf(instance, m_viewConfiguration))
+    , m_blendModes(blendModesOf(instance, m_viewConfiguration))
+    , m_blending(blendingOf(m_blendModes, false))
     , m_imageSizes(imageSizesOf(instance, m_viewConfiguration))
     , m_handle(makeSession(instance, binding))
     , m_imageFormats(usableFormats(formatsOf(handle())))
@@ -157,7 +155,7 @@ Frame::~Frame()
 {
     if (m_isEnded)
         return;
-    const XrFrameEndInfo info{XR_TYPE_FRAME_END_INFO, nullptr, m_display, m_session.m_blendMode, 0, nullptr};
+    const XrFrameEndInfo info{XR_TYPE_FRAME_END_INFO, nullptr, m_display, m_session.m_blending.mode, 0, nullptr};
     xrEndFrame(m_session.handle(), &info); // result ignored: the earlier error that led here is the one reported
 }
 
@@ -165,11 +163,13 @@ void Frame::show(XrSpace space, std::span<const XrCompositionLayerProjectionView
 {
     XrCompositionLayerProjection picture{};
     picture.type = XR_TYPE_COMPOSITION_LAYER_PROJECTION;
+    if (m_session.hasPassthrough()) // the scene's colours are multiplied by their alpha already
+        picture.layerFlags = XR_COMPOSITION_LAYER_BLEND_TEXTURE_SOURCE_ALPHA_BIT;
     picture.space = space;
     picture.viewCount = static_cast<std::uint32_t>(views.size());
     picture.views = views.data();
     const auto* layer = reinterpret_cast<const XrCompositionLayerBaseHeader*>(&picture);
-    const XrFrameEndInfo info{XR_TYPE_FRAME_END_INFO,  nullptr, m_display, m_session.m_blendMode,
+    const XrFrameEndInfo info{XR_TYPE_FRAME_END_INFO,  nullptr, m_display, m_session.m_blending.mode,
                               views.empty() ? 0U : 1U, &layer};
     m_isEnded = true;
     check(xrEndFrame(m_session.handle(), &info), "xrEndFrame");

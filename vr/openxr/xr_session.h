@@ -1,6 +1,7 @@
 #pragma once
 
 #include "vr/gl/gl_binding.h"
+#include "vr/openxr/xr_blending.h"
 #include "vr/openxr/xr_handle.h"
 #include "vr/openxr/xr_instance.h"
 #include "vr/openxr/xr_swapchain.h"
@@ -45,6 +46,11 @@ public:
     /// pictures (XR_KHR_composition_layer_depth).
     const std::vector<ImageFormat>& depthFormats() const { return m_depthFormats; }
     XrViewConfigurationType viewConfiguration() const { return m_viewConfiguration; }
+    /// Returns whether the headset can show the real room behind the picture.
+    bool offersPassthrough() const { return vr::offersPassthrough(m_blendModes); }
+    /// Shows or hides the real room from the next frame's end on, as far as the headset can.
+    void setPassthrough(bool isOn) { m_blending = blendingOf(m_blendModes, isOn); }
+    bool hasPassthrough() const { return m_blending.hasPassthrough; }
 
     void begin();
     void end();
@@ -57,7 +63,8 @@ private:
     friend class Frame;
 
     XrViewConfigurationType m_viewConfiguration;
-    XrEnvironmentBlendMode m_blendMode;
+    std::vector<XrEnvironmentBlendMode> m_blendModes; ///< modes that the runtime offers
+    Blending m_blending;
     std::vector<ImageSize> m_imageSizes;
     SessionHandle m_handle;
     std::vector<ImageFormat> m_imageFormats, m_depthFormats;

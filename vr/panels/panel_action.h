@@ -194,6 +194,13 @@ struct ShowFloor
     bool operator==(const ShowFloor&) const = default;
 };
 
+/// Shows or hides the real room behind the model.
+struct ShowPassthrough
+{
+    bool isShown = true;
+    bool operator==(const ShowPassthrough&) const = default;
+};
+
 enum class PanelSlider {
     Red, ///< Red, Green and Blue: whole numbers of 0 to 255, in the order of channels
     Green,
@@ -218,9 +225,9 @@ struct Slide
 /// A request that the user makes through an item of a panel.
 using PanelAction = std::variant<PanelCommand, core::Tool, core::BrushShape, core::Topology, ButtonPreset, SettingsPage,
                                  ShowPanel, AddNext, ChooseSymmetry, ChooseRadial, ChooseChannel, ChooseColor, ShowPage,
-                                 ChooseFile, OpenFile, ChooseHand, ShowPerformance, ShowFloor, Slide, ShowLessonPage,
-                                 LessonRequest, ShowPartsPage, ChoosePart, MarkPart, ShowPart, LockPart, NamePart,
-                                 TagPart, MakePart, CombineMarked, PartsPage, core::Primitive::Kind>;
+                                 ChooseFile, OpenFile, ChooseHand, ShowPerformance, ShowFloor, ShowPassthrough, Slide,
+                                 ShowLessonPage, LessonRequest, ShowPartsPage, ChoosePart, MarkPart, ShowPart, LockPart,
+                                 NamePart, TagPart, MakePart, CombineMarked, PartsPage, core::Primitive::Kind>;
 
 /// Returns whether both actions belong to the same item. A slider has an action for each of its values.
 inline bool isSameItem(const PanelAction& a, const PanelAction& b)

@@ -84,11 +84,11 @@ void PanelBuilder::addChoice(const QRectF& row, const std::vector<PanelChoice>& 
     }
 }
 
-void PanelBuilder::addSwitch(const QString& name, double nameWidth, const SwitchLook& look, const PanelAction& action)
+void PanelBuilder::addSwitch(const SwitchRow& row, double nameWidth)
 {
     const std::vector<QRectF> places = cells(nextRow(theme::row), {nameWidth, 0});
-    add(places[0], TextLook{.text = name, .lines = 2});
-    add({places[1], look, action});
+    add(places[0], TextLook{.text = row.name, .lines = 2});
+    add({places[1], row.look, row.action, row.isEnabled});
 }
 
 void PanelBuilder::addSlider(const SliderRow& row, double nameWidth)

@@ -16,6 +16,14 @@ struct PanelChoice
     bool isChosen = false;
 };
 
+struct SwitchRow
+{
+    QString name;
+    SwitchLook look;
+    PanelAction action;
+    bool isEnabled = true;
+};
+
 struct SliderRow
 {
     QString name;
@@ -62,8 +70,8 @@ public:
     /// Adds a name of width `nameWidth`, and the alternatives to its right. Without a name they fill the row.
     void addChoice(const QString& name, double nameWidth, const std::vector<PanelChoice>& choices);
     void addChoice(const QRectF& row, const std::vector<PanelChoice>& choices);
-    /// Adds a name of width `nameWidth`, and the switch to its right.
-    void addSwitch(const QString& name, double nameWidth, const SwitchLook& look, const PanelAction& action);
+    // Each of these adds a name of width `nameWidth`, and the switch or the slider to its right.
+    void addSwitch(const SwitchRow& row, double nameWidth);
     void addSlider(const SliderRow& row, double nameWidth);
 
 private:

@@ -171,6 +171,7 @@ public:
 
     SettingsPage page = SettingsPage::General;
     HeadsetSettings settings;
+    bool offersPassthrough = true; ///< the headset can show the real room
 
     static SettingsPanel of(const HeadsetSettings& settings, SettingsPage page) { return {page, settings}; }
 
@@ -183,7 +184,9 @@ public:
 private:
     static QString nameOf(Sensation sensation);
     static void slide(HeadsetSettings& settings, const Slide& slide);
+    static SwitchLook onOff(bool isOn);
     void addGeneral(PanelBuilder& builder) const;
+    void addPassthrough(PanelBuilder& builder) const;
     void addModel(PanelBuilder& builder) const;
     void addHaptics(PanelBuilder& builder) const;
 };

@@ -35,6 +35,8 @@ HeadsetSettings SettingsPanel::after(HeadsetSettings settings, const PanelAction
         settings.wands.sculpting = hand->sculpting;
     else if (const auto* ground = std::get_if<ShowFloor>(&action))
         settings.showsFloor = ground->isShown;
+    else if (const auto* room = std::get_if<ShowPassthrough>(&action))
+        settings.hasPassthrough = room->isShown;
     else if (const auto* numbers = std::get_if<ShowPerformance>(&action))
         settings.showsPerformance = numbers->isShown;
     else if (const auto* moved = std::get_if<Slide>(&action))
@@ -83,10 +85,26 @@ void SettingsPanel::addGeneral(PanelBuilder& builder) const
                       {{tr("Left"), {}, ChooseHand{Side::Left}, sculpting == Side::Left},
                        {tr("Right"), {}, ChooseHand{Side::Right}, sculpting == Side::Right}});
     addModel(builder);
-    const auto onOff = [](bool isOn) { return SwitchLook{isOn ? tr("On") : tr("Off"), isOn}; };
-    builder.addSwitch(tr("Floor grid"), settingsNameWidth, onOff(settings.showsFloor), ShowFloor{!settings.showsFloor});
-    builder.addSwitch(tr("Performance"), settingsNameWidth, onOff(settings.showsPerformance),
-                      ShowPerformance{!settings.showsPerformance});
+    builder.addSwitch({tr("Floor grid"), onOff(settings.showsFloor), ShowFloor{!settings.showsFloor}},
+                      settingsNameWidth);
+    addPassthrough(builder);
+    builder.addSwitch(
+        {tr("Performance"), onOff(settings.showsPerformance), ShowPerformance{!settings.showsPerformance}},
+        settingsNameWidth);
+}
+
+SwitchLook SettingsPanel::onOff(bool isOn)
+{
+    return {isOn ? tr("On") : tr("Off"), isOn};
+}
+
+/// Adds the switch for the real room. A headset that cannot show it has a switch that says so.
+void SettingsPanel::addPassthrough(PanelBuilder& builder) const
+{
+    const SwitchLook look =
+        offersPassthrough ? onOff(settings.hasPassthrough) : SwitchLook{tr("Not on this headset"), false};
+    builder.addSwitch({tr("Real room"), look, ShowPassthrough{!settings.hasPassthrough}, offersPassthrough},
+                      settingsNameWidth);
 }
 
 void SettingsPanel::addModel(PanelBuilder& builder) const

@@ -1,5 +1,5 @@
-// Order of drawing: the area that the lens hides, then wands and mesh, then the dome behind them, then the translucent
-// floor, panels and other shapes, the last two from far to near.
+// Order of drawing: the area that the lens hides, then wands and mesh, then the dome behind them unless the real room
+// is seen there, then the translucent floor, panels and other shapes, the last two from far to near.
 #include "vr/scene/scene.h"
 
 #include "vr/scene/hidden_renderer.h"
@@ -119,7 +119,7 @@ struct Scene::State
     TranslucentList translucent;
 
     EyeUniforms uniformsOf(const EyeView& eye) const;
-    void drawOpaque(const EyeUniforms& eye);
+    void drawOpaque(const EyeUniforms& eye, bool hasDome);
     void drawTranslucent(const EyeUniforms& eye);
 };
 
@@ -136,7 +136,7 @@ EyeUniforms Scene::State::uniformsOf(const EyeView& eye) const
     return uniforms;
 }
 
-void Scene::State::drawOpaque(const EyeUniforms& eye)
+void Scene::State::drawOpaque(const EyeUniforms& eye, bool hasDome)
 {
     gl->glDisable(GL_BLEND);
     gl->glEnable(GL_CULL_FACE);
@@ -157,7 +157,8 @@ void Scene::State::drawOpaque(const EyeUniforms& eye)
     meshProgram.shade(look.shading);
     clock.run([&] { mesh.shown().draw(); });
     gl->glDisable(GL_CULL_FACE);
-    roomRenderer.drawDome(eye);
+    if (hasDome)
+        roomRenderer.drawDome(eye);
 }
 
 void Scene::State::drawTranslucent(const EyeUniforms& eye)
@@ -247,11 +248,11 @@ void Scene::draw(const EyeView& eye)
     s.gl->glCullFace(GL_BACK);
     s.gl->glFrontFace(GL_CCW);
     s.gl->glClearDepthf(1);
-    s.gl->glClearColor(0, 0, 0, 1);
+    s.gl->glClearColor(0, 0, 0, eye.hasPassthrough ? 0 : 1);
     s.clock.run([&] { s.gl->glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT); });
     if (eye.hidden)
         s.hiddenRenderer.draw(*eye.hidden, eye.projection);
-    s.drawOpaque(uniforms);
+    s.drawOpaque(uniforms, !eye.hasPassthrough);
     s.drawTranslucent(uniforms);
 }
 

@@ -70,7 +70,7 @@ void PanelContents::show(PanelManager& panels, const Sources& sources)
     if (panels.isOpen(PanelKind::Parts))
         panels.show(m_parts);
     if (panels.isOpen(PanelKind::Settings))
-        panels.show(SettingsPanel::of(sources.settings, m_settingsPage));
+        panels.show(SettingsPanel{m_settingsPage, sources.settings, sources.offersPassthrough});
     showPerformance(panels, sources);
     showLesson(panels, sources.document.lesson);
     showNotice(panels, sources);

@@ -19,7 +19,8 @@ public:
         const BrushState& brush;
         int channel; ///< WandMapping::channel()
         const FrameTimings& timings;
-        double time; ///< seconds
+        double time;                    ///< seconds
+        bool offersPassthrough = false; ///< see FrameInput
     };
 
     /// Takes over changes of the document. A new step of a lesson begins at its first page.

@@ -197,11 +197,12 @@ FrameOutput SculptClient::frame(const FrameInput& input)
     m_brush.querySurface(m_placement);
     updateHaptics();
     m_labels.step(frame, m_head, m_mapping, commands);
-    m_contents.show(m_panels,
-                    {m_update, m_settings, m_brush.state(), m_mapping.channel(), input.timings, input.seconds()});
+    m_contents.show(m_panels, {m_update, m_settings, m_brush.state(), m_mapping.channel(), input.timings,
+                               input.seconds(), input.offersPassthrough});
     updateScene(input);
     m_port->show(avatarOf(input, m_state, m_brush.state().radius, m_panels.targets()));
     m_output.pulses = m_haptics.step(input.seconds(), m_hapticInputs);
+    m_output.passthrough = m_settings.hasPassthrough;
     return m_output;
 }
 

@@ -34,6 +34,7 @@
 ///     "withheld": [names]           extensions that are not offered
 ///     "failing_formats": ["srgb8_alpha8"|"rgba16f"|"rgba8"|"depth24"|"depth32f"]   offered, but no images are made
 ///     "api_minors": [n]             minor versions of OpenXR 1 that a client may ask for
+///     "blend_modes": ["opaque"|"additive"|"alpha_blend"]   ways to combine pictures with the real room, a plain wall
 ///     "least_opengl": [major,minor]
 ///     "pace": "real"|"live"|"fast"|"stepped"   live: the display time is the clock's; else it waits for a slow client
 ///     "worn", "visible", "focus", "should_render": bool
@@ -66,11 +67,11 @@ int fettle_xr_frames(int count, int milliseconds);
 /// Returns the state as JSON: {"state", "is_running", "is_frozen": whether the client is in the call that does not
 /// return, "sessions", "frames_ended", "api_minor": minor version of OpenXR 1 that the client asked for, or null
 /// without an instance, "client_errors": [text], "client_warnings": [text], "haptics": [...], "calls": {name: count},
-/// "last_frame": {"layers": [...], ...}}.
+/// "last_frame": {"blend_mode", "layers": [...], ...}}.
 const char* fettle_xr_report();
 
 /// The picture of an eye: 4 bytes of red, green, blue and alpha per pixel, sRGB, the top row first, without gaps. Alpha
-/// has no meaning.
+/// has no meaning: the real room is in the picture already, if it is to be seen.
 struct FettleXrPicture
 {
     int width, height;

@@ -45,6 +45,13 @@ std::string nameOf(XrSessionState state)
         XR_LIST_ENUM_XrSessionState(FETTLE_CASE) default : return std::to_string(static_cast<int>(state));
     }
 }
+
+std::string nameOf(XrEnvironmentBlendMode mode)
+{
+    switch (mode) {
+        XR_LIST_ENUM_XrEnvironmentBlendMode(FETTLE_CASE) default : return std::to_string(static_cast<int>(mode));
+    }
+}
 #undef FETTLE_CASE
 
 std::optional<XrResult> resultNamed(const std::string& name)

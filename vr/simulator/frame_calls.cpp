@@ -138,6 +138,7 @@ XrResult endFrame(Call& call, XrSession handle, const XrFrameEndInfo* info)
                        {"number", frame.number},
                        {"display_time", frame.displayTime},
                        {"state", nameOf(session.state())},
+                       {"blend_mode", nameOf(layers.blendMode)},
                        {"layers", layers.description}});
     session.begun.reset();
     ++runtime.framesEnded;

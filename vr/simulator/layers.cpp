@@ -4,6 +4,8 @@
 #include "vr/simulator/system.h"
 #include "vr/simulator/xr_pose.h"
 
+#include <array>
+#include <cmath>
 #include <iomanip>
 #include <numbers>
 #include <sstream>
@@ -84,6 +86,11 @@ TexturePart checkedDepth(Call& call, const Session& session, const XrComposition
     return part;
 }
 
+bool hasAlpha(XrCompositionLayerFlags flags)
+{
+    return (flags & XR_COMPOSITION_LAYER_BLEND_TEXTURE_SOURCE_ALPHA_BIT) != 0;
+}
+
 json projection(Call& call, const Session& session, const XrCompositionLayerProjection& layer, Layers& layers)
 {
     constexpr const char* eyes[] = {"left", "right"};
@@ -101,7 +108,8 @@ json projection(Call& call, const Session& session, const XrCompositionLayerProj
         const TexturePart part = checkedPart(call, view.subImage);
         compareWithView(call, session, layer, eye);
         if (isFirst)
-            layers.shown.push_back({layer.viewCount == 1 ? "mono" : eyes[eye], part});
+            layers.shown.push_back(
+                {layer.viewCount == 1 ? "mono" : eyes[eye], part, false, !hasAlpha(layer.layerFlags)});
         views.push_back({{"pose", listOf(view.pose)},
                          {"fov", listOf(view.fov)},
                          {"rect", {part.x, part.y, part.width, part.height}},
@@ -113,7 +121,10 @@ json projection(Call& call, const Session& session, const XrCompositionLayerProj
             views.back()["depth"] = {depth->minDepth, depth->maxDepth, depth->nearZ, depth->farZ};
         }
     }
-    return {{"type", "projection"}, {"space", nameOf(call.get<Space>(layer.space))}, {"views", views}};
+    return {{"type", "projection"},
+            {"alpha", hasAlpha(layer.layerFlags)},
+            {"space", nameOf(call.get<Space>(layer.space))},
+            {"views", views}};
 }
 
 json quad(Call& call, const XrCompositionLayerQuad& layer, Layers& layers)
@@ -125,8 +136,7 @@ json quad(Call& call, const XrCompositionLayerQuad& layer, Layers& layers)
     const TexturePart part = checkedPart(call, layer.subImage);
     const auto number =
         std::count_if(layers.shown.begin(), layers.shown.end(), [](const auto& it) { return it.isQuad; });
-    const bool isOpaque = (layer.layerFlags & XR_COMPOSITION_LAYER_BLEND_TEXTURE_SOURCE_ALPHA_BIT) == 0;
-    layers.shown.push_back({"quad" + std::to_string(number), part, true, isOpaque});
+    layers.shown.push_back({"quad" + std::to_string(number), part, true, !hasAlpha(layer.layerFlags)});
     return {{"type", "quad"},
             {"space", nameOf(space)},
             {"pose", listOf(layer.pose)},
@@ -147,6 +157,32 @@ json checkedLayer(Call& call, const Session& session, const XrCompositionLayerBa
     }
 }
 
+double linear(int encoded)
+{
+    const double value = encoded / 255.0;
+    return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+}
+
+/// Adds the light of the real room, which is a plain wall, to a picture of eight bits in sRGB whose colours are
+/// multiplied by their alpha. `byAlpha`: opaque pixels hide the wall.
+void addRoom(Picture& picture, bool byAlpha)
+{
+    constexpr std::array<int, 3> wall{176, 170, 160};
+    for (std::size_t pixel = 0; pixel < picture.rgba.size(); pixel += 4) {
+        const double seen = byAlpha ? 1 - picture.rgba[pixel + 3] / 255.0 : 1;
+        for (std::size_t i = 0; seen > 0 && i < wall.size(); ++i) {
+            std::uint8_t& value = picture.rgba[pixel + i];
+            if (value == 0 && seen == 1) {
+                value = static_cast<std::uint8_t>(wall[i]);
+                continue;
+            }
+            const double light = std::min(linear(value) + seen * linear(wall[i]), 1.0);
+            const double encoded = light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
+            value = static_cast<std::uint8_t>(std::lround(255 * encoded));
+        }
+    }
+}
+
 bool isWanted(SimulatedWorld& world, std::int64_t frame)
 {
     const bool isListed = world.keptFrames.erase(frame) > 0;
@@ -157,10 +193,12 @@ bool isWanted(SimulatedWorld& world, std::int64_t frame)
 Layers checkedLayers(Call& call, const Session& session, const XrFrameEndInfo& info)
 {
     require(info.displayTime > 0, XR_ERROR_TIME_INVALID, "the display time is not positive");
-    require(info.environmentBlendMode == XR_ENVIRONMENT_BLEND_MODE_OPAQUE, XR_ERROR_ENVIRONMENT_BLEND_MODE_UNSUPPORTED,
-            "only the opaque blend mode is offered");
+    const auto& modes = call.runtime.world.blendModes;
+    require(std::find(modes.begin(), modes.end(), info.environmentBlendMode) != modes.end(),
+            XR_ERROR_ENVIRONMENT_BLEND_MODE_UNSUPPORTED, "the blend mode is not offered");
     require(info.layerCount <= maxLayers, XR_ERROR_LAYER_LIMIT_EXCEEDED, "too many layers");
     Layers layers;
+    layers.blendMode = info.environmentBlendMode;
     for (std::uint32_t i = 0; i < info.layerCount; ++i)
         layers.description.push_back(checkedLayer(call, session, (&validated(info.layers))[i], layers));
     return layers;
@@ -172,6 +210,10 @@ void showPicture(Runtime& runtime, const Session& session, const Layers& layers)
     if (eye == layers.shown.end() || !std::exchange(runtime.isPictureWanted, false))
         return;
     runtime.picture = session.gl()->read(eye->part);
+    if (layers.blendMode == XR_ENVIRONMENT_BLEND_MODE_ADDITIVE)
+        addRoom(*runtime.picture, false);
+    else if (layers.blendMode == XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND && !eye->isOpaque)
+        addRoom(*runtime.picture, true);
     runtime.changed.notify_all();
 }
 

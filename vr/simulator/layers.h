@@ -18,6 +18,7 @@ struct Layers
         bool isOpaque = true;
     };
 
+    XrEnvironmentBlendMode blendMode = XR_ENVIRONMENT_BLEND_MODE_OPAQUE;
     std::vector<Shown> shown;
     nlohmann::json description = nlohmann::json::array();
 };

@@ -67,6 +67,17 @@ Change failingFormatsChange(const json& value, Over)
     return [failing](Runtime& runtime, XrTime) { runtime.world.failingFormats = failing; };
 }
 
+Change blendModesChange(const json& value, Over)
+{
+    std::vector<XrEnvironmentBlendMode> modes;
+    for (const json& name : value)
+        modes.push_back(
+            readOneOf<XrEnvironmentBlendMode>(name, {{"opaque", XR_ENVIRONMENT_BLEND_MODE_OPAQUE},
+                                                     {"additive", XR_ENVIRONMENT_BLEND_MODE_ADDITIVE},
+                                                     {"alpha_blend", XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND}}));
+    return [modes](Runtime& runtime, XrTime) { runtime.world.blendModes = modes; };
+}
+
 Change leastOpenGlChange(const json& value, Over)
 {
     const std::vector<double> version = readNumbers(value, 2);
@@ -264,6 +275,7 @@ const std::map<std::string_view, Reader>& vocabulary()
         {"least_opengl", leastOpenGlChange},
         {"extensions", flag<&SimulatedWorld::hasExtensions>},
         {"withheld", withheldChange},
+        {"blend_modes", blendModesChange},
         {"failing_formats", failingFormatsChange},
         {"api_minors", minorsChange},
         {"stage", flag<&SimulatedWorld::hasStage>},

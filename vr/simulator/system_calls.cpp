@@ -69,8 +69,7 @@ XrResult enumerateEnvironmentBlendModes(Call& call, XrInstance handle, XrSystemI
     call.get<Instance>(handle);
     requireSystem(system);
     requireViews(call.runtime.world, views);
-    writeItems(OutputArray<XrEnvironmentBlendMode>{capacity, count, modes},
-               std::array{XR_ENVIRONMENT_BLEND_MODE_OPAQUE});
+    writeItems(OutputArray<XrEnvironmentBlendMode>{capacity, count, modes}, call.runtime.world.blendModes);
     return XR_SUCCESS;
 }
 

@@ -436,7 +436,7 @@ void TestHeadsetControllerRequests::settings_areKept()
 {
     ControllerVisit visit(at("vase.glb"));
     QVERIFY(HeadsetSettingsStore().load() == vr::HeadsetSettings());
-    vr::HeadsetSettings settings{{vr::ButtonPreset::Studio, vr::Side::Left}, -0.25, 60, false, true, {}};
+    vr::HeadsetSettings settings{{vr::ButtonPreset::Studio, vr::Side::Left}, -0.25, 60, false, true, true, {}};
     settings.hapticLevels.of = {0, 0.25, 0.5, 0.75, 1, 0.1};
     visit.request(settings);
     QTRY_VERIFY_WITH_TIMEOUT(HeadsetSettingsStore().load() == settings, longestWait);

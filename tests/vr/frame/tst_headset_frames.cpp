@@ -66,6 +66,8 @@ private Q_SLOTS:
     void unknownKindsOfWandsAreNotSuggested();
     void restingHandsSqueezeNothing();
     void refusedKindsOfWandsAreLeftOut();
+    void passthroughIsTheRuntimes_data();
+    void passthroughIsTheRuntimes();
     void pulsesAreFelt();
     void theClientRecentres_data();
     void theClientRecentres();
@@ -619,6 +621,50 @@ void TestHeadsetFrames::refusedKindsOfWandsAreLeftOut()
     enter(visitor);
     QVERIFY(m_headset->frames(2));
     QVERIFY(visitor.client->last().wands[1].menu);
+    leave(visitor);
+}
+
+void TestHeadsetFrames::passthroughIsTheRuntimes_data()
+{
+    QTest::addColumn<QByteArray>("offered");
+    QTest::addColumn<QString>("off");
+    QTest::addColumn<QString>("on");
+    QTest::addColumn<bool>("isShownIfOff");
+    QTest::addColumn<bool>("isShownIfOn");
+    const QString opaque = "XR_ENVIRONMENT_BLEND_MODE_OPAQUE", alpha = "XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND",
+                  additive = "XR_ENVIRONMENT_BLEND_MODE_ADDITIVE";
+    QTest::newRow("not offered") << QByteArray("'opaque'") << opaque << opaque << false << false;
+    QTest::newRow("by alpha") << QByteArray("'opaque', 'alpha_blend'") << opaque << alpha << false << true;
+    QTest::newRow("only by alpha") << QByteArray("'alpha_blend'") << alpha << alpha << false << true;
+    QTest::newRow("glasses") << QByteArray("'additive'") << additive << additive << true << true;
+}
+
+/// Checks that the client learns whether the real room can be shown, that a frame is drawn and submitted as the client
+/// wants it, and that this can change from frame to frame.
+void TestHeadsetFrames::passthroughIsTheRuntimes()
+{
+    QFETCH(QByteArray, offered);
+    QFETCH(QString, off);
+    QFETCH(QString, on);
+    QFETCH(bool, isShownIfOff);
+    QFETCH(bool, isShownIfOn);
+    m_headset->step(("{'blend_modes': [" + offered + "]}").constData());
+    Visitor visitor(*m_headset);
+    enter(visitor);
+    QCOMPARE(visitor.client->last().offersPassthrough, isShownIfOn);
+    for (const bool isOn : {true, false, true}) {
+        vr::FrameOutput output;
+        output.passthrough = isOn;
+        visitor.client->answer(output);
+        QVERIFY(m_headset->frames(1));
+        const QJsonObject frame = m_headset->report()["last_frame"].toObject();
+        const bool isShown = isOn ? isShownIfOn : isShownIfOff;
+        QCOMPARE(frame["blend_mode"].toString(), isOn ? on : off);
+        QCOMPARE(frame["layers"].toArray().at(0)["alpha"].toBool(), isShown);
+        QCOMPARE(visitor.client->views().size(), std::size_t(2));
+        for (const vr::EyeView& view : visitor.client->views())
+            QCOMPARE(view.hasPassthrough, isShown);
+    }
     leave(visitor);
 }
 

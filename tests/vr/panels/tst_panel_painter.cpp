@@ -314,6 +314,8 @@ void TestPanelPainter::aValue_isSeen_data()
     row("height", 8, [](vr::SettingsPanel& panel) { panel.settings.heightOffset = -0.2; });
     row("turning", 8, [](vr::SettingsPanel& panel) { panel.settings.turnRate = 90; });
     row("floor", 8, [](vr::SettingsPanel& panel) { panel.settings.showsFloor = false; });
+    row("room", 8, [](vr::SettingsPanel& panel) { panel.settings.hasPassthrough = true; });
+    row("no room", 8, [](vr::SettingsPanel& panel) { panel.offersPassthrough = false; });
     row("numbers", 8, [](vr::SettingsPanel& panel) { panel.settings.showsPerformance = true; });
     row("vibration", 8, [](vr::SettingsPanel& panel) { panel.page = vr::SettingsPage::Haptics; });
     row("level", 10, [](vr::SettingsPanel& panel) { panel.settings.hapticLevels.of[2] = 0.55; });

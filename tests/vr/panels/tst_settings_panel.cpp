@@ -4,6 +4,7 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <limits>
 
 using vr::HeadsetSettings;
@@ -60,6 +61,7 @@ private Q_SLOTS:
     void whatIsNoSetting_changesNothing();
     void everySetting_canBeReached();
     void whatWasChosen_isShownAsChosen();
+    void passthrough_isOfferedIfTheHeadsetHasIt();
 };
 
 void TestSettingsPanel::itHoldsTheChoice()
@@ -75,15 +77,17 @@ void TestSettingsPanel::itHoldsTheChoice()
 
 void TestSettingsPanel::anItem_changesWhatItSays()
 {
-    HeadsetSettings studio, left, bare, numbers;
+    HeadsetSettings studio, left, bare, numbers, room;
     studio.wands.preset = vr::ButtonPreset::Studio;
     left.wands.sculpting = vr::Side::Left;
     bare.showsFloor = false;
     numbers.showsPerformance = true;
+    room.hasPassthrough = true;
     QVERIFY(after(vr::ButtonPreset::Studio) == studio);
     QVERIFY(after(vr::ChooseHand{vr::Side::Left}) == left);
     QVERIFY(after(vr::ShowFloor{false}) == bare);
     QVERIFY(after(vr::ShowPerformance{true}) == numbers);
+    QVERIFY(after(vr::ShowPassthrough{true}) == room);
 }
 
 void TestSettingsPanel::aSlider_changesItsValueOnly()
@@ -146,6 +150,7 @@ void TestSettingsPanel::everySetting_canBeReached()
     QVERIFY(canBecome([](const HeadsetSettings& c) { return c.wands.sculpting == vr::Side::Left; }));
     QVERIFY(canBecome([](const HeadsetSettings& c) { return !c.showsFloor; }));
     QVERIFY(canBecome([](const HeadsetSettings& c) { return c.showsPerformance; }));
+    QVERIFY(canBecome([](const HeadsetSettings& c) { return c.hasPassthrough; }));
     for (const double heightOffset : {-SettingsPanel::maxHeightOffset, SettingsPanel::maxHeightOffset})
         QVERIFY(canBecome([&](const HeadsetSettings& c) { return c.heightOffset == heightOffset; }));
     for (const double speed : {SettingsPanel::minTurnRate, SettingsPanel::maxTurnRate})
@@ -165,6 +170,20 @@ void TestSettingsPanel::whatWasChosen_isShownAsChosen()
             QCOMPARE(std::get<Slide>(*item->action).value, slide->value);
         if (const auto* ground = std::get_if<vr::ShowFloor>(&action)) // the item then offers the opposite action
             QVERIFY(!item && layout.itemFor(vr::ShowFloor{!ground->isShown}));
+    }
+}
+
+void TestSettingsPanel::passthrough_isOfferedIfTheHeadsetHasIt()
+{
+    for (const bool isOffered : {true, false}) {
+        const vr::PanelLayout layout = SettingsPanel{SettingsPage::General, {}, isOffered}.layout();
+        QCOMPARE(layout.itemFor(vr::ShowPassthrough{true}) != nullptr, isOffered);
+        const auto item = std::ranges::find_if(layout.items, [](const vr::PanelItem& i) {
+            return i.action && std::holds_alternative<vr::ShowPassthrough>(*i.action);
+        });
+        QVERIFY(item != layout.items.end());
+        QCOMPARE(std::get<vr::SwitchLook>(item->look).text,
+                 isOffered ? QString("Off") : QString("Not on this headset"));
     }
 }
 

@@ -69,6 +69,7 @@ private Q_SLOTS:
     void ball_coversThePixelsThatItShould();
     void eyes_seeTheBallApart();
     void eyes_seeTheSameDome();
+    void passthrough_isWhereNothingIsDrawn();
     void patches_showWhatAWholePatchShows();
     void largeModel_isSeenWhenItIsThereWhole();
     void images_ofLightAndOfSrgbShowTheSame();
@@ -250,6 +251,30 @@ void TestHeadsetScene::eyes_seeTheSameDome()
         }
     QVERIFY(darkest > 20); // not black anywhere
     QVERIFY(lightest > darkest + 15);
+}
+
+/// Checks that with passthrough the picture is opaque where the model is, and black with the alpha value 0 where
+/// nothing is, and that it is opaque everywhere otherwise.
+void TestHeadsetScene::passthrough_isWhereNothingIsDrawn()
+{
+    core::Sculptor sculptor(mesh_asserts::sculptable(core::icosphere(3, 50)));
+    m_scene.apply(sculptor.wholePatch());
+    SceneState state = bare();
+    state.model = Eigen::Translation3d(0, 1.6, -0.6) * Eigen::UniformScaling(2e-3);
+    state.head = looking({0, 1.6, 0}, {0, 1.6, -0.6});
+    state.hasFloor = false;
+    vr::EyeView view = eye(state.head);
+    const QImage room = picture(state, view);
+    view.hasPassthrough = true;
+    const QImage seen = picture(state, view);
+    const QPoint middle(size.width() / 2, size.height() / 2);
+    QCOMPARE(seen.pixel(middle), room.pixel(middle));
+    QCOMPARE(seen.pixelColor(middle).alpha(), 255);
+    for (const QPoint corner : {QPoint(2, 2), QPoint(size.width() - 3, size.height() - 3)}) {
+        QCOMPARE(seen.pixelColor(corner), QColor(0, 0, 0, 0));
+        QCOMPARE(room.pixelColor(corner).alpha(), 255);
+        QVERIFY(qGray(room.pixel(corner)) > 20);
+    }
 }
 
 /// Compares patches applied one by one with a whole patch, after strokes and after their undo, which frees slots.

@@ -46,19 +46,22 @@ public:
 /// A person with two wands, played frame by frame.
 struct Person
 {
+    explicit Person(const vr::HeadsetSettings& settings = {}) : client(port, settings) {}
+
     void frame(double trigger)
     {
         vr::FrameInput input{{}, vr::Pose{Eigen::Quaterniond::Identity(), {0, 1.6, 0}}, time, true, false, timings};
         for (vr::WandState& wand : input.wands)
             wand.isTracked = wand.isActive = true;
         input.wands[static_cast<std::size_t>(Side::Right)].trigger = trigger;
-        client.frame(input);
+        output = client.frame(input);
         time += 11'000'000;
     }
 
     std::shared_ptr<RecordingPort> port = std::make_shared<RecordingPort>();
-    vr::SculptClient client{port, {}};
+    vr::SculptClient client;
     vr::FrameTimings timings;
+    vr::FrameOutput output; ///< of the last frame
     std::int64_t time = 1'000'000'000;
 };
 } // namespace
@@ -71,6 +74,7 @@ private Q_SLOTS:
     void idle_endsTheStroke();
     void times_areTheVisits();
     void aToolChosenHere_getsTheWindowsValues();
+    void passthrough_isTheUsersChoice();
 };
 
 /// Checks that the open stroke ends when frames stop. The trigger stays pulled in all frames, and must be released
@@ -136,6 +140,17 @@ void TestSculptClient::aToolChosenHere_getsTheWindowsValues()
     QVERIFY(brush.state().stroke.tool == core::Tool::Clay && brush.state().stroke.strength == 0.5);
     QVERIFY(brush.state().stroke.falloff == 9 && brush.state().smoothStrength == 0.25);
     QCOMPARE(brush.state().radius, radius);
+}
+
+void TestSculptClient::passthrough_isTheUsersChoice()
+{
+    for (const bool isWanted : {false, true}) {
+        vr::HeadsetSettings settings;
+        settings.hasPassthrough = isWanted;
+        Person person(settings);
+        person.frame(0);
+        QCOMPARE(person.output.passthrough, isWanted);
+    }
 }
 
 FETTLE_TEST(TestSculptClient, QCoreApplication)

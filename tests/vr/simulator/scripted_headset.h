@@ -22,6 +22,7 @@ struct SeenFrame
     std::int64_t displayNs = 0;
     bool hasFocus = false;
     bool roomMoved = false;
+    bool offersPassthrough = false;
 };
 
 /// A client that fills each eye with a colour and records its calls.
