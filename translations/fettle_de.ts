@@ -8709,6 +8709,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Vibration</translation>
     </message>
     <message>
+        <source>Pinch</source>
+        <translation>Fingergriff</translation>
+    </message>
+    <message>
         <source>Sculpting</source>
         <translation>Formen</translation>
     </message>
@@ -9073,6 +9077,26 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Move part</source>
         <translation>Teil bewegen</translation>
+    </message>
+    <message>
+        <source>Pinch: smooth</source>
+        <translation>Fingergriff: glätten</translation>
+    </message>
+    <message>
+        <source>Fist: move model</source>
+        <translation>Faust: bewegen</translation>
+    </message>
+    <message>
+        <source>Palm: tools</source>
+        <translation>Handfläche: Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Pinch: sculpt</source>
+        <translation>Fingergriff: formen</translation>
+    </message>
+    <message>
+        <source>Palm: colour</source>
+        <translation>Handfläche: Farbe</translation>
     </message>
     <message>
         <source>Place shape</source>

@@ -8675,6 +8675,10 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>振动</translation>
     </message>
     <message>
+        <source>Pinch</source>
+        <translation>捏合</translation>
+    </message>
+    <message>
         <source>Sculpting</source>
         <translation>雕刻</translation>
     </message>
@@ -9039,6 +9043,26 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     <message>
         <source>Move part</source>
         <translation>移动部件</translation>
+    </message>
+    <message>
+        <source>Pinch: smooth</source>
+        <translation>捏合：平滑</translation>
+    </message>
+    <message>
+        <source>Fist: move model</source>
+        <translation>握拳：移动模型</translation>
+    </message>
+    <message>
+        <source>Palm: tools</source>
+        <translation>掌心：工具</translation>
+    </message>
+    <message>
+        <source>Pinch: sculpt</source>
+        <translation>捏合：雕刻</translation>
+    </message>
+    <message>
+        <source>Palm: colour</source>
+        <translation>掌心：颜色</translation>
     </message>
     <message>
         <source>Place shape</source>

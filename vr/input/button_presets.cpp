@@ -84,6 +84,20 @@ struct Rows
         {Sculpting, Any,        Trigger,     F::Sculpt,           QT_TRANSLATE_NOOP("vr::Presets", "Sculpt")},
         {Sculpting, Any,        Squeeze,     F::MoveModel,        QT_TRANSLATE_NOOP("vr::Presets", "Move model")},
     };
+    /// Functions of two bare hands. All others, such as undo, are on panels.
+    static constexpr PresetRow bareHands[] = {
+        {Support,   Any, Trigger, F::Smooth,           QT_TRANSLATE_NOOP("vr::Presets", "Pinch: smooth")},
+        {Support,   Any, Squeeze, F::MoveModel,        QT_TRANSLATE_NOOP("vr::Presets", "Fist: move model")},
+        {Support,   Any, Menu,    F::ToggleToolMenu,   QT_TRANSLATE_NOOP("vr::Presets", "Palm: tools")},
+        {Sculpting, Any, Trigger, F::Sculpt,           QT_TRANSLATE_NOOP("vr::Presets", "Pinch: sculpt")},
+        {Sculpting, Any, Squeeze, F::MoveModel,        QT_TRANSLATE_NOOP("vr::Presets", "Fist: move model")},
+        {Sculpting, Any, Menu,    F::ToggleColorPanel, QT_TRANSLATE_NOOP("vr::Presets", "Palm: colour")},
+    };
+    static constexpr PresetRow oneBareHand[] = {
+        {Sculpting, Any, Trigger, F::Sculpt,         QT_TRANSLATE_NOOP("vr::Presets", "Pinch: sculpt")},
+        {Sculpting, Any, Squeeze, F::MoveModel,      QT_TRANSLATE_NOOP("vr::Presets", "Fist: move model")},
+        {Sculpting, Any, Menu,    F::ToggleToolMenu, QT_TRANSLATE_NOOP("vr::Presets", "Palm: tools")},
+    };
     static constexpr PresetRow choosePart[] = {
         {Sculpting, Any, Trigger, F::UseTip,   QT_TRANSLATE_NOOP("vr::Presets", "Choose part")},
         {Sculpting, Any, Squeeze, F::MovePart, QT_TRANSLATE_NOOP("vr::Presets", "Move part")},
@@ -132,6 +146,7 @@ constexpr bool isClear(std::span<const PresetRow> table)
     return true;
 }
 static_assert(isClear(Rows::paper) && isClear(Rows::studio) && isClear(Rows::oneHand));
+static_assert(isClear(Rows::bareHands) && isClear(Rows::oneBareHand));
 static_assert(isClear(Rows::choosePart) && isClear(Rows::placeShape) && isClear(Rows::drawTube) && isClear(Rows::cut));
 
 /// Returns the label for a thumbstick, which slides only while it is pressed in.
@@ -161,6 +176,13 @@ std::span<const PresetRow> presetRows(ButtonPreset preset)
         return Rows::oneHand;
     }
     return {};
+}
+
+std::span<const PresetRow> handRows(ButtonPreset preset)
+{
+    if (preset == ButtonPreset::OneHand)
+        return Rows::oneBareHand;
+    return Rows::bareHands;
 }
 
 std::span<const PresetRow> taskRows(HandTask task)
@@ -194,7 +216,7 @@ std::optional<WandFunction> functionOf(ButtonPreset preset, const WandControl& c
     for (const PresetRow& row : taskRows(control.task))
         if (answers(row, control))
             return row.function;
-    for (const PresetRow& row : presetRows(preset))
+    for (const PresetRow& row : control.isBare ? handRows(preset) : presetRows(preset))
         if (answers(row, control) && !isReplaced(row, control.task))
             return row.function;
     return std::nullopt;

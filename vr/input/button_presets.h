@@ -96,6 +96,10 @@ struct PresetRow
 
 /// Returns the rows of a preset.
 std::span<const PresetRow> presetRows(ButtonPreset preset);
+/// Returns the rows for bare hands, which have only the gestures Trigger (a pinch), Squeeze (a fist) and Menu (a palm
+/// turned to the face). They are the same for Paper and Studio.
+std::span<const PresetRow> handRows(ButtonPreset preset);
+inline constexpr std::size_t maxHandRows = 8;
 /// Returns the rows of a task, at most maxTaskRows. Each replaces all rows of the preset for the same hand and button.
 std::span<const PresetRow> taskRows(HandTask task);
 inline constexpr std::size_t maxTaskRows = 4;
@@ -109,6 +113,7 @@ struct WandControl
     HandMode mode; ///< mode of the hand; never Any
     Gesture gesture;
     HandTask task = HandTask::Sculpt; ///< task of the sculpting hand
+    bool isBare = false;              ///< the hand holds no wand
 };
 /// Returns the function of the gesture; none if it has no function.
 std::optional<WandFunction> functionOf(ButtonPreset preset, const WandControl& control);

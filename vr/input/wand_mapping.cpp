@@ -74,6 +74,8 @@ bool waitsForStroke(WandFunction function)
 
 Pose tipOf(const WandState& wand)
 {
+    if (wand.isHand)
+        return {wand.aim.rotation, wand.pinch.position};
     return {wand.aim.rotation, wand.grip.position + tipReach * wand.aim.forward()};
 }
 
@@ -87,8 +89,11 @@ std::vector<WandCommand> WandMapping::setSettings(const WandSettings& settings)
 std::vector<WandCommand> WandMapping::step(const InputFrame& frame)
 {
     const double seconds = m_clock.step(frame.time);
-    for (const Side side : order())
-        at(side).gestures = at(side).reader.read(frame.wands[indexOf(side)], seconds);
+    for (const Side side : order()) {
+        const WandState& wand = frame.wands[indexOf(side)];
+        at(side).gestures = at(side).reader.read(wand, seconds);
+        at(side).isBare = wand.isHand;
+    }
     endFinishedStroke(frame);
     for (const Side side : order())
         updateTrigger(side, frame);
@@ -147,7 +152,7 @@ std::array<Side, sideCount> WandMapping::order() const
 
 std::optional<WandFunction> WandMapping::functionOf(Side side, Gesture gesture) const
 {
-    return vr::functionOf(m_settings.preset, {roleOf(side), modeOf(side), gesture, m_task});
+    return vr::functionOf(m_settings.preset, {roleOf(side), modeOf(side), gesture, m_task, at(side).isBare});
 }
 
 void WandMapping::addCommand(Side side, Gesture gesture, const WandAction& action)

@@ -8,7 +8,8 @@
 namespace vr
 {
 /// Returns the tip of a wand, which is the brush's centre or the origin of its ray: tipReach from the palm in the
-/// direction of aim. It is measured from the palm, because runtimes differ in the origin of the aim pose.
+/// direction of aim. It is measured from the palm, because runtimes differ in the origin of the aim pose. The tip of a
+/// bare hand is where thumb and index finger meet.
 Pose tipOf(const WandState& wand);
 
 inline constexpr double turnSpeed = 60;       ///< degrees a second, as fast as the desktop's turntable
@@ -89,6 +90,7 @@ private:
     {
         GestureReader reader;
         WandGestures gestures;
+        bool isBare = false; ///< the hand holds no wand
         TriggerUse trigger = TriggerUse::None;
         std::optional<Pose> grip; ///< pose in the last frame, room space; none: the hand does not grab the model
     };

@@ -22,6 +22,7 @@ struct WandState
     bool isTracked = false; ///< the poses are measured for this frame, not remembered from an earlier one
     Pose grip;              ///< pose of the palm
     Pose aim;               ///< pose whose -Z is the direction that the wand points in
+    Pose pinch;             ///< pose between the tips of thumb and index finger; valid for bare hands
     /// The wand is present and Fettle has the input focus. If false, the buttons below count as released and the pad as
     /// centred.
     bool isActive = false;
@@ -31,7 +32,10 @@ struct WandState
     bool padPressed = false;
     bool isStick = false;  ///< the pad is a thumbstick, which springs back to the centre
     bool isSimple = false; ///< the wand has only a trigger and a menu button
-    bool side = false;     ///< the grip is squeezed, or the grip button is pressed
+    /// A bare hand: its trigger is the pinch of thumb and index finger, its grip the fist. It has no buttons.
+    bool isHand = false;
+    double squeeze = 0; ///< 0 (open) to 1 (squeezed) of the grip, or of a fist; a button is 0 or 1
+    bool side = false;  ///< the grip is squeezed, or the grip button is pressed
     bool menu = false;
 };
 

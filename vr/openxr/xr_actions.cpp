@@ -27,10 +27,9 @@ const WandProfile* profileOf(const std::string& path)
     return found == wandProfiles().end() ? nullptr : &*found;
 }
 
-bool hasPad(const WandProfile& profile)
+bool has(const WandProfile& profile, Control control)
 {
-    return std::ranges::any_of(profile.bindings,
-                               [](const Binding& binding) { return binding.control == Control::Pad; });
+    return std::ranges::any_of(profile.bindings, [&](const Binding& binding) { return binding.control == control; });
 }
 } // namespace
 
@@ -48,6 +47,7 @@ Actions::Actions(const Instance& instance, XrSession session) : m_instance(insta
     for (Hand& hand : m_hands) {
         hand.grip = makeSpace(Control::Grip, hand.path);
         hand.aim = makeSpace(Control::Aim, hand.path);
+        hand.pinch = makeSpace(Control::Pinch, hand.path);
     }
 }
 
@@ -74,6 +74,8 @@ QString Actions::nameOf(Control control)
         return tr("Menu button");
     case Control::Pulse:
         return tr("Buzz");
+    case Control::Pinch:
+        return tr("Pinch");
     }
     return {};
 }
@@ -145,8 +147,10 @@ Wands Actions::read(XrSpace room, XrTime time, bool hasFocus)
         WandState rest;
         rest.grip = m_wands[side].grip;
         rest.aim = m_wands[side].aim;
+        rest.pinch = m_wands[side].pinch;
         rest.isStick = m_hands[side].isStick;
         rest.isSimple = m_hands[side].isSimple;
+        rest.isHand = m_hands[side].isHand;
         m_wands[side] = rest;
         readPoses(side, room, time);
         if (hasButtons)
@@ -177,7 +181,8 @@ void Actions::readPoses(std::size_t side, XrSpace room, XrTime time)
     };
     const bool hasGrip = read(m_hands[side].grip, wand.grip);
     const bool hasAim = read(m_hands[side].aim, wand.aim);
-    wand.isTracked = hasGrip && hasAim;
+    const bool hasTip = !wand.isHand || read(m_hands[side].pinch, wand.pinch);
+    wand.isTracked = hasGrip && hasAim && hasTip;
 }
 
 XrActionStateGetInfo Actions::stateGetInfo(Control control, std::size_t side) const
@@ -194,14 +199,14 @@ bool Actions::isPressed(Control control, std::size_t side) const
     return state.isActive && state.currentState;
 }
 
-/// Returns whether the side control is squeezed, with hysteresis. A plain button reports 1 or 0.
-bool Actions::isSqueezed(std::size_t side) const
+/// Returns the value of a trigger or grip, 0 to 1. A plain button reports 1 or 0; a missing control reports 0.
+double Actions::amountOf(Control control, std::size_t side) const
 {
-    const XrActionStateGetInfo info = stateGetInfo(Control::Side, side);
+    const XrActionStateGetInfo info = stateGetInfo(control, side);
     XrActionStateFloat state{};
     state.type = XR_TYPE_ACTION_STATE_FLOAT;
     check(xrGetActionStateFloat(m_session, &info, &state), "xrGetActionStateFloat");
-    return state.isActive && state.currentState >= (m_hands[side].isSqueezed ? squeezeRelease : squeezePress);
+    return state.isActive ? static_cast<double>(state.currentState) : 0;
 }
 
 void Actions::readButtons(std::size_t side)
@@ -223,7 +228,8 @@ void Actions::readButtons(std::size_t side)
         wand.pad = {pad.currentState.x, pad.currentState.y};
     wand.padTouched = isPressed(Control::PadTouch, side);
     wand.padPressed = isPressed(Control::PadPress, side);
-    wand.side = isSqueezed(side);
+    wand.squeeze = amountOf(Control::Side, side);
+    wand.side = wand.squeeze >= (m_hands[side].isSqueezed ? squeezeRelease : squeezePress);
     wand.menu = isPressed(Control::Menu, side);
 }
 
@@ -248,7 +254,8 @@ void Actions::refreshProfiles()
         check(xrGetCurrentInteractionProfile(m_session, hand.path, &state), "xrGetCurrentInteractionProfile");
         const WandProfile* profile = profileOf(m_instance.text(state.interactionProfile));
         hand.isStick = profile && profile->isStick;
-        hand.isSimple = profile && !hasPad(*profile);
+        hand.isHand = profile && has(*profile, Control::Pinch);
+        hand.isSimple = profile && !hand.isHand && !has(*profile, Control::Pad);
     }
 }
 } // namespace vr

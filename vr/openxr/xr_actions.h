@@ -41,9 +41,9 @@ private:
     struct Hand
     {
         XrPath path = XR_NULL_PATH;
-        SpaceHandle grip, aim;
-        bool isStick = false, isSimple = false; ///< see WandState
-        bool isSqueezed = false;                ///< the side control was squeezed in the last frame
+        SpaceHandle grip, aim, pinch;
+        bool isStick = false, isSimple = false, isHand = false; ///< see WandState
+        bool isSqueezed = false;                                ///< the side control was squeezed in the last frame
     };
 
     static QString nameOf(Control control);
@@ -56,7 +56,7 @@ private:
     void readButtons(std::size_t side);
     XrActionStateGetInfo stateGetInfo(Control control, std::size_t side) const;
     bool isPressed(Control control, std::size_t side) const;
-    bool isSqueezed(std::size_t side) const;
+    double amountOf(Control control, std::size_t side) const;
     XrAction action(Control control) const { return m_actions[static_cast<std::size_t>(control)].get(); }
 
     const Instance& m_instance;

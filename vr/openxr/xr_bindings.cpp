@@ -74,6 +74,15 @@ constexpr Binding simple[]{
     grip, aim, {Control::Trigger, "/input/select/click"}, {Control::Menu, "/input/menu/click"}, pulse,
 };
 
+/// Bindings of bare hands. They have no buttons: vr/input/bare_hand.h reads the palm as menu button.
+constexpr Binding bareHand[]{
+    grip,
+    aim,
+    {Control::Trigger, "/input/pinch_ext/value"},
+    {Control::Side, "/input/grasp_ext/value"},
+    {Control::Pinch, "/input/pinch_ext/pose"},
+};
+
 constexpr XrVersion in10 = XR_MAKE_VERSION(1, 0, 0), in11 = XR_MAKE_VERSION(1, 1, 0), inNone = 0;
 
 // OpenXR 1.1 renamed two profiles of Meta when it took them over: they have a row for each name.
@@ -98,6 +107,7 @@ constexpr WandProfile profiles[]{
     {"/interaction_profiles/microsoft/motion_controller", false, trackpadWand, in10},
     {"/interaction_profiles/hp/mixed_reality_controller", true, reverb, in11, "XR_EXT_hp_mixed_reality_controller"},
     {"/interaction_profiles/khr/simple_controller", false, simple, in10},
+    {"/interaction_profiles/ext/hand_interaction_ext", false, bareHand, inNone, "XR_EXT_hand_interaction"},
 };
 } // namespace
 

@@ -8,9 +8,9 @@
 
 namespace vr
 {
-/// The inputs and outputs of a wand that Fettle uses. Each hand has all of them.
-enum class Control { Grip, Aim, Trigger, Pad, PadTouch, PadPress, Side, Menu, Pulse };
-inline constexpr std::size_t controlCount = 9;
+/// The inputs and outputs of a wand, or of a bare hand, that Fettle uses. Each hand has all of them.
+enum class Control { Grip, Aim, Trigger, Pad, PadTouch, PadPress, Side, Menu, Pulse, Pinch };
+inline constexpr std::size_t controlCount = 10;
 
 struct ControlKind
 {
@@ -29,6 +29,7 @@ inline constexpr std::array<ControlKind, controlCount> controlKinds{{
     {"side", XR_ACTION_TYPE_FLOAT_INPUT},
     {"menu", XR_ACTION_TYPE_BOOLEAN_INPUT},
     {"pulse", XR_ACTION_TYPE_VIBRATION_OUTPUT},
+    {"pinch", XR_ACTION_TYPE_POSE_INPUT},
 }};
 
 /// The part of a wand that serves a control. Paths are relative to the hand's path; null: this hand has no such part.

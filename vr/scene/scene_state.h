@@ -27,10 +27,12 @@ struct WandLabel
 /// A wand as it is drawn.
 struct ShownWand
 {
-    /// The wand's control for the thumb. None: the wand has only a trigger and a menu button.
+    /// The wand's control for the thumb. None: the wand has only a trigger and a menu button, or is a bare hand.
     enum class Thumb { Pad, Stick, None };
 
     bool isShown = false; ///< the wand is tracked
+    /// Point between thumb and index finger of a bare hand, room space; none: a wand. Only the bead is drawn there.
+    std::optional<core::Vec3> pinch;
     Thumb thumb = Thumb::Pad;
     Pose grip;
     std::array<bool, wandPartCount> isLit{};         ///< indexed by WandPart: whether the part is pressed

@@ -58,14 +58,27 @@ std::uint64_t bitOf(HandTask task, std::size_t row)
     return bitOf(maxPresetRows + static_cast<std::size_t>(task) * maxTaskRows + row);
 }
 
-/// Visits the rows in effect, each with its bit.
-template <class Visit> void forEachRow(ButtonPreset preset, HandTask task, Visit visit)
+/// Bit of the first row for bare hands, after those of the five tasks.
+constexpr std::size_t firstHandRow = maxPresetRows + 5 * maxTaskRows;
+static_assert(firstHandRow + maxHandRows <= 64);
+
+/// Rows in effect for a hand.
+struct RowQuery
 {
-    const std::span<const PresetRow> rows = presetRows(preset), ofTask = taskRows(task);
-    assert(rows.size() <= maxPresetRows && ofTask.size() <= maxTaskRows);
+    ButtonPreset preset;
+    HandTask task;
+    bool isBare; ///< the hand holds no wand
+};
+
+/// Visits the rows in effect, each with its bit.
+template <class Visit> void forEachRow(const RowQuery& query, Visit visit)
+{
+    const auto [preset, task, isBare] = query;
+    const std::span<const PresetRow> rows = isBare ? handRows(preset) : presetRows(preset), ofTask = taskRows(task);
+    assert(rows.size() <= (isBare ? maxHandRows : maxPresetRows) && ofTask.size() <= maxTaskRows);
     for (std::size_t i = 0; i < rows.size(); ++i)
         if (!isReplaced(rows[i], task))
-            visit(rows[i], bitOf(i));
+            visit(rows[i], bitOf(isBare ? firstHandRow + i : i));
     for (std::size_t i = 0; i < ofTask.size(); ++i)
         visit(ofTask[i], bitOf(task, i));
 }
@@ -171,7 +184,7 @@ void WandLabels::write(Hand& hand, HandRole role) const
 {
     hand.linesOf = {};
     for (const HandMode mode : {HandMode::Plain, HandMode::ToolMenu, HandMode::ColorPanel})
-        forEachRow(m_settings->preset, m_task, [&](const PresetRow& row, std::uint64_t bit) {
+        forEachRow({m_settings->preset, m_task, hand.kind.isHand}, [&](const PresetRow& row, std::uint64_t bit) {
             const WandSpot spot = spotOf(row.gesture);
             if (row.hand != role || !isIn(row, mode) || (hand.kind.isSimple && !isOnSimpleWand(spot)))
                 return;
@@ -199,7 +212,7 @@ void WandLabels::updateKinds(const InputFrame& frame, const WandMapping& hands)
 {
     for (const Side side : sides) {
         const WandState& wand = frame.wands[static_cast<std::size_t>(side)];
-        const WandKind kind{wand.isStick, wand.isSimple};
+        const WandKind kind{wand.isStick, wand.isSimple, wand.isHand};
         if (std::exchange(at(side).kind, kind) != kind)
             write(at(side), hands.roleOf(side));
     }
@@ -224,7 +237,8 @@ void WandLabels::note(const WandMapping& hands, std::span<const WandCommand> com
 
 void WandLabels::use(const WandMapping& hands, Side side, Gesture gesture)
 {
-    forEachRow(m_settings->preset, m_task, [&](const PresetRow& row, std::uint64_t bit) {
+    const bool isBare = at(side).kind.isHand;
+    forEachRow({m_settings->preset, m_task, isBare}, [&](const PresetRow& row, std::uint64_t bit) {
         if (row.hand == hands.roleOf(side) && row.gesture == gesture && isIn(row, at(side).mode))
             m_used |= bit;
     });

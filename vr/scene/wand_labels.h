@@ -55,7 +55,7 @@ private:
     /// Parts that a wand has, as in WandState.
     struct WandKind
     {
-        bool isStick = false, isSimple = false;
+        bool isStick = false, isSimple = false, isHand = false;
         bool operator==(const WandKind&) const = default;
     };
 

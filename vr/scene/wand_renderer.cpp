@@ -48,6 +48,8 @@ core::Shading lookOf(WandPart part, const ShownWand& wand)
 }
 bool has(const ShownWand& wand, WandPart part)
 {
+    if (wand.pinch)
+        return part == WandPart::Tip;
     switch (part) {
     case WandPart::PadUp:
     case WandPart::PadDown:
@@ -91,7 +93,8 @@ void WandRenderer::draw(const EyeUniforms& eye, const MeshProgram& program, cons
 {
     if (!wand.isShown)
         return;
-    const Eigen::Affine3d grip = wand.grip.matrix();
+    const Eigen::Affine3d grip = wand.pinch ? Eigen::Affine3d(Eigen::Translation3d(*wand.pinch - wandTip()))
+                                            : Eigen::Affine3d(wand.grip.matrix());
     for (std::size_t i = 0; i < wandPartCount; ++i) {
         const auto part = static_cast<WandPart>(i);
         if (!has(wand, part))

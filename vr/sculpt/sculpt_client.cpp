@@ -87,12 +87,24 @@ bool isHandFree(const WandMapping& mapping, Side side)
     return !gestures.trigger.isDown && !gestures.side.isDown;
 }
 
+/// Returns the input with bare hands as wands. `lastHead`: last known pose of the head.
+FrameInput withBareHands(const FrameInput& received, std::array<BareHandReader, sideCount>& readers,
+                         const Pose& lastHead)
+{
+    FrameInput input = received;
+    for (std::size_t i = 0; i < sideCount; ++i)
+        input.wands[i] = readers[i].read(received.wands[i], received.head.value_or(lastHead), received.seconds());
+    return input;
+}
+
 /// Returns the appearance of a wand, except the colour of its tip.
 ShownWand shownWand(const WandState& wand, const WandMapping& mapping, Side side)
 {
     ShownWand shown;
     shown.isShown = wand.isTracked;
     shown.grip = wand.grip;
+    if (wand.isHand)
+        shown.pinch = wand.pinch.position;
     const auto light = [&](WandPart part, bool isLit) { shown.isLit[static_cast<std::size_t>(part)] = isLit; };
     const WandGestures& gestures = mapping.gestures(side);
     if (gestures.pad.held)
@@ -102,7 +114,7 @@ ShownWand shownWand(const WandState& wand, const WandMapping& mapping, Side side
     light(WandPart::Side, wand.side);
     shown.trigger = wand.trigger;
     using enum ShownWand::Thumb;
-    shown.thumb = wand.isSimple ? None : wand.isStick ? Stick : Pad;
+    shown.thumb = wand.isSimple || wand.isHand ? None : wand.isStick ? Stick : Pad;
     if (wand.isStick)
         shown.stick = wand.pad;
     else if (wand.padTouched)
@@ -179,8 +191,9 @@ void SculptClient::destroy()
 /// Processes a frame. The order matters: panels are placed before wands are aimed at them, and wands are aimed before
 /// their gestures become commands. The surface is queried after the commands, which may change the brush and the
 /// placement.
-FrameOutput SculptClient::frame(const FrameInput& input)
+FrameOutput SculptClient::frame(const FrameInput& received)
 {
+    const FrameInput input = withBareHands(received, m_bareHands, m_head);
     m_output = {};
     m_hapticInputs = {};
     takeUpdate();
@@ -262,7 +275,9 @@ void SculptClient::aimAtPanels(const FrameInput& input)
     for (const Side side : {Side::Left, Side::Right}) {
         const WandState& wand = input.wands[static_cast<std::size_t>(side)];
         std::optional<PanelPointer::Aim> aim;
-        if (wand.isTracked)
+        if (wand.isTracked && wand.isHand)
+            aim = {{wand.aim.position, wand.aim.forward()}, 0, false};
+        else if (wand.isTracked)
             aim = {{wand.grip.position, wand.aim.forward()}, tipReach, isHandFree(m_mapping, side)};
         if (const std::optional<PanelAction> action = m_panels.aim(side, aim, input.seconds()))
             handle(side, *action);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "vr/frame/frame_client.h"
+#include "vr/input/bare_hand.h"
 #include "vr/input/wand_mapping.h"
 #include "vr/panels/panel_manager.h"
 #include "vr/scene/eye_target.h"
@@ -25,7 +26,7 @@ public:
     ~SculptClient() override;
 
     bool create(QOpenGLContext& context) override;
-    FrameOutput frame(const FrameInput& input) override;
+    FrameOutput frame(const FrameInput& received) override;
     void draw(std::size_t eye, const EyeImage& image, const EyeView& view) override;
     void idle() override;
     double drawCallMs() const override { return m_scene.drawCallMs() + m_target.drawCallMs(); }
@@ -48,6 +49,7 @@ private:
     std::shared_ptr<DocumentPort> m_port;
     HeadsetSettings m_settings;
     DocumentUpdate m_update;
+    std::array<BareHandReader, sideCount> m_bareHands{BareHandReader(Side::Left), BareHandReader(Side::Right)};
     WandMapping m_mapping;
     WandBrush m_brush;
     PartHand m_partHand;

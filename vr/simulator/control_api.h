@@ -21,8 +21,10 @@
 ///     "head": {"position": [x,y,z], "rotation": [x,y,z,w] or "yaw_pitch_roll": [degrees],
 ///         "tracked": true|false|"rotation"|"no_position"}
 ///     "left", "right": as "head", and "on", "trigger", "squeeze", "pad": [x,y], "pad_touch", "pad_press",
-///         "stick": [x,y], "stick_press", "menu", "button_a", "button_b": numbers, or true and false
+///         "stick": [x,y], "stick_press", "menu", "button_a", "button_b", and of bare hands "pinch", "grasp":
+///         numbers, or true and false
 ///     "aim": {"position", "rotation"}   pose of the wands' aim relative to their grips
+///     "pinch_at": {"position", "rotation"}   pose between thumb and index finger of bare hands, relative to the grips
 ///     "profile": path               interaction profile of the wands
 ///     "size": [w,h], "eye_distance", "views": "stereo"|"mono"|"mono_first"
 ///     "fov": [left,right,up,down]   angles of the left eye, degrees

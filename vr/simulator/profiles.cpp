@@ -144,6 +144,21 @@ constexpr Component frame[] = {{"/input/dpad_up/click", Kind::Boolean, Input::Bu
                                aimPose,
                                haptic};
 
+constexpr double tracked = -1; ///< threshold that every value reaches: the fingers are always seen
+
+/// Parts of a bare hand. The poke pose is that of the pinch.
+constexpr Component bareHand[] = {
+    gripPose,
+    aimPose,
+    {"/input/pinch_ext/pose", Kind::Pinch},
+    {"/input/poke_ext/pose", Kind::Pinch},
+    {"/input/pinch_ext/value", Kind::Float, Input::Pinch},
+    {"/input/pinch_ext/ready_ext", Kind::Boolean, Input::Pinch, Where::Both, tracked},
+    {"/input/aim_activate_ext/value", Kind::Float, Input::Pinch},
+    {"/input/aim_activate_ext/ready_ext", Kind::Boolean, Input::Pinch, Where::Both, tracked},
+    {"/input/grasp_ext/value", Kind::Float, Input::Grasp},
+    {"/input/grasp_ext/ready_ext", Kind::Boolean, Input::Grasp, Where::Both, tracked}};
+
 constexpr Component motion[] = {menuClick, squeezeClick, triggerValue, stickX,   stickY,  stickClick, padX,
                                 padY,      padClick,     padTouch,     gripPose, aimPose, haptic};
 
@@ -254,6 +269,7 @@ constexpr Profile known[] = {
      {},
      1,
      "XR_EXT_hp_mixed_reality_controller"},
+    {"/interaction_profiles/ext/hand_interaction_ext", "Hand", bareHand, {}, {}, "XR_EXT_hand_interaction"},
 };
 
 /// A full path, cut after the hand.
@@ -324,7 +340,7 @@ bool suits(Source::Kind kind, XrActionType type)
     case XR_ACTION_TYPE_FLOAT_INPUT:
         return kind == Kind::Boolean || kind == Kind::Float;
     case XR_ACTION_TYPE_POSE_INPUT:
-        return kind == Kind::Grip || kind == Kind::Aim;
+        return isPose(kind);
     case XR_ACTION_TYPE_VIBRATION_OUTPUT:
         return kind == Kind::Haptic;
     default:

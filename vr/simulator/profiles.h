@@ -17,7 +17,7 @@ inline constexpr std::array hands{Hand::Left, Hand::Right};
 /// Returns the path of a hand, such as "/user/hand/left".
 std::string_view userPath(Hand hand);
 
-/// The inputs of a wand that a script can set. Values are 0 to 1, for pads and sticks -1 to 1.
+/// The inputs of a wand, or of a bare hand, that a script can set. Values are 0 to 1, for pads and sticks -1 to 1.
 enum class Input {
     Trigger,
     Squeeze,
@@ -30,14 +30,16 @@ enum class Input {
     StickPress,
     Menu,
     ButtonA,
-    ButtonB
+    ButtonB,
+    Pinch, ///< of a bare hand
+    Grasp  ///< of a bare hand
 };
-inline constexpr std::size_t inputCount = 12;
+inline constexpr std::size_t inputCount = 14;
 
 /// An input or output of a wand to which an action is bound.
 struct Source
 {
-    enum class Kind { Boolean, Float, Vector, Grip, Aim, Haptic };
+    enum class Kind { Boolean, Float, Vector, Grip, Aim, Pinch, Haptic };
 
     std::string path; ///< full path, such as "/user/hand/left/input/trigger/value"
     Hand hand = Hand::Left;
@@ -46,6 +48,12 @@ struct Source
     Input y = Input::Trigger; ///< input of a vector's y
     double threshold = 0.5;   ///< value from which the input counts as pressed
 };
+
+/// Returns whether an input of this kind is a pose.
+inline bool isPose(Source::Kind kind)
+{
+    return kind == Source::Kind::Grip || kind == Source::Kind::Aim || kind == Source::Kind::Pinch;
+}
 
 struct Component;
 

@@ -47,7 +47,7 @@ constexpr NamedInput namedInputs[] = {
     {"trigger", Input::Trigger},        {"squeeze", Input::Squeeze},    {"pad", Input::PadX, true},
     {"pad_touch", Input::PadTouch},     {"pad_press", Input::PadPress}, {"stick", Input::StickX, true},
     {"stick_press", Input::StickPress}, {"menu", Input::Menu},          {"button_a", Input::ButtonA},
-    {"button_b", Input::ButtonB},
+    {"button_b", Input::ButtonB},       {"pinch", Input::Pinch},        {"grasp", Input::Grasp},
 };
 
 Change inputChange(const std::string& key, const json& value, Over over, Hand hand)

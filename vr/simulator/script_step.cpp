@@ -149,6 +149,11 @@ Change aimChange(const json& value, Over)
     return [pose = readPose(value)](Runtime& runtime, XrTime) { runtime.world.aim = pose; };
 }
 
+Change pinchChange(const json& value, Over)
+{
+    return [pose = readPose(value)](Runtime& runtime, XrTime) { runtime.world.pinch = pose; };
+}
+
 Change lateChange(const json& value, Over)
 {
     const auto late = static_cast<XrDuration>(readPositive(value) * 1e6);
@@ -288,6 +293,7 @@ const std::map<std::string_view, Reader>& vocabulary()
         {"left", [](const json& value, Over over) { return wandChange(value, over, Hand::Left); }},
         {"right", [](const json& value, Over over) { return wandChange(value, over, Hand::Right); }},
         {"aim", aimChange},
+        {"pinch_at", pinchChange},
         {"profile", profileChange},
         {"size", sizeChange},
         {"hz", hertzChange},

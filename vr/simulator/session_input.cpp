@@ -53,7 +53,7 @@ void combine(ActionState& state, const SessionInput::Binding& binding, const Sim
         state.x = x;
         state.y = y;
     }
-    if (!state.pose && (source.kind == Source::Kind::Grip || source.kind == Source::Kind::Aim))
+    if (!state.pose && isPose(source.kind))
         state.pose = source;
     state.isActive = true;
 }

@@ -94,7 +94,8 @@ struct SimulatedWorld
 
     Head head;
     std::array<Wand, hands.size()> wands;
-    vr::Pose aim; ///< pose of a wand's aim relative to its grip
+    vr::Pose aim;   ///< pose of a wand's aim relative to its grip
+    vr::Pose pinch; ///< pose between thumb and index finger of a bare hand, relative to its grip
     std::string profile = "/interaction_profiles/htc/vive_controller";
 
     bool hasStage = true, hasLocalFloor = false;

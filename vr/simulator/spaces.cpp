@@ -37,6 +37,8 @@ SpaceLocation wandAt(const SimulatedWorld& world, const Source& source, XrTime t
 {
     const Wand& wand = world.wands[static_cast<std::size_t>(source.hand)];
     const SpaceLocation grip = moving(wand.grip, wand.isOn ? wand.tracking : Tracking::None, time);
+    if (source.kind == Source::Kind::Pinch)
+        return grip.with(world.pinch);
     return source.kind == Source::Kind::Aim ? grip.with(world.aim) : grip;
 }
 

@@ -242,6 +242,32 @@ private Q_SLOTS:
             QVERIFY(texts.size() == 1);
     }
 
+    /// Checks the functions of bare hands, which have three gestures, and that no fist of theirs saves or restores.
+    void bareHandsHaveThreeGestures()
+    {
+        const auto functionOf = [](ButtonPreset preset, HandRole hand, Gesture gesture) {
+            return vr::functionOf(preset, {.hand = hand, .mode = HandMode::Plain, .gesture = gesture, .isBare = true});
+        };
+        for (const ButtonPreset preset : presets) {
+            const bool isOneHand = preset == ButtonPreset::OneHand;
+            QVERIFY(vr::handRows(preset).size() <= vr::maxHandRows);
+            QCOMPARE(functionOf(preset, dominant, Gesture::Trigger), F::Sculpt);
+            QCOMPARE(functionOf(preset, dominant, Gesture::Squeeze), F::MoveModel);
+            QCOMPARE(functionOf(preset, dominant, Gesture::Menu), isOneHand ? F::ToggleToolMenu : F::ToggleColorPanel);
+            QCOMPARE(functionOf(preset, support, Gesture::Trigger), isOneHand ? nothing : F::Smooth);
+            QCOMPARE(functionOf(preset, support, Gesture::Squeeze), isOneHand ? nothing : F::MoveModel);
+            QCOMPARE(functionOf(preset, support, Gesture::Menu), isOneHand ? nothing : F::ToggleToolMenu);
+            for (const PresetRow& row : vr::handRows(preset)) {
+                QVERIFY(row.gesture == Gesture::Trigger || row.gesture == Gesture::Squeeze ||
+                        row.gesture == Gesture::Menu);
+                const QString label = vr::labelOf(row, false);
+                QVERIFY(!label.isEmpty() && label.size() <= 20 && label.split(u' ').size() <= 3);
+            }
+        }
+        const vr::WandControl cut{dominant, HandMode::Plain, Gesture::Trigger, vr::HandTask::Cut, true};
+        QCOMPARE(vr::functionOf(ButtonPreset::Paper, cut), F::UseTip);
+    }
+
     void labelsAreTranslated()
     {
         ContextCollector teller;

@@ -380,6 +380,7 @@ private Q_SLOTS:
     void whatIsPressedMeanwhileMustBeLetGo();
     void aTaskTakesTheTrigger();
     void theGripMovesThePartOfATask();
+    void bareHandsSculptAndGrab();
     void swappedHandsDoTheSame();
     void frameRatesDoTheSame();
     void atRandomNothingIsLeftOpen_data();
@@ -910,6 +911,48 @@ void TestWandMapping::theGripMovesThePartOfATask()
         QCOMPARE(words(player.step()), QStringList(move));
         player.hands().setTask(vr::HandTask::Sculpt); // the panel was closed
         QVERIFY(words(player.step()).contains(letGo));
+    }
+}
+
+/// Checks bare hands with each preset: a pinch sculpts where the fingers meet, fists move and stretch the model, and a
+/// palm opens the tools. With Paper, the same gestures of a wand would restore the model.
+void TestWandMapping::bareHandsSculptAndGrab()
+{
+    for (const ButtonPreset preset : {ButtonPreset::Paper, ButtonPreset::Studio}) {
+        Player player({preset, Side::Right});
+        const auto bare = [&](WandState state) {
+            state.isHand = true;
+            state.pinch.position = {0.1, 1.2, -0.4};
+            return state;
+        };
+        for (const Side side : sides)
+            player.set(side, bare(restingWand()));
+        player.play(0.1);
+        player.set(Side::Right, bare(pulling(0.8)));
+        const std::vector<WandCommand> drawn = player.step();
+        const auto points = all<vr::StrokePoint>(drawn);
+        QCOMPARE(points.size(), std::size_t(1));
+        QVERIFY((points[0].tip.position - Vec3(0.1, 1.2, -0.4)).norm() < 1e-12);
+        player.set(Side::Right, bare(restingWand()));
+        player.play(0.1);
+
+        player.set(Side::Right, bare(squeezing()));
+        player.step();
+        player.move(Side::Right, {0, 0.1, 0});
+        const auto moves = all<vr::MoveModel>(player.step());
+        QCOMPARE(moves.size(), std::size_t(1));
+        QVERIFY((moves[0].to.position - moves[0].from.position - Vec3(0, 0.1, 0)).norm() < 1e-12);
+        QVERIFY(all<vr::RestoreModel>(player.play(2 * vr::holdSeconds)).empty());
+        player.set(Side::Left, bare(squeezing()));
+        player.play(0.1);
+        player.move(Side::Left, {-0.1, 0, 0});
+        QCOMPARE(all<vr::StretchModel>(player.step()).size(), std::size_t(1));
+        QVERIFY(all<vr::SaveModel>(player.play(2 * vr::holdSeconds)).empty());
+        for (const Side side : sides)
+            player.set(side, bare(restingWand()));
+        player.play(0.1);
+        player.set(Side::Left, bare(pressingMenu()));
+        QCOMPARE(all<vr::OpenToolMenu>(player.step()).size(), std::size_t(1));
     }
 }
 

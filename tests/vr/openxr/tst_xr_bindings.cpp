@@ -112,7 +112,20 @@ const QMap<QString, Legal> legalPaths{
     {"/interaction_profiles/hp/mixed_reality_controller",
      {poses + stick + QStringList{"/input/menu/click", "/input/squeeze/value", "/input/trigger/value"}, xAndY, aAndB, 1,
       "XR_EXT_hp_mixed_reality_controller"}},
+    {"/interaction_profiles/ext/hand_interaction_ext",
+     {{"/input/grip/pose", "/input/aim/pose", "/input/pinch_ext/pose", "/input/poke_ext/pose", "/input/pinch_ext/value",
+       "/input/pinch_ext/ready_ext", "/input/grasp_ext/value", "/input/grasp_ext/ready_ext",
+       "/input/aim_activate_ext/value", "/input/aim_activate_ext/ready_ext"},
+      {},
+      {},
+      -1,
+      "XR_EXT_hand_interaction"}},
 };
+
+bool isHand(const vr::WandProfile& profile)
+{
+    return QString(profile.path).contains("hand_interaction");
+}
 
 /// Returns true if an action of this type may be bound to the path. A two-dimensional action is bound to the parent of
 /// x and y.
@@ -144,6 +157,7 @@ private Q_SLOTS:
     void paths_areLegal();
     void controls_haveOnePartEach();
     void wands_canSculpt();
+    void hands_canSculpt();
     void sticks_areTold();
     void names_areLegal();
 };
@@ -212,6 +226,9 @@ void TestXrBindings::wands_canSculpt()
     for (const vr::WandProfile& profile : vr::wandProfiles()) {
         for (const bool ofLeft : {false, true}) {
             const QSet<Control> controls = controlsOf(profile, ofLeft);
+            QCOMPARE(controls.contains(Control::Pinch), isHand(profile));
+            if (isHand(profile))
+                continue;
             QVERIFY(controls.contains(least));
             QSet<Control> all = least;
             all << Control::Pad << Control::PadPress << Control::Side;
@@ -220,6 +237,16 @@ void TestXrBindings::wands_canSculpt()
             QVERIFY(QString(profile.path).contains("simple") || controls.contains(all));
         }
     }
+}
+
+/// Checks that a bare hand has all its gestures, on either side.
+void TestXrBindings::hands_canSculpt()
+{
+    const QSet<Control> gestures{Control::Grip, Control::Aim, Control::Trigger, Control::Side, Control::Pinch};
+    for (const vr::WandProfile& profile : vr::wandProfiles())
+        for (const bool ofLeft : {false, true})
+            if (isHand(profile))
+                QCOMPARE(controlsOf(profile, ofLeft), gestures);
 }
 
 void TestXrBindings::sticks_areTold()

@@ -274,6 +274,7 @@ private Q_SLOTS:
     void labels_sayWhatButtonsDo();
     void labels_areTrueInEveryMode_data();
     void labels_areTrueInEveryMode();
+    void labels_ofBareHandsSayTheirGestures();
     void labels_ofOneSpotShareALine();
     void labels_changeWithTheHandsMode();
     void labels_changeWithTheTask();
@@ -372,6 +373,34 @@ void TestWandLabels::labels_areTrueInEveryMode()
                                                       .arg(way.size())
                                                       .arg(text(said), text(done))));
             }
+}
+
+/// Checks the labels of bare hands, which have no buttons, and that they return when a wand is taken up.
+void TestWandLabels::labels_ofBareHandsSayTheirGestures()
+{
+    Player player;
+    const auto hold = [&](bool isHand) {
+        for (const Side side : sides) {
+            vr::WandState wand = restingWand();
+            wand.isHand = isHand;
+            player.set(side, wand);
+        }
+        player.play(appears);
+    };
+    hold(true);
+    QCOMPARE(player.text(Side::Left, WandSpot::Trigger), QStringLiteral("Pinch: smooth"));
+    QCOMPARE(player.text(Side::Left, WandSpot::Side), QStringLiteral("Fist: move model"));
+    QCOMPARE(player.text(Side::Left, WandSpot::Menu), QStringLiteral("Palm: tools"));
+    QCOMPARE(player.text(Side::Right, WandSpot::Trigger), QStringLiteral("Pinch: sculpt"));
+    QCOMPARE(player.text(Side::Right, WandSpot::Side), QStringLiteral("Fist: move model"));
+    QCOMPARE(player.text(Side::Right, WandSpot::Menu), QStringLiteral("Palm: colour"));
+    for (const Side side : sides)
+        for (const WandSpot spot :
+             {WandSpot::PadUp, WandSpot::PadDown, WandSpot::PadLeft, WandSpot::PadRight, WandSpot::PadMiddle})
+            QCOMPARE(player.text(side, spot), QString());
+    hold(false);
+    QCOMPARE(player.text(Side::Right, WandSpot::Trigger), QStringLiteral("Sculpt"));
+    QCOMPARE(player.text(Side::Right, WandSpot::PadLeft), QStringLiteral("Undo"));
 }
 
 void TestWandLabels::labels_ofOneSpotShareALine()

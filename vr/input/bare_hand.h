@@ -1,0 +1,44 @@
+#pragma once
+
+#include "vr/input/wand_gestures.h"
+
+namespace vr
+{
+/// Closure of the other fingers, 0 to 1, from which on a new pinch does not count: the hand is about to make a fist.
+inline constexpr double fistBlocksPinch = 0.35;
+/// A hand that shows its palm is open: pinch and fist are below this, 0 to 1.
+inline constexpr double openHand = 0.3;
+/// Angle between the palm's normal and the direction to the head, degrees. Below the first the palm is turned to the
+/// face, until it is above the second.
+inline constexpr double palmAngle = 35, palmAwayAngle = 50;
+/// Largest angle between the direction of view and the hand for a palm that is shown, degrees.
+inline constexpr double palmLookAngle = 35;
+/// Seconds for which a palm is shown before it counts as the press of a menu button.
+inline constexpr double palmSeconds = 0.25;
+
+/// Reads the gestures of a bare hand as those of a wand: a pinch as the trigger, a fist as the side button, and a palm
+/// turned to the face as the menu button.
+///
+/// A fist brings finger and thumb together too, and a pinch may curl the other fingers. Of the two, the one that began
+/// first counts until both have ended. The only clock is the frames' times.
+class BareHandReader
+{
+public:
+    explicit BareHandReader(Side side = Side::Right) : m_side(side) {}
+
+    /// Returns the hand as a wand. A wand is returned unchanged. Units: `time` in seconds.
+    WandState read(const WandState& hand, const Pose& head, double time);
+
+private:
+    enum class Held { None, Pinch, Fist };
+
+    void hold(const WandState& hand);
+    bool isPalmShown(const WandState& hand, const Pose& head) const;
+
+    Side m_side;
+    FrameClock m_clock;
+    Held m_held = Held::None;
+    bool m_showsPalm = false;
+    double m_shownFor = 0; ///< seconds that the palm has been turned to the face
+};
+} // namespace vr
