@@ -2,6 +2,7 @@
 
 #include "vr/frame/frame_timing.h"
 #include "vr/gl/eye_image.h"
+#include "vr/openxr/hand_joints.h"
 #include "vr/openxr/haptic_pulse.h"
 #include "vr/openxr/wand_state.h"
 #include "vr/util/pose.h"
@@ -26,6 +27,8 @@ struct FrameInput
     bool roomMoved = false; ///< room space was redefined since the last frame: grabs and strokes in progress must end
     const FrameTimings& timings;
     bool offersPassthrough = false; ///< the headset can show the real room behind the picture
+    /// Joints of bare hands, indexed by Side; none: a wand, or the runtime does not report them.
+    std::array<std::optional<HandJoints>, sideCount> joints{};
 
     double seconds() const { return static_cast<double>(displayNs) * 1e-9; }
 };

@@ -31,6 +31,7 @@ HeadsetLoop::HeadsetLoop(const Parts& parts)
     : m_parts(parts)
     , m_session(parts.instance, parts.binding)
     , m_actions(parts.instance, m_session.handle())
+    , m_handTrackers(parts.instance, m_session.handle())
     , m_spaces(parts.instance, m_session.handle())
     , m_views(parts.instance, m_session)
     , m_drawCallMs(parts.client.drawCallMs())
@@ -191,7 +192,11 @@ FrameInput HeadsetLoop::readInput(const FrameTime& time)
     if (hasFocus && std::exchange(m_areProfilesStale, false))
         m_actions.refreshProfiles();
     m_head = m_spaces.head(time.display);
-    return {wands, m_head, time.display, hasFocus, roomMoved, m_parts.timings, m_session.offersPassthrough()};
+    FrameInput input{wands, m_head, time.display, hasFocus, roomMoved, m_parts.timings, m_session.offersPassthrough()};
+    for (const Side side : {Side::Left, Side::Right})
+        if (const auto i = static_cast<std::size_t>(side); wands[i].isHand && wands[i].isTracked)
+            input.joints[i] = m_handTrackers.locate(side, m_spaces.room(), time.display);
+    return input;
 }
 
 void HeadsetLoop::handle(const FrameOutput& output)

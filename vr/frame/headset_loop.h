@@ -5,6 +5,7 @@
 #include "vr/gl/gl_context.h"
 #include "vr/openxr/session_state.h"
 #include "vr/openxr/xr_actions.h"
+#include "vr/openxr/xr_hand_trackers.h"
 #include "vr/openxr/xr_session.h"
 #include "vr/openxr/xr_spaces.h"
 #include "vr/openxr/xr_views.h"
@@ -58,6 +59,7 @@ private:
     Parts m_parts;
     Session m_session;
     Actions m_actions;
+    HandTrackers m_handTrackers;
     Spaces m_spaces;
     Views m_views;
     SessionStatus m_status;

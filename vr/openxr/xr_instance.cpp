@@ -20,6 +20,7 @@ constexpr const char* wantedExtensions[] = {openGlExtension,
                                             XR_KHR_VISIBILITY_MASK_EXTENSION_NAME,
                                             XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME,
                                             XR_FB_DISPLAY_REFRESH_RATE_EXTENSION_NAME,
+                                            XR_EXT_HAND_TRACKING_EXTENSION_NAME,
                                             localFloorExtension};
 
 template <std::size_t N> QString textOf(const char (&name)[N])

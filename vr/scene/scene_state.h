@@ -1,5 +1,6 @@
 #pragma once
 
+#include "vr/openxr/hand_joints.h"
 #include "vr/openxr/wand_state.h"
 #include "vr/scene/wand_model.h"
 #include "vr/util/pose.h"
@@ -31,8 +32,9 @@ struct ShownWand
     enum class Thumb { Pad, Stick, None };
 
     bool isShown = false; ///< the wand is tracked
-    /// Point between thumb and index finger of a bare hand, room space; none: a wand. Only the bead is drawn there.
+    /// Point between thumb and index finger of a bare hand, room space; none: a wand. The bead is drawn there.
     std::optional<core::Vec3> pinch;
+    std::optional<HandJoints> joints; ///< joints of a bare hand, which are drawn with the bones between them
     Thumb thumb = Thumb::Pad;
     Pose grip;
     std::array<bool, wandPartCount> isLit{};         ///< indexed by WandPart: whether the part is pressed

@@ -45,7 +45,6 @@ constexpr StickSection stickSections[] = {{0.0238, 0.0030}, {0.0246, 0.0070}, {0
                                           {0.0195, 0.0044}, {0.0160, 0.0046}, {0.0120, 0.0058}};
 constexpr double stickWay = 22 * pi / 180;
 constexpr double sideZ = 0.0120;
-constexpr double beadRadius = 0.0052;
 const core::Vec3 triggerMiddle(0, -0.0205, -0.0440), triggerHinge(0, -0.0120, -0.0640);
 constexpr double triggerWay = 16 * pi / 180;
 
@@ -163,7 +162,7 @@ core::DrawArrays wandPartModel(WandPart part)
     case WandPart::Side:
         return sideButtons().drawArrays();
     case WandPart::Tip:
-        return ellipsoid(wandTip(), core::Vec3::Constant(beadRadius)).drawArrays();
+        return ellipsoid(wandTip(), core::Vec3::Constant(wandTipRadius)).drawArrays();
     }
     return {};
 }

@@ -24,6 +24,7 @@ core::Vec3 placeOf(WandSpot spot);
 
 /// Returns the middle of the bead at the front end.
 core::Vec3 wandTip();
+inline constexpr double wandTipRadius = 0.0052; ///< radius of the bead, metres
 
 /// Returns the point of the pad that a thumb touches. `touch`: -1 to 1, as in WandState.
 core::Vec3 placeOnPad(const Eigen::Vector2d& touch);

@@ -2,6 +2,10 @@
 
 #include "vr/scene/light.h"
 
+#include "core/geometry/rotation.h"
+
+#include <algorithm>
+
 namespace vr
 {
 namespace
@@ -89,10 +93,39 @@ void WandRenderer::destroy()
         part.destroy();
 }
 
+/// Draws the bead as a ball of radius 1 about the origin of `place`.
+void WandRenderer::drawBall(const EyeUniforms& eye, const MeshProgram& program, const Eigen::Affine3d& place)
+{
+    const Eigen::Affine3d whole =
+        place * Eigen::UniformScaling<double>(1 / wandTipRadius) * Eigen::Translation3d(-wandTip());
+    program.place(eye, whole.matrix().cast<float>());
+    m_clock->run([&] { m_parts[static_cast<std::size_t>(WandPart::Tip)].draw(); });
+}
+
+/// Draws a ball at each joint, and an ellipsoid for each bone.
+void WandRenderer::drawHand(const EyeUniforms& eye, const MeshProgram& program, const HandJoints& joints)
+{
+    program.shade(buttonLook);
+    for (std::size_t i = 0; i < jointCount; ++i) {
+        const HandJoint &joint = joints[i], &before = joints[jointBefore(i)];
+        drawBall(eye, program, Eigen::Translation3d(joint.position) * Eigen::Scaling(joint.radius));
+        const core::Vec3 bone = joint.position - before.position;
+        if (bone.isZero())
+            continue;
+        const double thickness = std::min(joint.radius, before.radius);
+        drawBall(eye, program,
+                 Eigen::Translation3d((joint.position + before.position) / 2) *
+                     core::rotationBetween(core::Vec3::UnitZ(), bone) *
+                     Eigen::Scaling(thickness, thickness, bone.norm() / 2 + thickness));
+    }
+}
+
 void WandRenderer::draw(const EyeUniforms& eye, const MeshProgram& program, const ShownWand& wand)
 {
     if (!wand.isShown)
         return;
+    if (wand.joints)
+        drawHand(eye, program, *wand.joints);
     const Eigen::Affine3d grip = wand.pinch ? Eigen::Affine3d(Eigen::Translation3d(*wand.pinch - wandTip()))
                                             : Eigen::Affine3d(wand.grip.matrix());
     for (std::size_t i = 0; i < wandPartCount; ++i) {

@@ -18,6 +18,9 @@ public:
     void draw(const EyeUniforms& eye, const MeshProgram& program, const ShownWand& wand);
 
 private:
+    void drawBall(const EyeUniforms& eye, const MeshProgram& program, const Eigen::Affine3d& place);
+    void drawHand(const EyeUniforms& eye, const MeshProgram& program, const HandJoints& joints);
+
     DrawCallTimer* m_clock = nullptr;
     std::array<MeshBuffer, wandPartCount> m_parts;
 };

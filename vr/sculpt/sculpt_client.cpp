@@ -456,6 +456,7 @@ void SculptClient::updateScene(const FrameInput& input)
     for (const Side side : {Side::Left, Side::Right}) {
         const auto i = static_cast<std::size_t>(side);
         m_state.wands[i] = shownWand(input.wands[i], m_mapping, side);
+        m_state.wands[i].joints = input.joints[i];
         m_state.wands[i].labels = m_labels.labels(side);
         if (paints && side == m_settings.wands.sculpting)
             m_state.wands[i].tip = brush.stroke.color;

@@ -94,6 +94,11 @@ XrResult enumerateDisplayRefreshRates(Call&, XrSession, std::uint32_t capacity, 
 XrResult getDisplayRefreshRate(Call&, XrSession, float* rate);
 XrResult requestDisplayRefreshRate(Call&, XrSession, float rate);
 
+// hand_tracking_calls.cpp
+XrResult createHandTracker(Call&, XrSession, const XrHandTrackerCreateInfoEXT*, XrHandTrackerEXT*);
+XrResult destroyHandTracker(Call&, XrHandTrackerEXT);
+XrResult locateHandJoints(Call&, XrHandTrackerEXT, const XrHandJointsLocateInfoEXT*, XrHandJointLocationsEXT*);
+
 // haptic_calls.cpp
 XrResult applyHapticFeedback(Call&, XrSession, const XrHapticActionInfo*, const XrHapticBaseHeader*);
 XrResult stopHapticFeedback(Call&, XrSession, const XrHapticActionInfo*);

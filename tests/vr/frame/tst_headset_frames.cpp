@@ -66,6 +66,9 @@ private Q_SLOTS:
     void wandsOfEveryKindAreRead_data();
     void wandsOfEveryKindAreRead();
     void bareHandsAreRead();
+    void jointsOfBareHandsAreFound();
+    void jointsMayBeRefused_data();
+    void jointsMayBeRefused();
     void unknownKindsOfWandsAreNotSuggested();
     void restingHandsSqueezeNothing();
     void refusedKindsOfWandsAreLeftOut();
@@ -604,6 +607,52 @@ void TestHeadsetFrames::bareHandsAreRead()
     m_headset->step("{'profile': '/interaction_profiles/htc/vive_controller'}");
     QVERIFY(m_headset->frames(4));
     QVERIFY(!visitor.client->last().wands[1].isHand);
+    leave(visitor);
+}
+
+/// Checks that the joints of a bare hand move with it, and that a wand has none.
+void TestHeadsetFrames::jointsOfBareHandsAreFound()
+{
+    Visitor visitor(*m_headset);
+    enter(visitor);
+    QVERIFY(!visitor.client->last().joints[0] && !visitor.client->last().joints[1]);
+    const QString profile = QString::fromStdString(std::string(handProfile));
+    m_headset->step(
+        qPrintable(QStringLiteral("{'profile': '%1', 'left': {'position': [-0.3, 1.2, -0.4]}}").arg(profile)));
+    QVERIFY(m_headset->frames(4));
+    const auto joints = visitor.client->last().joints;
+    QVERIFY(joints[0] && joints[1]);
+    QVERIFY(isClose((*joints[0])[XR_HAND_JOINT_PALM_EXT].position, {-0.3, 1.2, -0.4}));
+    QVERIFY((*joints[0])[XR_HAND_JOINT_WRIST_EXT].position.z() >
+            (*joints[0])[XR_HAND_JOINT_INDEX_TIP_EXT].position.z());
+    for (const vr::HandJoint& joint : *joints[0])
+        QVERIFY((joint.position - Vec3(-0.3, 1.2, -0.4)).norm() < 0.2 && joint.radius > 0.001 && joint.radius < 0.05);
+    m_headset->step("{'left': {'position': [-0.3, 1.4, -0.4]}, 'right': {'tracked': false}}");
+    QVERIFY(m_headset->frames(2));
+    QVERIFY(isClose((*visitor.client->last().joints[0])[XR_HAND_JOINT_PALM_EXT].position, {-0.3, 1.4, -0.4}));
+    QVERIFY(!visitor.client->last().joints[1]);
+    leave(visitor);
+}
+
+void TestHeadsetFrames::jointsMayBeRefused_data()
+{
+    QTest::addColumn<QByteArray>("step");
+    QTest::newRow("not offered") << QByteArray("'withheld': ['XR_EXT_hand_tracking']");
+    for (const char* call : {"xrCreateHandTrackerEXT", "xrLocateHandJointsEXT"})
+        QTest::newRow(call) << "'fail': {'call': '" + QByteArray(call) +
+                                   "', 'result': 'XR_ERROR_RUNTIME_FAILURE', 'times': 999}";
+}
+
+/// Checks that hands sculpt without joints, too.
+void TestHeadsetFrames::jointsMayBeRefused()
+{
+    QFETCH(QByteArray, step);
+    m_headset->step(("{" + step + ", 'profile': '" + QByteArray(handProfile.data()) + "'}").constData());
+    Visitor visitor(*m_headset);
+    enter(visitor);
+    QVERIFY(m_headset->frames(4));
+    QVERIFY(!visitor.client->last().joints[0] && !visitor.client->last().joints[1]);
+    QVERIFY(visitor.client->last().wands[0].isHand && visitor.client->last().wands[0].isTracked);
     leave(visitor);
 }
 

@@ -70,6 +70,7 @@ private Q_SLOTS:
     void eyes_seeTheBallApart();
     void eyes_seeTheSameDome();
     void passthrough_isWhereNothingIsDrawn();
+    void bareHand_isDrawnAtItsJoints();
     void patches_showWhatAWholePatchShows();
     void largeModel_isSeenWhenItIsThereWhole();
     void images_ofLightAndOfSrgbShowTheSame();
@@ -274,6 +275,37 @@ void TestHeadsetScene::passthrough_isWhereNothingIsDrawn()
         QCOMPARE(seen.pixelColor(corner), QColor(0, 0, 0, 0));
         QCOMPARE(room.pixelColor(corner).alpha(), 255);
         QVERIFY(qGray(room.pixel(corner)) > 20);
+    }
+}
+
+/// Checks that a bare hand covers its joints and the bones between them, and has no wand.
+void TestHeadsetScene::bareHand_isDrawnAtItsJoints()
+{
+    SceneState state = bare();
+    state.head = looking({0, 1.6, 0}, {0, 1.6, -0.4});
+    state.hasFloor = false;
+    vr::EyeView view = eye(state.head);
+    view.hasPassthrough = true; // alpha tells what is drawn
+    vr::HandJoints joints;
+    for (std::size_t i = 0; i < vr::jointCount; ++i)
+        joints[i].position =
+            core::Vec3(0.02 * static_cast<double>(i / 5) - 0.05, 1.55 + 0.02 * static_cast<double>(i % 5), -0.4);
+    const auto isDrawn = [&](const QImage& seen, const core::Vec3& at) {
+        return colorAt(seen, pixelOf(at, view)).alpha() == 255;
+    };
+    vr::ShownWand& hand = state.wands[1];
+    hand.isShown = true;
+    hand.grip.position = core::Vec3(0.15, 1.6, -0.4);
+    QVERIFY(isDrawn(picture(state, view), hand.grip.position));
+    hand.pinch = core::Vec3(-0.15, 1.6, -0.4);
+    const QImage bead = picture(state, view);
+    QVERIFY(isDrawn(bead, *hand.pinch) && !isDrawn(bead, hand.grip.position) && !isDrawn(bead, joints[8].position));
+    hand.joints = joints;
+    const QImage seen = picture(state, view);
+    QVERIFY(isDrawn(seen, *hand.pinch) && !isDrawn(seen, hand.grip.position));
+    for (std::size_t i = 0; i < vr::jointCount; ++i) {
+        QVERIFY(isDrawn(seen, joints[i].position));
+        QVERIFY(isDrawn(seen, (joints[i].position + joints[vr::jointBefore(i)].position) / 2));
     }
 }
 

@@ -38,7 +38,8 @@ vr::FrameOutput RecordingClient::frame(const vr::FrameInput& input)
     ++frames;
     moves += input.roomMoved ? 1 : 0;
     const std::lock_guard lock(m_mutex);
-    m_last = {input.wands, input.head, input.displayNs, input.hasFocus, input.roomMoved, input.offersPassthrough};
+    m_last = {input.wands, input.head, input.displayNs, input.hasFocus, input.roomMoved, input.offersPassthrough,
+              input.joints};
     m_images.clear();
     m_views.clear();
     return std::exchange(m_answer, {});

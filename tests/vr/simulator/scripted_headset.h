@@ -23,6 +23,7 @@ struct SeenFrame
     bool hasFocus = false;
     bool roomMoved = false;
     bool offersPassthrough = false;
+    std::array<std::optional<vr::HandJoints>, vr::sideCount> joints;
 };
 
 /// A client that fills each eye with a colour and records its calls.
