@@ -8875,6 +8875,33 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
 </context>
 <context>
+    <name>vr::ActiveRuntime</name>
+    <message>
+        <source>No OpenXR runtime is set up on this computer (%1). Install SteamVR, Monado or the headset&apos;s own program, make it the active OpenXR runtime there, then ask again.</source>
+        <extracomment>%1: a name from OpenXR, such as XR_ERROR_RUNTIME_UNAVAILABLE</extracomment>
+        <translation>Auf diesem Computer ist keine OpenXR-Laufzeitumgebung eingerichtet (%1). Bitte SteamVR, Monado oder das Programm der VR-Brille installieren, dort zur aktiven OpenXR-Laufzeitumgebung machen und erneut suchen.</translation>
+    </message>
+    <message>
+        <source>Make SteamVR, Monado or the headset&apos;s own program the active OpenXR runtime again, then ask again.</source>
+        <translation>Bitte SteamVR, Monado oder das Programm der VR-Brille wieder zur aktiven OpenXR-Laufzeitumgebung machen und erneut suchen.</translation>
+    </message>
+    <message>
+        <source>The file of the active OpenXR runtime, %1, is missing or cannot be read (%2).</source>
+        <extracomment>%1: a file&apos;s path; %2: a name from OpenXR</extracomment>
+        <translation>Die Datei der aktiven OpenXR-Laufzeitumgebung, %1, fehlt oder ist nicht lesbar (%2).</translation>
+    </message>
+    <message>
+        <source>The file of the active OpenXR runtime, %1, names no runtime (%2).</source>
+        <extracomment>%1: a file&apos;s path; %2: a name from OpenXR</extracomment>
+        <translation>Die Datei der aktiven OpenXR-Laufzeitumgebung, %1, nennt keine Laufzeitumgebung (%2).</translation>
+    </message>
+    <message>
+        <source>The active OpenXR runtime is not where its file %1 says: there is no %3 (%2).</source>
+        <extracomment>%1: a file&apos;s path; %2: a name from OpenXR; %3: the path of a program library</extracomment>
+        <translation>Die aktive OpenXR-Laufzeitumgebung ist nicht dort, wo ihre Datei %1 sie angibt: %3 gibt es nicht (%2).</translation>
+    </message>
+</context>
+<context>
     <name>vr::OpenXrRuntime</name>
     <message>
         <source>The OpenXR runtime needs OpenXR 1.1, which this computer&apos;s OpenXR loader does not know (%1). Install a newer loader, or choose another runtime.</source>

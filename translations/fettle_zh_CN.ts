@@ -8841,6 +8841,33 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
 </context>
 <context>
+    <name>vr::ActiveRuntime</name>
+    <message>
+        <source>No OpenXR runtime is set up on this computer (%1). Install SteamVR, Monado or the headset&apos;s own program, make it the active OpenXR runtime there, then ask again.</source>
+        <extracomment>%1: a name from OpenXR, such as XR_ERROR_RUNTIME_UNAVAILABLE</extracomment>
+        <translation>这台电脑没有设置 OpenXR 运行时（%1）。请安装 SteamVR、Monado 或头显自带的程序，在其中将它设为活动的 OpenXR 运行时，然后再查找。</translation>
+    </message>
+    <message>
+        <source>Make SteamVR, Monado or the headset&apos;s own program the active OpenXR runtime again, then ask again.</source>
+        <translation>请将 SteamVR、Monado 或头显自带的程序重新设为活动的 OpenXR 运行时，然后再查找。</translation>
+    </message>
+    <message>
+        <source>The file of the active OpenXR runtime, %1, is missing or cannot be read (%2).</source>
+        <extracomment>%1: a file&apos;s path; %2: a name from OpenXR</extracomment>
+        <translation>活动 OpenXR 运行时的文件 %1 不存在或无法读取（%2）。</translation>
+    </message>
+    <message>
+        <source>The file of the active OpenXR runtime, %1, names no runtime (%2).</source>
+        <extracomment>%1: a file&apos;s path; %2: a name from OpenXR</extracomment>
+        <translation>活动 OpenXR 运行时的文件 %1 没有指明运行时（%2）。</translation>
+    </message>
+    <message>
+        <source>The active OpenXR runtime is not where its file %1 says: there is no %3 (%2).</source>
+        <extracomment>%1: a file&apos;s path; %2: a name from OpenXR; %3: the path of a program library</extracomment>
+        <translation>活动的 OpenXR 运行时不在其文件 %1 所说的位置：%3 不存在（%2）。</translation>
+    </message>
+</context>
+<context>
     <name>vr::OpenXrRuntime</name>
     <message>
         <source>The OpenXR runtime needs OpenXR 1.1, which this computer&apos;s OpenXR loader does not know (%1). Install a newer loader, or choose another runtime.</source>

@@ -1,5 +1,6 @@
 #include "vr/openxr/openxr_runtime.h"
 
+#include "vr/openxr/active_runtime.h"
 #include "vr/openxr/xr_instance.h"
 
 namespace vr
@@ -22,6 +23,10 @@ QString OpenXrRuntime::textOf(const HeadsetStatus& status)
 {
     switch (status.state) {
     case HeadsetStatus::State::NoRuntime:
+        if (status.reason == resultName(XR_ERROR_RUNTIME_UNAVAILABLE))
+            if (const QString fault = ActiveRuntime::faultOf(ActiveRuntime::manifest(), status.reason);
+                !fault.isEmpty())
+                return fault;
         if (status.reason == resultName(XR_ERROR_API_VERSION_UNSUPPORTED))
             //: %1: a name from OpenXR, such as XR_ERROR_API_VERSION_UNSUPPORTED
             return tr("The OpenXR runtime needs OpenXR 1.1, which this computer's OpenXR loader does not know (%1). "

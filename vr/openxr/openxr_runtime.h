@@ -33,7 +33,8 @@ class OpenXrRuntime
 public:
     static HeadsetStatus probe();
 
-    /// Returns one or two sentences for the user, including the reason.
+    /// Returns one or two sentences for the user, including the reason. Reads the files that describe the active
+    /// runtime if there is none.
     static QString textOf(const HeadsetStatus& status);
 
     /// Returns the message that the runtime refuses the present OpenGL version, which is earlier than the version it
