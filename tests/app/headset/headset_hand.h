@@ -123,9 +123,32 @@ public:
             step["over"] = over;
         apply(step);
     }
+    /// Puts the controllers down. From now on the bare hands are where these were: a pinch takes the place of the
+    /// trigger, with the fingers at the controller's tip, and a fist that of the side button.
+    void putWandsDown()
+    {
+        m_isBare = true;
+        apply({{"profile", "/interaction_profiles/ext/hand_interaction_ext"},
+               {"pinch_at", QJsonObject{{"position", QJsonArray{0, 0, -vr::tipReach}}}}});
+        frames(4);
+    }
+    /// Turns the palm of a bare hand to the face for long enough, then away from it.
+    void showPalm(vr::Side side)
+    {
+        const double right = side == vr::Side::Right ? 1 : -1;
+        setSlow(true);
+        put(side, {right * 0.016, 1.45, -0.4}, {-right, 0, 0});
+        frames(10);
+        put(side, {right * 0.35, 1.25, -0.3});
+        frames(2);
+        setSlow(false);
+    }
     void set(vr::Side side, const char* input, const QJsonValue& value)
     {
-        apply({{nameOf(side), QJsonObject{{QLatin1StringView(input), value}}}});
+        const QLatin1StringView name(input);
+        const bool isTrigger = name == QLatin1StringView("trigger"), isSide = name == QLatin1StringView("squeeze");
+        const QString ofHand = isTrigger ? QStringLiteral("pinch") : isSide ? QStringLiteral("grasp") : QString(name);
+        apply({{nameOf(side), QJsonObject{{m_isBare ? ofHand : QString(name), value}}}});
     }
     /// Presses a button for `count` frames, then releases it for one.
     void press(vr::Side side, const char* input, int count = 2)
@@ -328,6 +351,7 @@ private:
     vr::ModelPlacement m_room;
     vr::AvatarState m_seen;
     bool m_isStalled = false;
+    bool m_isBare = false;  ///< the hands hold no controllers
     int m_framesBefore = 0; ///< number of frames before the current visit
 };
 } // namespace app
