@@ -6,7 +6,7 @@
 set -euo pipefail
 . "$(dirname "$(readlink -f "$0")")/resources/packaging/prepare.sh"
 
-fettle_install "$fettle_build_packages"
+fettle_install "$fettle_build_packages" release -DBUILD_TESTING=OFF
 fettle_lock
 fettle_is_configured release || fettle_configure release -DBUILD_TESTING=OFF
 fettle_build release fettle

@@ -92,13 +92,17 @@ fettle_names()
     done <<<"$1"
 }
 
-# fettle_install TABLE: installs the packages of the table that are missing.
+# fettle_install TABLE PRESET [CMAKE ARGUMENTS]: installs the packages of the table that are missing. Where there is no
+# dpkg, it says what is wanted, and the command that builds then.
 fettle_install()
 {
     local names missing package reason
     names=$(fettle_names "$1")
     if ! command -v dpkg-query >/dev/null; then
-        fettle_fail "this is not Debian, so nothing can be installed from here. Wanted are (by their Debian names): ${names//$'\n'/ }. Then: cmake --preset release && cmake --build --preset release"
+        fettle_say "fettle: this is not Debian (there is no dpkg-query), so nothing can be installed from here. Wanted are, by their Debian names: ${names//$'\n'/ }"
+        fettle_say "When they are installed, this builds $fettle_root/build/$2:"
+        fettle_say "  $(printf '%q ' cmake -S "$fettle_root" --preset "${@:2}")&& $(printf '%q ' cmake --build "$fettle_root/build/$2" -j "$(fettle_jobs)")"
+        exit 3
     fi
     missing=$(fettle_missing "$names")
     [ -n "$missing" ] || return 0
