@@ -21,7 +21,7 @@ while [ $# -gt 0 ]; do
     shift
 done
 
-fettle_install "$fettle_build_packages$fettle_test_packages" "$preset" -DBUILD_TESTING=ON
+fettle_install "$fettle_build_packages$fettle_test_packages$fettle_bundle_packages" "$preset" -DBUILD_TESTING=ON
 "$fettle_root/tests/check_format.sh" >&2
 "$fettle_root/tests/check_subjects.sh" >&2
 fettle_lock

@@ -1,5 +1,5 @@
 # shellcheck shell=bash disable=SC2034 # the tables are read by the scripts that source this
-# Sourced by run.sh and test.sh: installs what is missing, configures, builds.
+# Sourced by run.sh, test.sh and bundle/bundle.sh: installs what is missing, configures, builds.
 # Everything said here goes to stderr; stdout belongs to the program.
 
 fettle_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -49,6 +49,14 @@ locales             the German one, for tests where numbers have commas
 shared-mime-info    checks the file types
 dpkg-dev            makes the .deb
 file                makes the .deb
+debootstrap         makes a bare Debian 13, on which the bundle is tried (--long)
+'
+fettle_bundle_packages='
+patchelf            tells each file where the others are
+binutils            says what each file needs
+qt6-wayland         Qt: windows under Wayland
+qt6-xdgdesktopportal-platformtheme?  Qt: file dialogs of the desktop
+fcitx5-frontend-qt6?  Qt: an input method for Chinese
 '
 
 fettle_say() { printf '%s\n' "$*" >&2; }
@@ -99,9 +107,11 @@ fettle_install()
     local names missing package reason
     names=$(fettle_names "$1")
     if ! command -v dpkg-query >/dev/null; then
-        fettle_say "fettle: this is not Debian (there is no dpkg-query), so nothing can be installed from here. Wanted are, by their Debian names: ${names//$'\n'/ }"
+        fettle_say "fettle: this is not Debian (there is no dpkg-query), so nothing can be installed from here." \
+            "Wanted are, by their Debian names: ${names//$'\n'/ }"
         fettle_say "When they are installed, this builds $fettle_root/build/$2:"
-        fettle_say "  $(printf '%q ' cmake -S "$fettle_root" --preset "${@:2}")&& $(printf '%q ' cmake --build "$fettle_root/build/$2" -j "$(fettle_jobs)")"
+        fettle_say "  $(printf '%q ' cmake -S "$fettle_root" --preset "${@:2}")&&" \
+            "$(printf '%q ' cmake --build "$fettle_root/build/$2" -j "$(fettle_jobs)")"
         exit 3
     fi
     missing=$(fettle_missing "$names")

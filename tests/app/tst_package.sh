@@ -35,7 +35,8 @@ done
 expect "the desktop entry begins in the simulator, too" grep -q '^Exec=fettle --vr-simulator$' "$packaging/org.fettle.Fettle.desktop"
 expect "the shell scripts parse" bash -c 'for script; do bash -n "$script" || exit 1; done' scripts \
     "$source/run.sh" "$source/test.sh" "$packaging/prepare.sh" "$source/tests/support/with_display.sh" \
-    "$packaging/man_page.sh" "$packaging/third_party.sh" "$packaging/fettle.bash"
+    "$packaging/man_page.sh" "$packaging/third_party.sh" "$packaging/bundle/bundle.sh" "$packaging/bundle/start.sh" \
+    "$packaging/fettle.bash"
 
 cpack --config "$2/CPackConfig.cmake" -B "$scratch/package" >"$scratch/cpack.log" 2>&1 ||
     { cat "$scratch/cpack.log"; exit 1; }
@@ -44,8 +45,8 @@ files=$(dpkg-deb --contents "$deb" | awk '{print $6}')
 for file in usr/bin/fettle usr/lib/fettle/libfettle_simulator.so usr/lib/fettle/fettle_simulator.json \
     usr/share/applications/org.fettle.Fettle.desktop usr/share/icons/hicolor/scalable/apps/fettle.svg \
     usr/share/mime/packages/org.fettle.Fettle.xml usr/share/metainfo/org.fettle.Fettle.metainfo.xml \
-    usr/share/doc/fettle/copyright usr/share/doc/fettle/THIRD-PARTY usr/share/man/man1/fettle.1.gz usr/share/bash-completion/completions/fettle \
-    usr/share/doc/fettle/reference/command-output.md; do
+    usr/share/doc/fettle/copyright usr/share/doc/fettle/THIRD-PARTY usr/share/man/man1/fettle.1.gz \
+    usr/share/bash-completion/completions/fettle usr/share/doc/fettle/reference/command-output.md; do
     expect "the package brings $file" grep -qx "\./$file" <<<"$files"
 done
 manual=$(dpkg-deb --fsys-tarfile "$deb" | tar -xO ./usr/share/man/man1/fettle.1.gz | zcat | sed 's/\\-/-/g')
