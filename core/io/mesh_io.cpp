@@ -13,13 +13,13 @@
 #include "core/parts/part_split.h"
 #include "core/util/large_buffer.h"
 #include "core/util/parallel.h"
+#include "core/util/system_path.h"
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <bit>
 #include <cctype>
-#include <cerrno>
 #include <fstream>
 #include <memory>
 
@@ -65,18 +65,15 @@ MeshFormat requireFormat(const std::filesystem::path& path)
 
 std::uint64_t requireFileSize(const std::filesystem::path& path)
 {
-    std::error_code error;
-    const std::filesystem::file_status status = std::filesystem::status(path, error);
-    if (status.type() == std::filesystem::file_type::not_found)
+    using Type = std::filesystem::file_type;
+    const FileStatus status = fileStatus(path);
+    if (status.type == Type::not_found)
         throw FileError(FileErrorKind::NotFound, path);
-    if (!std::filesystem::status_known(status) || status.type() == std::filesystem::file_type::unknown)
-        throw FileError(FileErrorKind::NotReadable, path, error.value());
-    if (status.type() != std::filesystem::file_type::regular)
+    if (status.type == Type::none || status.type == Type::unknown)
+        throw FileError(FileErrorKind::NotReadable, path, status.systemCode);
+    if (status.type != Type::regular)
         throw FileError(FileErrorKind::NotAFile, path);
-    const std::uint64_t size = std::filesystem::file_size(path, error);
-    if (error)
-        throw FileError(FileErrorKind::NotReadable, path, error.value());
-    return size;
+    return status.size;
 }
 
 void refuseSize(const std::filesystem::path& path, std::uint64_t size)
@@ -373,7 +370,7 @@ DocumentMetadata readMetadata(const std::filesystem::path& path)
     const auto format = meshFormatOf(path);
     if (!format || !holdsColors(*format))
         return {};
-    std::ifstream stream(path, std::ios::binary);
+    std::ifstream stream(systemPath(path), std::ios::binary);
     if (format == MeshFormat::Glb)
         return withAbsoluteImages(io::readGlbMetadata(stream), folderOf(path));
     std::array<char, io::startSize> start;

@@ -97,7 +97,7 @@ std::vector<std::unique_ptr<JournalFolder>> JournalFolder::abandoned(const fs::p
     std::vector<std::unique_ptr<JournalFolder>> found;
     std::error_code problem;
     for (const auto& entry : fs::directory_iterator(root, problem)) {
-        if (entry.path().filename().string().front() == hiddenMark)
+        if (entry.path().filename().native().front() == hiddenMark)
             clear(entry.path());
         else if (auto lock = lockOf(entry.path()))
             found.push_back(std::unique_ptr<JournalFolder>(new JournalFolder(entry.path(), std::move(lock))));

@@ -2,6 +2,7 @@
 
 #include "core/io/mesh_io.h"
 #include "core/lesson/lesson_json_reader.h"
+#include "core/util/system_path.h"
 
 namespace core
 {
@@ -18,9 +19,8 @@ Lesson readLesson(const LessonFiles& files)
 
 Lesson readLesson(const std::filesystem::path& path)
 {
-    std::error_code problem;
-    const std::filesystem::file_status status = std::filesystem::status(path, problem);
-    switch (status.type()) {
+    const FileStatus status = fileStatus(path);
+    switch (status.type) {
     case std::filesystem::file_type::directory:
         return readLesson(lessonFolder(path));
     case std::filesystem::file_type::regular:
@@ -30,7 +30,8 @@ Lesson readLesson(const std::filesystem::path& path)
     default:
         break;
     }
-    throw FileError(problem ? FileErrorKind::NotReadable : FileErrorKind::NotAFile, path, problem.value());
+    throw FileError(status.systemCode != 0 ? FileErrorKind::NotReadable : FileErrorKind::NotAFile, path,
+                    status.systemCode);
 }
 
 TriangleMesh modelIn(const Lesson& lesson, const std::string& file)

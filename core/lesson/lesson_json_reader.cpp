@@ -328,7 +328,7 @@ std::string LessonJsonReader::model(const std::string& name, const std::string& 
     LessonError error = errorHere(Kind::Unsound);
     error.file = name;
     std::string bytes = bytesOf(name, key, LessonLimits::maxBytes);
-    error.report = checkMesh(parseMesh(m_files.path / name, bytes));
+    error.report = checkMesh(parseMesh(m_files.path / pathOfUtf8(name), bytes));
     if (!error.report.printReady())
         throw error;
     addFile(name, std::move(bytes));

@@ -3,10 +3,11 @@
 #include "core/lesson/lesson_source.h"
 
 #include "core/io/mesh/zip_reader.h"
+#include "core/util/system_code.h"
+#include "core/util/system_path.h"
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <fstream>
 
 namespace core
@@ -19,8 +20,8 @@ using Kind = LessonError::Kind;
 std::string bytesOf(const std::filesystem::path& path, std::size_t max)
 {
     FileError unreadable(FileErrorKind::NotReadable, path);
-    errno = 0;
-    std::ifstream stream(path, std::ios::binary);
+    clearStreamCode();
+    std::ifstream stream(systemPath(path), std::ios::binary);
     std::string bytes;
     std::array<char, 1 << 16> piece;
     while (stream.good() && bytes.size() <= max) {
@@ -29,7 +30,7 @@ std::string bytesOf(const std::filesystem::path& path, std::size_t max)
         if (bytes.size() > max)
             return bytes;
     }
-    unreadable.systemError = errno;
+    unreadable.systemError = streamCode();
     if (!stream.eof())
         throw unreadable;
     return bytes;
@@ -44,7 +45,7 @@ std::optional<std::string> readBelow(const std::filesystem::path& lesson, const 
 {
     std::error_code problem;
     const std::filesystem::path folder = std::filesystem::canonical(lesson, problem);
-    const std::filesystem::path path = std::filesystem::canonical(folder / name, problem);
+    const std::filesystem::path path = std::filesystem::canonical(folder / pathOfUtf8(name), problem);
     if (problem)
         return std::nullopt;
     if (!isWithin(folder, path)) {
@@ -53,7 +54,7 @@ std::optional<std::string> readBelow(const std::filesystem::path& lesson, const 
         throw error;
     }
     if (!std::filesystem::is_regular_file(path, problem))
-        throw FileError(FileErrorKind::NotAFile, lesson / name);
+        throw FileError(FileErrorKind::NotAFile, lesson / pathOfUtf8(name));
     return bytesOf(path, max);
 }
 

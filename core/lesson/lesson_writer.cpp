@@ -4,6 +4,7 @@
 
 #include "core/io/mesh/zip_writer.h"
 #include "core/util/atomic_file.h"
+#include "core/util/system_path.h"
 
 #include <nlohmann/json.hpp>
 
@@ -110,9 +111,10 @@ public:
     void add(const std::string& name, const std::string& bytes)
     {
         std::error_code problem;
-        std::filesystem::create_directories((m_half / name).parent_path(), problem);
+        const std::filesystem::path file = m_half / pathOfUtf8(name);
+        std::filesystem::create_directories(file.parent_path(), problem);
         checkWritten(problem, m_path);
-        AtomicFile out(m_half / name);
+        AtomicFile out(file);
         out.write(bytes);
         out.commit();
     }

@@ -37,9 +37,9 @@ private:
     void giveTemporaryName();
     [[noreturn]] void fail(int systemError) const;
 
-    std::filesystem::path m_path;   ///< path as passed to the constructor, for errors
-    std::filesystem::path m_target; ///< m_path with symbolic links followed
-    std::string m_temporary;        ///< name of the temporary file; empty while it has none (O_TMPFILE)
+    std::filesystem::path m_path;      ///< path as passed to the constructor, for errors
+    std::filesystem::path m_target;    ///< m_path with symbolic links followed
+    std::filesystem::path m_temporary; ///< path of the temporary file; empty while it has none (O_TMPFILE)
     std::string m_buffer;
     int m_descriptor = -1;
 };
@@ -51,7 +51,7 @@ bool renameFolder(const std::filesystem::path& from, const std::filesystem::path
 /// Syncs a folder, so that renames and new files in it survive a power cut. Failure is ignored.
 void syncFolder(const std::filesystem::path& folder);
 
-/// Maps errno after a failed write to an error kind.
+/// Maps the system code of a failed write to an error kind (system_code.h).
 FileErrorKind kindOfWriteError(int systemError);
 
 /// Throws a FileError if `problem` is set.

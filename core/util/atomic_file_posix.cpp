@@ -13,11 +13,11 @@ namespace
 constexpr std::size_t bufferSize = 1 << 20;
 
 /// Returns a name beside the target that is unique to this process and call. The caller creates the file exclusively.
-std::string temporaryName(const std::filesystem::path& target)
+std::filesystem::path temporaryName(const std::filesystem::path& target)
 {
     static std::atomic<unsigned> counter{0};
     const std::string name = ".fettle-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp";
-    return (target.parent_path() / name).string();
+    return target.parent_path() / name;
 }
 
 std::filesystem::path folderOf(const std::filesystem::path& target)
@@ -176,7 +176,7 @@ void AtomicFile::sync()
 void AtomicFile::giveTemporaryName()
 {
     const std::string self = "/proc/self/fd/" + std::to_string(m_descriptor);
-    std::string name = temporaryName(m_target);
+    std::filesystem::path name = temporaryName(m_target);
     if (::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) != 0)
         fail(errno);
     m_temporary = std::move(name);

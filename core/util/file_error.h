@@ -103,7 +103,7 @@ struct FilePlace
 /// Thrown by readers and writers of files.
 struct FileError : std::runtime_error
 {
-    /// `systemProblem`: errno, or 0 if the system reported none.
+    /// `systemProblem`: the system code (system_code.h), or 0 if the system reported none.
     FileError(FileErrorKind errorKind, std::filesystem::path filePath, int systemProblem = 0)
         : std::runtime_error("file error")
         , kind(errorKind)

@@ -54,7 +54,8 @@ void NumberedBackup::commit()
     std::error_code problem;
     for (int version = m_versions - 1; version >= 1; --version) {
         fs::rename(nameOf(m_file, version), nameOf(m_file, version + 1), problem);
-        if (problem && problem != std::errc::no_such_file_or_directory)
+        std::error_code ignored;
+        if (problem && fs::exists(nameOf(m_file, version), ignored)) // not every version need exist
             checkWritten(problem, nameOf(m_file, version));
     }
     fs::rename(m_pending, nameOf(m_file, 1), problem);

@@ -1,10 +1,12 @@
 // Sources: Khronos, glTF 2.0 specification, section 2.8 (URIs); RFC 3986 (percent signs), RFC 4648 (base64).
 #include "core/io/mesh/gltf_buffers.h"
 
+#include "core/util/system_code.h"
+#include "core/util/system_path.h"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cerrno>
 #include <charconv>
 #include <fstream>
 
@@ -101,10 +103,10 @@ std::string readBeside(const FileBytes& file, const std::filesystem::path& path,
 {
     if (!std::filesystem::is_regular_file(path))
         throw FileError(FileErrorKind::NotAFile, path);
-    errno = 0;
-    std::ifstream stream(path, std::ios::binary);
+    clearStreamCode();
+    std::ifstream stream(systemPath(path), std::ios::binary);
     if (!stream)
-        throw FileError(FileErrorKind::NotReadable, path, errno);
+        throw FileError(FileErrorKind::NotReadable, path, streamCode());
     constexpr std::uint64_t atOnce = 1 << 22;
     std::string bytes;
     while (bytes.size() < size && stream) {

@@ -127,7 +127,7 @@ BrushPreset parseBrush(std::string_view text)
     return reader.take();
 }
 
-BrushPreset readBrush(const std::string& path)
+BrushPreset readBrush(const std::filesystem::path& path)
 {
     return parseBrush(readStrokeText(path, maxBrushBytes));
 }

@@ -47,7 +47,7 @@ struct BrushPreset
 ///
 /// Throws StrokeFileError. Kind::NewerVersion takes precedence over all other errors in the file.
 BrushPreset parseBrush(std::string_view text);
-BrushPreset readBrush(const std::string& path);
+BrushPreset readBrush(const std::filesystem::path& path);
 
 /// Writes the preset with enough digits that reading returns bit-identical numbers.
 std::string toJson(const BrushPreset& preset);

@@ -4,12 +4,12 @@
 #include "core/io/stroke/stroke_file.h"
 
 #include "core/io/stroke/stroke_json_reader.h"
+#include "core/util/system_code.h"
+#include "core/util/system_path.h"
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 
 namespace core
@@ -79,6 +79,33 @@ Value valueOf(std::string_view key)
     const auto* const found = std::ranges::find(otherThanWords, key, &std::pair<std::string_view, Value>::first);
     return found == std::end(otherThanWords) ? Value::Word : found->second;
 }
+
+StrokeFileError tooLarge(std::size_t maxBytes)
+{
+    StrokeFileError error(StrokeFileError::Kind::TooLarge);
+    error.max = static_cast<double>(maxBytes);
+    return error;
+}
+
+/// Returns the rest of the stream. Throws StrokeFileError: TooLarge, or CannotRead if the stream failed or was not
+/// open. Precondition: clearStreamCode() was called before the stream was opened.
+std::string textOf(std::istream& stream, std::size_t maxBytes)
+{
+    std::string text;
+    std::array<char, 1 << 16> chunk;
+    while (stream.good() && text.size() <= maxBytes) {
+        stream.read(chunk.data(), chunk.size());
+        text.append(chunk.data(), static_cast<std::size_t>(stream.gcount()));
+    }
+    if (text.size() > maxBytes)
+        throw tooLarge(maxBytes);
+    if (!stream.eof()) {
+        StrokeFileError error(StrokeFileError::Kind::CannotRead);
+        error.systemError = streamCode();
+        throw error;
+    }
+    return text;
+}
 } // namespace
 
 StrokeFileError::StrokeFileError(Kind errorKind, std::string keyName)
@@ -98,34 +125,24 @@ std::vector<FileEntry> parseStrokes(std::string_view text)
     return reader.take();
 }
 
-std::vector<FileEntry> readStrokes(const std::string& path)
+std::vector<FileEntry> readStrokes(const std::filesystem::path& path)
 {
     return parseStrokes(readStrokeText(path, maxFileBytes));
 }
 
-std::string readStrokeText(const std::string& path, std::size_t maxBytes)
+std::vector<FileEntry> readStrokes(std::istream& stream)
 {
-    StrokeFileError tooLarge(StrokeFileError::Kind::TooLarge);
-    tooLarge.max = static_cast<double>(maxBytes);
-    std::error_code noSize; // file_size() fails for a pipe
-    if (const auto size = std::filesystem::file_size(path, noSize); !noSize && size > maxBytes)
-        throw tooLarge;
-    errno = 0;
-    std::ifstream file(path, std::ios::binary);
-    std::string text;
-    std::array<char, 1 << 16> chunk;
-    while (file.good() && text.size() <= maxBytes) {
-        file.read(chunk.data(), chunk.size());
-        text.append(chunk.data(), static_cast<std::size_t>(file.gcount()));
-    }
-    if (text.size() > maxBytes)
-        throw tooLarge;
-    if (!file.eof()) {
-        StrokeFileError error(StrokeFileError::Kind::CannotRead);
-        error.systemError = errno;
-        throw error;
-    }
-    return text;
+    clearStreamCode();
+    return parseStrokes(textOf(stream, maxFileBytes));
+}
+
+std::string readStrokeText(const std::filesystem::path& path, std::size_t maxBytes)
+{
+    if (fileStatus(path).size > maxBytes) // which a pipe does not tell
+        throw tooLarge(maxBytes);
+    clearStreamCode();
+    std::ifstream file(systemPath(path), std::ios::binary);
+    return textOf(file, maxBytes);
 }
 
 void requireFit(const Stroke& stroke, const Lattice& lattice, const Vec3& offset)

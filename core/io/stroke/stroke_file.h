@@ -5,6 +5,7 @@
 #include "core/stroke/stroke.h"
 
 #include <cstddef>
+#include <filesystem>
 #include <iosfwd>
 #include <optional>
 #include <stdexcept>
@@ -120,7 +121,7 @@ struct StrokeFileError : std::runtime_error
     std::vector<std::string> words;
     std::optional<Value> wanted;   ///< expected type, if the kind is WrongType
     std::optional<double> version; ///< version of the file, if the kind is NotStrokes because of it
-    int systemError = 0;           ///< errno, if the kind is CannotRead; 0 if unknown
+    int systemError = 0;           ///< system code (core/util/system_code.h), if the kind is CannotRead; 0 if unknown
 };
 
 struct FileCommand
@@ -133,9 +134,11 @@ using FileEntry = std::variant<Stroke, FileCommand>;
 
 /// Throws StrokeFileError. Cost: linear in the text's length for any content.
 std::vector<FileEntry> parseStrokes(std::string_view text);
-std::vector<FileEntry> readStrokes(const std::string& path);
+std::vector<FileEntry> readStrokes(const std::filesystem::path& path);
+/// Reads the stream to its end. Precondition: it is binary.
+std::vector<FileEntry> readStrokes(std::istream& stream);
 /// Returns the bytes of a file or pipe. Throws StrokeFileError: CannotRead or TooLarge.
-std::string readStrokeText(const std::string& path, std::size_t maxBytes);
+std::string readStrokeText(const std::filesystem::path& path, std::size_t maxBytes);
 
 /// Checks that the lattice can represent the stroke's radii and detail_length, and that its positions are within the
 /// working volume. Samples of a ray may start anywhere. Throws StrokeFileError::OutOfRange, with the index of the

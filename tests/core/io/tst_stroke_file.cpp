@@ -128,6 +128,7 @@ private Q_SLOTS:
     void axisOfATube_isNotWritten();
     void partCommands_roundTrip();
     void readStrokes_refusesWhatIsNoFile();
+    void readStrokes_takesAStream();
 };
 
 void TestStrokeFile::defaults_areTheDesigns()
@@ -749,6 +750,20 @@ void TestStrokeFile::readStrokes_refusesWhatIsNoFile()
     QVERIFY_EXCEPTION_THROWN(readStrokes(base + "/empty.json"), StrokeFileError);
     std::ofstream(base + "/good.json") << file(least);
     QCOMPARE(readStrokes(base + "/good.json").size(), std::size_t(1));
+}
+
+void TestStrokeFile::readStrokes_takesAStream()
+{
+    std::istringstream good(file(least)), empty;
+    QCOMPARE(readStrokes(good).size(), std::size_t(1));
+    QVERIFY_EXCEPTION_THROWN(readStrokes(empty), StrokeFileError);
+    std::ifstream missing("/nowhere/strokes.json");
+    try {
+        readStrokes(missing);
+        QFAIL("a stream that cannot be read was accepted");
+    } catch (const StrokeFileError& error) {
+        QCOMPARE(error.kind, StrokeFileError::Kind::CannotRead);
+    }
 }
 
 FETTLE_TEST(TestStrokeFile)
