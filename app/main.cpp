@@ -7,6 +7,7 @@
 #include "app/headset/simulator_controller.h"
 #include "app/import/assimp_import.h"
 #include "app/import/sandboxed_importer.h"
+#include "app/platform/desktop.h"
 #include "app/platform/process_signals.h"
 #include "app/platform/terminal.h"
 #include "app/recovery/recovery_store.h"
@@ -96,20 +97,11 @@ void preferX11()
         qputenv("QT_QPA_PLATFORM", "xcb");
 }
 
-/// Returns whether a display is configured for X11 or Wayland. Checked in advance, because Qt calls abort() without a
-/// display, and Fettle prints its own message instead.
+/// Returns whether a window can be opened. Checked in advance, because Qt calls abort() without a display, and Fettle
+/// prints its own message instead.
 bool canHaveWindow(int argc, char* argv[])
 {
-#if defined(Q_OS_UNIX) && !defined(Q_OS_MACOS)
-    if (hasWord(argc, argv, "-platform") || hasWord(argc, argv, "--platform"))
-        return true;
-    return !qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") ||
-           !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
-#else
-    Q_UNUSED(argc)
-    Q_UNUSED(argv)
-    return true;
-#endif
+    return hasWord(argc, argv, "-platform") || hasWord(argc, argv, "--platform") || app::hasDisplay();
 }
 
 /// Message handler while QApplication is constructed. If the configured display does not answer, Qt logs warnings and a
@@ -294,15 +286,15 @@ int runWindow(int argc, char* argv[])
 
 int main(int argc, char* argv[])
 {
+    app::useBinaryStreams();
     if (argc == 5 && qstrcmp(argv[1], app::importWord) == 0)
-        return app::runImport(argv[2], argv[3], argv[4]);
-    app::useUtf8Locale();
+        return app::runImport(app::argumentPath(argv, 2), argv[3], argv[4]);
+    app::useUtf8();
     nameProgram();
     app::surviveFileSizeLimit();
+    app::endOnInterrupt();
     app::installSandboxedImporter();
-    QStringList arguments;
-    for (int i = 1; i < argc; ++i)
-        arguments << QString::fromLocal8Bit(argv[i]);
+    const QStringList arguments = app::programArguments(argc, argv);
     return app::CommandLine::opensWindow(arguments) ? runWindow(argc, argv)
                                                     : runCommand(argc, argv, app::CommandLine::needsFonts(arguments));
 }

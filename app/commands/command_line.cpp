@@ -6,12 +6,12 @@
 #include "app/platform/terminal.h"
 
 #include "core/mesh/openmesh_version.h"
+#include "core/util/system_code.h"
 #include "ui/util/format_filters.h"
 
 #include <QFileInfo>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdio>
 #include <new>
 
@@ -265,9 +265,9 @@ void CommandLine::requireMeshEnding(const QString& path)
 
 void CommandLine::print(const QString& text)
 {
-    errno = 0;
+    core::clearStreamCode();
     if (!write(stdout, text))
-        fail(tr("The answer cannot be written to the standard output (%1).").arg(qt_error_string(errno)));
+        fail(tr("The answer cannot be written to the standard output (%1).").arg(qt_error_string(core::streamCode())));
 }
 
 void CommandLine::printRemark(const QString& text)

@@ -18,14 +18,14 @@
 #include "core/io/stroke/stroke_file.h"
 #include "core/mesh/mesh_builder.h"
 #include "core/operations/stroke_coordinates.h"
+#include "core/util/system_path.h"
 #include "ui/util/error_messages.h"
 #include "ui/util/number_format.h"
 #include "ui/util/stroke_file_messages.h"
 
-#include <QFile>
-
 #include <algorithm>
 #include <filesystem>
+#include <iostream>
 #include <map>
 #include <utility>
 
@@ -36,7 +36,6 @@ namespace
 constexpr double paperRadius = 1;
 constexpr int frameWidth = 1280, frameHeight = 720;
 constexpr unsigned maxEvery = 1000000; ///< largest value of --every; larger values are clamped to it
-constexpr const char* standardInput = "/dev/stdin";
 
 class ReplayMessages
 {
@@ -144,8 +143,7 @@ std::optional<ReplayOptions> parseReplayOptions(const QStringList& arguments)
 std::vector<core::FileEntry> readStrokes(const QString& path)
 {
     try {
-        return core::readStrokes(StandardFiles::isStandard(path) ? standardInput
-                                                                 : QFile::encodeName(path).toStdString());
+        return StandardFiles::isStandard(path) ? core::readStrokes(std::cin) : core::readStrokes(toPath(path));
     } catch (const core::StrokeFileError& error) {
         throw CommandFailure{ui::StrokeFileMessages::sentence(path, error)};
     }
@@ -162,10 +160,10 @@ void readInserted(Entries& entries, const QString& strokes)
         if (!insertion || insertion->primitive)
             continue;
         try {
-            insertion->model = core::readMesh(toPath(strokes).parent_path() / command->file);
+            insertion->model = core::readMesh(toPath(strokes).parent_path() / core::pathOfUtf8(command->file));
             insertion->model.parts.clear(); // it becomes one part
             if (insertion->name.empty())
-                insertion->name = core::shortened(std::filesystem::path(command->file).stem().string());
+                insertion->name = core::shortened(core::pathOfUtf8(command->file).stem().string());
         } catch (const core::FileError& error) {
             core::StrokeFileError place(core::StrokeFileError::Kind::CannotRead);
             place.stroke = i;
@@ -227,7 +225,7 @@ void requireDone(const core::ModelChange& change, const core::FileCommand& entry
     if (change.refusal != core::ModelRefusal::None)
         throw CommandFailure{ReplayMessages::tr("replay: strokes[%1]: %2")
                                  .arg(index)
-                                 .arg(CommandNames::refusal(change, QFile::decodeName(entry.file.c_str()))),
+                                 .arg(CommandNames::refusal(change, QString::fromStdString(entry.file))),
                              AnswerIsNo};
 }
 

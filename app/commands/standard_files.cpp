@@ -4,12 +4,12 @@
 #include "app/platform/terminal.h"
 
 #include "core/io/mesh_io.h"
+#include "core/util/system_code.h"
 
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
 
-#include <cerrno>
 #include <cstdio>
 #include <optional>
 
@@ -56,13 +56,13 @@ bool isText(const QString& ending)
 
 [[noreturn]] void failToCopy(const QString& sentence)
 {
-    CommandLine::fail(sentence.arg(qt_error_string(errno)));
+    CommandLine::fail(sentence.arg(qt_error_string(core::streamCode())));
 }
 
-/// Copies the rest of one file to the other. Returns false and sets errno if that fails.
+/// Copies the rest of one file to the other. Returns false if that fails; core::streamCode() then has the reason.
 bool copy(QFile& from, QFile& to)
 {
-    errno = 0;
+    core::clearStreamCode();
     for (;;) {
         const QByteArray bytes = from.read(chunkSize);
         if (bytes.isEmpty())

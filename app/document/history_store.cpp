@@ -4,7 +4,6 @@
 #include "core/sculpt/sculptor.h"
 
 #include <QDir>
-#include <QFile>
 #include <QStandardPaths>
 #include <QUuid>
 
@@ -36,13 +35,12 @@ bool StoredDelta::spill(const QString& folder)
     if (folder.isEmpty())
         return false;
     const QString path = QDir(folder).filePath(QUuid::createUuid().toString(QUuid::WithoutBraces));
-    m_file = QFile::encodeName(path).toStdString();
+    m_file = path.toStdU16String();
     std::ofstream out(m_file, std::ios::binary);
     m_delta->write(out);
     out.close();
     if (!out) {
-        QFile::remove(path);
-        m_file.clear();
+        removeFile();
         return false;
     }
     m_delta.reset();
@@ -57,9 +55,9 @@ bool StoredDelta::load()
     auto delta = std::make_shared<core::MeshDelta>(core::MeshDelta::read(in));
     if (!in)
         return false;
+    in.close(); // Windows removes no open file
     m_delta = std::move(delta);
-    QFile::remove(QFile::decodeName(m_file.c_str()));
-    m_file.clear();
+    removeFile();
     return true;
 }
 
@@ -79,8 +77,13 @@ std::optional<core::MeshDelta> StoredDelta::copy() const
 void StoredDelta::drop()
 {
     m_delta.reset();
-    if (!m_file.empty())
-        QFile::remove(QFile::decodeName(m_file.c_str()));
+    removeFile();
+}
+
+void StoredDelta::removeFile()
+{
+    std::error_code ignored;
+    std::filesystem::remove(m_file, ignored);
     m_file.clear();
 }
 

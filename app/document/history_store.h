@@ -6,6 +6,7 @@
 #include <QObject>
 #include <QTemporaryDir>
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -37,9 +38,10 @@ public:
 
 private:
     bool load();
+    void removeFile();
 
     std::shared_ptr<core::MeshDelta> m_delta; ///< null: the change is in m_file, or dropped
-    std::string m_file;
+    std::filesystem::path m_file;             ///< empty: none
 };
 
 /// Keeps the deltas of the undo stack within a limit of memory. The deltas farthest from the present state are moved to

@@ -267,7 +267,7 @@ bool assimpHoldsUnit(const fs::path& file)
     return holdsUnit(file);
 }
 
-int runImport(const char* file, const char* bytes, const char* objects)
+int runImport(const fs::path& file, const char* bytes, const char* objects)
 {
     const fs::path path = fs::absolute(file);
     try {

@@ -13,7 +13,7 @@ inline constexpr const char* importAsParts = "parts";
 /// (import_protocol.h). First restricts itself: memory and time to ImportLimits, no other programs, no network, no
 /// writing of files. Opens only files in the folder of `file` and its subfolders. `bytes`: size of the file and of the
 /// files it refers to, in decimal. `objects`: see importAsParts. Returns the exit status.
-int runImport(const char* file, const char* bytes, const char* objects);
+int runImport(const std::filesystem::path& file, const char* bytes, const char* objects);
 
 /// Returns whether files with this extension define a unit of length.
 bool assimpHoldsUnit(const std::filesystem::path& file);

@@ -3,6 +3,7 @@
 #include "app/import/collada_text.h"
 
 #include "core/util/file_error.h"
+#include "core/util/system_path.h"
 
 #include <assimp/MemoryIOWrapper.h>
 
@@ -39,7 +40,7 @@ std::optional<fs::path> inlinedFile(const fs::path& folder, std::string_view url
 {
     for (const std::string& name : namesOf(url)) {
         std::error_code problem;
-        const fs::path file = folder / name;
+        const fs::path file = folder / core::pathOfUtf8(name);
         if (name.find('\0') != std::string::npos || lowerEnding(file) != ".x3d" || !fs::is_regular_file(file, problem))
             continue;
         if (fs::path path = fs::canonical(file, problem); !problem)
@@ -50,7 +51,7 @@ std::optional<fs::path> inlinedFile(const fs::path& folder, std::string_view url
 
 std::string bytesOf(const fs::path& path)
 {
-    std::ifstream stream(path, std::ios::binary);
+    std::ifstream stream(core::systemPath(path), std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 } // namespace
@@ -66,7 +67,7 @@ std::string lowerEnding(const fs::path& path)
 bool ImportFolder::Exists(const char* file) const
 {
     const fs::path path = pathOf(file);
-    return isWithin(path) && DefaultIOSystem::Exists(path.c_str());
+    return isWithin(path) && DefaultIOSystem::Exists(path.string().c_str());
 }
 
 Assimp::IOStream* ImportFolder::Open(const char* file, const char* mode)
@@ -162,8 +163,9 @@ std::string ImportFolder::aliasOf(const fs::path& path)
 
 fs::path ImportFolder::pathOf(const char* file) const
 {
-    const auto alias = m_aliases.find(fs::path(file).filename().string());
-    return alias == m_aliases.end() ? fs::path(file) : alias->second;
+    const fs::path path = core::pathOfUtf8(file); // Assimp has names in UTF-8 on every system
+    const auto alias = m_aliases.find(path.filename().string());
+    return alias == m_aliases.end() ? path : alias->second;
 }
 
 bool ImportFolder::isWithin(const fs::path& file) const

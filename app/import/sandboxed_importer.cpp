@@ -6,6 +6,7 @@
 #include "app/platform/child_process.h"
 
 #include "core/util/file_error.h"
+#include "core/util/system_path.h"
 
 #include <algorithm>
 #include <array>
@@ -101,7 +102,7 @@ std::filesystem::path faultyFile(const ImportHeader& header, const std::filesyst
 {
     const std::string_view name = header.file;
     const bool isPrintable = std::ranges::none_of(name, [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; });
-    const std::filesystem::path file(name);
+    const std::filesystem::path file = core::pathOfUtf8(name);
     const bool isWithin = !file.empty() && file.is_relative() && *file.lexically_normal().begin() != "..";
     return isPrintable && isWithin ? path.parent_path() / file : path;
 }

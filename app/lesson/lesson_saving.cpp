@@ -7,6 +7,7 @@
 #include "core/drawing/model_thumbnail.h"
 #include "core/lesson/lesson_check.h"
 #include "core/lesson/lesson_file.h"
+#include "core/util/system_code.h"
 #include "ui/util/error_messages.h"
 
 #include <QBuffer>
@@ -164,7 +165,7 @@ QString LessonSaving::write(const core::Lesson& lesson, const std::filesystem::p
     try {
         core::writeLesson(path, lesson);
     } catch (const core::FileError& error) {
-        if (error.systemError == EEXIST)
+        if (core::isSystemCode(error.systemError, std::errc::file_exists))
             return tr("%1 already exists. Choose another name for the lesson's folder.")
                 .arg(QDir::toNativeSeparators(QString::fromStdU16String(path.u16string())));
         return ui::ErrorMessages::sentence(error);

@@ -10,10 +10,11 @@ namespace app
 {
 struct ChildRequest
 {
-    std::vector<std::string> command; ///< path of the program, then its arguments
-    std::chrono::seconds time{0};     ///< wall-clock limit; the child is killed when it is exceeded
-    std::uint64_t maxBytes = 0; ///< limit of the standard output in bytes; the child is killed when it is exceeded
-    std::stop_token stop = {};  ///< kills the child within about 20 ms
+    /// Path of the program, then its arguments; on Windows in UTF-8.
+    std::vector<std::string> command;
+    std::chrono::seconds time{0}; ///< wall-clock limit; the child is killed when it is exceeded
+    std::uint64_t maxBytes = 0;   ///< limit of the standard output in bytes; the child is killed when it is exceeded
+    std::stop_token stop = {};    ///< kills the child within about 20 ms
 };
 
 struct ChildResult

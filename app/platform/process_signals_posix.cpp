@@ -13,4 +13,7 @@ void surviveBrokenPipes()
 {
     std::signal(SIGPIPE, SIG_IGN);
 }
+
+/// Does nothing: SIGINT, SIGTERM and SIGHUP have this effect.
+void endOnInterrupt() {}
 } // namespace app

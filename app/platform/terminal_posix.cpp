@@ -11,7 +11,9 @@ bool isTerminal(std::FILE* stream)
     return isatty(fileno(stream)) != 0;
 }
 
-void useUtf8Locale()
+void useBinaryStreams() {}
+
+void useUtf8()
 {
     constexpr const char* utf8 = "C.UTF-8";
     for (const char* name : {"LC_ALL", "LC_CTYPE", "LANG"}) { // in the order of precedence
@@ -24,5 +26,18 @@ void useUtf8Locale()
         return;
     }
     setenv("LC_CTYPE", utf8, 1);
+}
+
+QStringList programArguments(int argc, char* argv[])
+{
+    QStringList arguments;
+    for (int i = 1; i < argc; ++i)
+        arguments << QString::fromLocal8Bit(argv[i]);
+    return arguments;
+}
+
+std::filesystem::path argumentPath(char* argv[], int index)
+{
+    return argv[index];
 }
 } // namespace app

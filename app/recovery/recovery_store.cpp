@@ -1,6 +1,7 @@
 #include "app/recovery/recovery_store.h"
 
 #include "app/model/model_loader.h"
+#include "app/platform/desktop.h"
 
 #include "core/journal/journal_files.h"
 #include "core/sculpt/sculptor.h"
@@ -8,7 +9,6 @@
 
 #include <QDir>
 #include <QLocale>
-#include <QStandardPaths>
 
 #include <algorithm>
 #include <cstdio>
@@ -71,19 +71,9 @@ bool holdsChanges(const core::JournalFolder& folder)
 
 RecoveryStore* RecoveryStore::s_present = nullptr;
 
-/// Returns the state directory of the XDG specification; on other systems, a folder in the program's local data.
 std::filesystem::path RecoveryStore::defaultRoot()
 {
-    QString state = qEnvironmentVariable("XDG_STATE_HOME");
-#if defined(Q_OS_UNIX) && !defined(Q_OS_MACOS)
-    if (!QDir::isAbsolutePath(state))
-        state = QDir::homePath() + QStringLiteral("/.local/state");
-    return toPath(state + QStringLiteral("/fettle/journals"));
-#else
-    if (!QDir::isAbsolutePath(state))
-        state = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation);
-    return toPath(state + QStringLiteral("/journals"));
-#endif
+    return toPath(stateFolder() + QStringLiteral("/journals"));
 }
 
 RecoveryStore::RecoveryStore(std::filesystem::path root, core::JournalLimits limits)

@@ -111,7 +111,7 @@ const FolderRule folderRules[] = {
      "core/primitives core/util core/stroke core/mesh core/render core/parts core/operations vr/util vr/input vr/frame "
      "vr/scene vr/panels"},
     {"vr/simulator", "vr/util"},
-    {"app/platform", ""},
+    {"app/platform", "core/util"},
     {"app/import", "core/util core/geometry core/parts core/io/mesh core/io app/platform"},
     {"app/model", "core/primitives core/util core/geometry core/parts core/analysis core/boolean core/mesh "
                   "core/drawing core/repair core/sculpt "
@@ -119,7 +119,7 @@ const FolderRule folderRules[] = {
                   "ui/brush app/import"},
     {"app/worker", "core/util core/stroke core/mesh core/drawing core/sculpt core/io/stroke core/journal ui/util "
                    "ui/drawing"},
-    {"app/recovery", "core/sculpt core/journal ui/util app/model"},
+    {"app/recovery", "core/sculpt core/journal ui/util app/platform app/model"},
     {"app/document",
      "core/primitives core/util core/stroke core/mesh core/drawing core/sculpt core/operations core/io/stroke "
      "core/io core/journal core/geometry core/parts core/analysis ui/util ui/settings ui/widgets ui/viewport ui/model "
@@ -161,7 +161,8 @@ const QStringList largeFolders{"core/io/mesh", "vr/simulator"};
 const QRegularExpression includeLine("^[ \\t]*#[ \\t]*include[ \\t]*([<\"])([^>\"]+)[>\"]");
 const QRegularExpression platformHeader(
     R"(^(GL/(glx|wgl)\w*\.h|(X11|xcb|EGL|sys|linux|mach|wayland-\w+)/.*|(windows|unistd|fcntl|dlfcn|poll|)"
-    R"(pthread|pwd|sched|spawn|termios|io|direct|process|malloc)\.h)$)",
+    R"(pthread|pwd|sched|spawn|termios|io|direct|process|malloc|psapi|shellapi|shlobj|winioctl|unknwn|)"
+    R"(execinfo|langinfo|grp|netdb)\.h)$)",
     QRegularExpression::CaseInsensitiveOption);
 const QRegularExpression platformFile(R"(_(glx|wgl|egl|x11|linux|posix|windows|macos)\.(cpp|h|mm)$)");
 
@@ -170,6 +171,7 @@ struct LineRule
 {
     QRegularExpression line;
     const char* reason;
+    bool isForPlatformFiles = true; ///< false: lines of platform files may match
 };
 const LineRule lineRules[] = {
     // Only unindented lines match, because namespaces are not indented.
@@ -177,6 +179,9 @@ const LineRule lineRules[] = {
      "at namespace scope it reaches the next files of a unity build"},
     {QRegularExpression(R"(\bXR_CURRENT_API_VERSION\b)"),
      "it is the version of the headers, and runtimes of OpenXR 1.0 refuse 1.1"},
+    {QRegularExpression(R"(^[ \t]*#[ \t]*(if|ifdef|ifndef|elif)\b.*\b(_?_?(WIN32|WIN64|WINNT|linux|unix|APPLE|MACH|)"
+                        R"(MINGW32|MINGW64|FreeBSD|ANDROID)(__)?|_MSC_VER|Q_OS_\w+|Q_CC_(MSVC|MINGW))\b)"),
+     "what differs between platforms belongs to a file named after each (_posix, _windows, _glx, _wgl ...)", false},
 };
 
 struct Include
@@ -284,12 +289,13 @@ QStringList faults(const QString& path, const QString& text)
 
 QStringList brokenLineRules(const QString& path, const QString& text)
 {
+    const bool isPlatform = platformFile.match(path).hasMatch();
     QStringList found;
     int number = 0;
     for (const QString& line : text.split('\n')) {
         ++number;
         for (const LineRule& rule : lineRules)
-            if (rule.line.match(line).hasMatch())
+            if ((rule.isForPlatformFiles || !isPlatform) && rule.line.match(line).hasMatch())
                 found << QString("%1:%2: %3: %4").arg(path).arg(number).arg(line, QString(rule.reason));
     }
     return found;
@@ -357,6 +363,7 @@ const Example badIncludes[] = {
     {"POSIX anywhere", "app/document/document.cpp", "#include <unistd.h>"},
     {"POSIX in core", "core/io/mesh_io.cpp", "#include <sys/mman.h>"},
     {"Windows anywhere", "app/main.cpp", "#include <Windows.h>"},
+    {"a part of Windows anywhere", "app/main.cpp", "#include <shellapi.h>"},
 };
 
 const Example goodIncludes[] = {
@@ -394,6 +401,14 @@ const LineExample lineExamples[] = {
     {"text that names a directive", "// using enum is for functions", 0},
     {"version of the OpenXR headers", "    info.applicationInfo.apiVersion = XR_CURRENT_API_VERSION;", 1},
     {"version of OpenXR", "    info.applicationInfo.apiVersion = XR_MAKE_VERSION(1, 0, 20);", 0},
+    {"Windows", "#ifdef _WIN32", 1},
+    {"not Windows", "  #  ifndef __MINGW32__", 1},
+    {"Linux", "#if defined(__linux__)", 1},
+    {"Linux, among others", "#elif defined(Q_OS_UNIX) && !defined(Q_OS_MACOS)", 1},
+    {"Apple", "#if __APPLE__", 1},
+    {"a compiler", "#if defined(__GNUC__) && !defined(__clang__)", 0},
+    {"a feature of the system", "#ifdef MADV_HUGEPAGE", 0},
+    {"text that names a platform", "/// Windows has no __linux__, see #ifdef _WIN32", 0},
 };
 
 void addExamples(const Example* first, const Example* last)
@@ -421,6 +436,7 @@ private Q_SLOTS:
     void includes_followTheTable();
     void lineRules_findWhatTheyForbid_data();
     void lineRules_findWhatTheyForbid();
+    void platformFiles_mayAskForThePlatform();
     void lines_keepTheRules();
     void sources_areNamedInCMake_data();
     void sources_areNamedInCMake();
@@ -533,6 +549,15 @@ void TestSourceLayout::lineRules_findWhatTheyForbid()
     QCOMPARE(found.size(), broken);
     for (const QString& sentence : found)
         QVERIFY(sentence.startsWith("vr/input/a.cpp:2: "));
+}
+
+/// Only files of a platform may ask which system they are compiled for.
+void TestSourceLayout::platformFiles_mayAskForThePlatform()
+{
+    const QString text = "#ifdef __linux__\n";
+    QCOMPARE(brokenLineRules("vr/gl/a.cpp", text).size(), 1);
+    QCOMPARE(brokenLineRules("vr/gl/a_posix.h", text), QStringList());
+    QCOMPARE(brokenLineRules("vr/gl/a_windows.cpp", text), QStringList());
 }
 
 void TestSourceLayout::lines_keepTheRules()

@@ -34,7 +34,7 @@ std::filesystem::path toPath(const QString& path)
 core::BrushPreset read(const QString& path)
 {
     if (!path.startsWith(u':'))
-        return core::readBrush(QFile::encodeName(path).toStdString());
+        return core::readBrush(toPath(path));
     QFile resource(path);
     if (!resource.open(QIODevice::ReadOnly))
         throw core::StrokeFileError(core::StrokeFileError::Kind::CannotRead);

@@ -1,5 +1,6 @@
 #include "ui/files/file_jobs.h"
 
+#include "ui/files/trash.h"
 #include "ui/util/error_messages.h"
 #include "ui/util/format_filters.h"
 
@@ -9,7 +10,6 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QRegularExpression>
-#include <QStandardPaths>
 
 #include <algorithm>
 
@@ -25,18 +25,6 @@ FileEntry entryFrom(const QFileInfo& file)
 bool isModel(const QFileInfo& file)
 {
     return modelEndings().contains(file.suffix().toLower());
-}
-
-/// Returns true if the user's trash folder exists or can be created. If it cannot, Qt 6.4 would use the working
-/// directory as trash.
-bool hasTrash()
-{
-#if defined(Q_OS_UNIX) && !defined(Q_OS_MACOS)
-    return QDir().mkpath(QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) +
-                         QStringLiteral("/Trash"));
-#else
-    return true;
-#endif
 }
 
 QString inFolder(const QFileInfo& file, const QString& base)
@@ -166,7 +154,7 @@ FileOutcome FileJobs::trash(const QStringList& paths)
         const QFileInfo file(path);
         if (const QString problem = changeProblem(path); !problem.isEmpty())
             outcome.sentence = problem;
-        else if (hasTrash() && QFile::moveToTrash(path))
+        else if (moveToTrash(path))
             ++moved;
         else
             outcome.sentence =

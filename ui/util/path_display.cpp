@@ -3,6 +3,7 @@
 #include "ui/util/format_filters.h"
 
 #include "core/util/file_error.h"
+#include "core/util/system_code.h"
 
 #include <QLocale>
 
@@ -38,7 +39,7 @@ core::FileError unreadable(const fs::path& folder, const std::error_code& proble
 {
     const bool isGone = problem == std::errc::no_such_file_or_directory;
     core::FileError error(isGone ? core::FileErrorKind::NotFound : core::FileErrorKind::FolderNotReadable, folder);
-    error.systemError = problem.value();
+    error.systemError = core::systemCodeOf(problem);
     return error;
 }
 } // namespace

@@ -1,8 +1,8 @@
 #include "ui/util/stroke_file_messages.h"
 
-#include <QLocale>
+#include "core/util/system_code.h"
 
-#include <cerrno>
+#include <QLocale>
 
 namespace ui
 {
@@ -55,7 +55,7 @@ QString StrokeFileMessages::reason(const core::StrokeFileError& error)
     case Kind::CannotRead:
         if (error.systemError == 0)
             return tr("this file cannot be read");
-        return error.systemError == ENOENT
+        return core::isSystemCode(error.systemError, std::errc::no_such_file_or_directory)
                    ? tr("there is no such file")
                    : tr("this file cannot be read (%1)").arg(qt_error_string(error.systemError));
     case Kind::TooLarge:

@@ -2,13 +2,12 @@
 
 #include <QObject>
 
-class QDBusVariant;
-class QDBusPendingCallWatcher;
+#include <memory>
 
 namespace ui
 {
-/// The desktop's colour scheme, as reported by its portal (org.freedesktop.portal.Settings, color-scheme). Queried
-/// asynchronously once, then updated by signals. Stays Unknown without a session bus or portal. Thread: gui.
+/// The desktop's colour scheme. Queried once, then updated by signals. Stays Unknown where the desktop does not tell.
+/// Thread: gui.
 class SystemColorScheme : public QObject
 {
     Q_OBJECT
@@ -17,19 +16,17 @@ public:
     enum class Scheme { Unknown, Light, Dark };
 
     explicit SystemColorScheme(QObject* parent = nullptr);
+    ~SystemColorScheme() override;
 
     Scheme scheme() const { return m_scheme; }
 
 Q_SIGNALS:
     void changed();
 
-private Q_SLOTS:
-    void settingChanged(const QString& group, const QString& key, const QDBusVariant& value);
-
 private:
-    void answered(QDBusPendingCallWatcher* call);
-    void set(const QVariant& value);
+    void set(Scheme scheme);
 
     Scheme m_scheme = Scheme::Unknown;
+    std::unique_ptr<QObject> m_watch; ///< calls set()
 };
 } // namespace ui

@@ -33,4 +33,10 @@ std::unique_ptr<GlBinding> currentGlBinding()
     return std::make_unique<WglBinding>(XrGraphicsBindingOpenGLWin32KHR{XR_TYPE_GRAPHICS_BINDING_OPENGL_WIN32_KHR,
                                                                         nullptr, wglGetCurrentDC(), context});
 }
+
+/// Returns null: runtimes on Windows take OpenGL by WGL only.
+std::unique_ptr<GlBinding> currentEglBinding()
+{
+    return nullptr;
+}
 } // namespace vr

@@ -1,0 +1,43 @@
+// Source: Microsoft Learn, "SHOpenFolderAndSelectItems function".
+#include "ui/util/reveal_file.h"
+
+#include <QCoreApplication>
+#include <QDesktopServices>
+#include <QDir>
+#include <QFileInfo>
+#include <QUrl>
+
+#include <windows.h>
+
+#include <objbase.h>
+#include <shlobj.h>
+
+namespace ui
+{
+namespace
+{
+struct RevealFile
+{
+    Q_DECLARE_TR_FUNCTIONS(ui::RevealFile)
+};
+
+/// Returns whether Explorer shows the file, selected in its folder. Qt has prepared COM for the gui thread.
+bool selectInExplorer(const QString& path)
+{
+    const std::wstring name = QDir::toNativeSeparators(QFileInfo(path).absoluteFilePath()).toStdWString();
+    PIDLIST_ABSOLUTE const item = ILCreateFromPathW(name.c_str());
+    if (!item)
+        return false;
+    const bool isShown = SUCCEEDED(SHOpenFolderAndSelectItems(item, 0, nullptr, 0));
+    ILFree(item);
+    return isShown;
+}
+} // namespace
+
+void revealFile(const QString& path, QObject*, const std::function<void(const QString&)>& refused)
+{
+    const QString folder = QFileInfo(path).absolutePath();
+    if (!selectInExplorer(path) && !QDesktopServices::openUrl(QUrl::fromLocalFile(folder)))
+        refused(RevealFile::tr("No file manager was found; the file is in %1.").arg(QDir::toNativeSeparators(folder)));
+}
+} // namespace ui
