@@ -40,6 +40,7 @@ clang-format        checks the format of the sources
 clang               libFuzzer, which tries every reader with random bytes
 libclang-rt-dev     the libraries of libFuzzer and the sanitizers
 g++-mingw-w64-x86-64-posix?  compiles core and the files of Windows for Windows
+python3             reads what that check has to compile
 openxr-layer-corevalidation  says where a client of OpenXR breaks its rules
 xvfb                a display without a screen
 openbox             a window manager for that display
