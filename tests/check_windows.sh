@@ -142,7 +142,7 @@ run_under_wine()
     [ "$status" = 0 ] || fail "tests/windows failed under Wine ($status)"
 }
 
-# What was compiled: the sources, how, and by what. Comparing takes a tenth of a second.
+# The state that was compiled: sources, options, compiler. A comparison takes a tenth of a second.
 state=$({ "$compiler" --version
     dpkg-query -W qt6-base-dev libopenmesh-dev libeigen3-dev wine64 2>/dev/null || true
     cd "$root" && {

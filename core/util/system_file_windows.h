@@ -38,7 +38,7 @@ struct FileAccess
     DWORD disposition; ///< OPEN_EXISTING, CREATE_NEW, ...
     DWORD flags = FILE_ATTRIBUTE_NORMAL;
 };
-/// What others may do with a file that is open here: all, as on other systems.
+/// Share mode of open files: other programs may read, write and delete them, as on other systems.
 constexpr DWORD shareAll = FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE;
 
 /// Opens a file and returns a descriptor of the C library, which children do not inherit. Returns -1 if that fails;

@@ -36,7 +36,7 @@ made=$("$bundle/bundle.sh" "$build" "$place")
 file=$place/$(basename "$made")
 expect "bundle.sh says which file it made" test -x "$file"
 
-# What is inside.
+# The bundle has all that it needs inside.
 folder="$scratch/aus gepackt 解"
 expect "--bundle-extract unpacks" "$file" --bundle-extract "$folder"
 for inside in fettle bin/fettle bin/qt.conf lib/fettle/libfettle_simulator.so lib/fettle/fettle_simulator.json LICENSE \
@@ -166,7 +166,7 @@ expect "a start beside other versions" at "$bare" "$file" --version
 expect "the old one is gone, the recent one is there" \
     test ! -e "$bare/.cache/Fettle/bundle/old" -a -e "$bare/.cache/Fettle/bundle/recent" -a -e "$entry/bin/fettle"
 
-# Where nothing can be kept, nothing is left.
+# A start leaves nothing where nothing can be kept.
 mkdir "$scratch/tmp"
 expect "a home that cannot be written" \
     at /proc/nowhere TMPDIR="$scratch/tmp" "$file" check "$scratch/ball.stl"

@@ -1,7 +1,7 @@
 // Tries what the files *_windows.cpp of core, app and vr promise, on Windows or under Wine. It has no Qt, so that it
 // can be built from Debian's packages alone.
 //   platform_check FOLDER    tries everything in an empty folder; the exit status is the number of failures
-// What Wine does not have is skipped, with the reason.
+// A check of something that Wine does not have is skipped, with the reason.
 #include "app/platform/child_process.h"
 #include "app/platform/process_signals.h"
 #include "app/platform/process_usage.h"

@@ -34,14 +34,14 @@ public:
         const char* name;
         int floats;
     };
-    /// Which of its pixels a pass draws, as compared with the clay.
+    /// Pixels that a pass draws: those in front of the clay, or those behind it.
     enum class Depth { InFront, Behind };
     struct Pass
     {
         Depth depth = Depth::InFront;
         std::vector<Uniform> uniforms = {}; ///< those that differ between passes
     };
-    /// What never changes.
+    /// Constant part of an overlay.
     struct Shape
     {
         QString vertexShader, fragmentShader; ///< file names in resources/shaders, without ".vert" and ".frag"

@@ -25,7 +25,7 @@ namespace ui
 class Scene
 {
 public:
-    /// What draws the overlays.
+    /// Renderer of the overlays.
     enum class Mode { Qt3d, OpenGl };
 
     struct Image

@@ -116,7 +116,7 @@ QStringList clippedTexts(const QWidget& window)
     return clipped;
 }
 
-/// Which states of the window are pictured; each includes those before it.
+/// Extent of a row: the states of the window that it pictures.
 enum class Extent { Window, Panels, All };
 
 /// Returns whether the picture of the last preset has been drawn.
