@@ -158,13 +158,15 @@ expect "what was removed from the cache is unpacked again" \
     at "$bare" DISPLAY=:77 "$file" check "$scratch/ball.stl"
 expect "and is there then" test -e "$entry/lib/libassimp.so.5"
 
-# Versions of long ago go when a new one comes, if they do not run.
-mkdir "$bare/.cache/Fettle/bundle/old" "$bare/.cache/Fettle/bundle/recent"
+# Versions of long ago go when a new one comes, if they do not run; what a killed start left goes earlier.
+mkdir "$bare/.cache/Fettle/bundle/"{old,recent,part-killed}
 touch -d "40 days ago" "$bare/.cache/Fettle/bundle/old"
+touch -d "2 days ago" "$bare/.cache/Fettle/bundle/"{recent,part-killed}
 rm -rf "$entry"
 expect "a start beside other versions" at "$bare" "$file" --version
 expect "the old one is gone, the recent one is there" \
     test ! -e "$bare/.cache/Fettle/bundle/old" -a -e "$bare/.cache/Fettle/bundle/recent" -a -e "$entry/bin/fettle"
+expect "what was half unpacked is gone" test ! -e "$bare/.cache/Fettle/bundle/part-killed"
 
 # A start leaves nothing where nothing can be kept.
 mkdir "$scratch/tmp"

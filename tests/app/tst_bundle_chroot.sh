@@ -87,7 +87,8 @@ here new ball here.stl
 here replay --strokes strokes.json --in here.stl --out here.glb >/dev/null
 here convert here.glb here.obj >/dev/null
 work=/home/pupil
-expect "--version" user "$program" --version
+expect "--version, the first start, in a folder with a file named as a library" \
+    user sh -c 'mkdir -p "$1" && cd "$1" && echo none >libc.so.6 && exec "$2" --version' - $work/named "$program"
 expect "--help" user "$program" --help
 expect "new" user "$program" new ball $work/there.stl
 expect "check" user "$program" check $work/there.stl

@@ -16,7 +16,8 @@ fail()
 }
 
 archive() { tail -c +$((size + 1)) "$self"; }
-unpack() { archive | tar -xzf - -C "$1"; } # into a folder that is there
+# unpack FOLDER: into a folder that is there. Its time becomes that of now, by which the removal below knows its age.
+unpack() { archive | tar -xzmf - -C "$1"; }
 
 check_archive()
 {
@@ -61,25 +62,33 @@ try()
     look "$1"
     [ -z "$problem" ] || return
     [ -z "$missing" ] || [ -z "${DISPLAY-}${WAYLAND_DISPLAY-}" ] || return
-    said=$(LD_LIBRARY_PATH=${missing:+$1/absent:}${LD_LIBRARY_PATH-} "$1/bin/fettle" --version 2>&1) || problem=$said
+    said=$(run "$1" --version 2>&1) || problem=${said:-the program ends with status $?}
+}
+
+# run FOLDER ARGUMENTS: becomes the program there. (An empty part of LD_LIBRARY_PATH would be the working directory.)
+run()
+{
+    folder=$1
+    shift
+    if [ -n "$missing" ]; then
+        LD_LIBRARY_PATH=$folder/absent${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
+        export LD_LIBRARY_PATH
+    fi
+    exec "$folder/bin/fettle" "$@"
 }
 
 # start FOLDER ARGUMENTS
 start()
 {
-    folder=$1
-    shift
     if [ -n "$missing" ]; then
         # With a desktop, its driver would meet our older copies. Without one, no driver draws, and no other program is
         # started that the variable could lead astray.
         [ -z "${DISPLAY-}${WAYLAND_DISPLAY-}" ] ||
             fail "this system has no$missing, parts of its desktop or graphics driver. On Debian and Ubuntu:" \
-                "apt install$(for name in $missing; do sed -n "s/^$name / /p" "$folder/absent/packages"; done |
+                "apt install$(for name in $missing; do sed -n "s/^$name / /p" "$1/absent/packages"; done |
                     sort -u | tr -d '\n') libgl1-mesa-dri"
-        LD_LIBRARY_PATH=$folder/absent${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
-        export LD_LIBRARY_PATH
     fi
-    exec "$folder/bin/fettle" "$@"
+    run "$@"
 }
 
 [ "$(uname -m)" = @ARCHITECTURE@ ] || fail "this file is for @ARCHITECTURE@, and this machine is $(uname -m)"
@@ -92,26 +101,28 @@ esac
 if [ "${1-}" = --bundle-extract ]; then
     [ $# -eq 2 ] || fail "--bundle-extract needs one folder, which it makes"
     check_archive
-    mkdir "$2" 2>/dev/null || fail "$2 cannot be made: it has to be a new folder in one that can be written"
+    place=$2
+    mkdir "$place" 2>/dev/null || fail "$place cannot be made: it has to be a new folder in one that can be written"
+    trap 'rm -rf "$place"; exit 3' HUP INT TERM
     umask 022
-    unpack "$2" && exit 0
-    rm -rf "$2"
-    fail "the program could not be unpacked into $2; what tar said is above"
+    unpack "$place" && exit 0
+    rm -rf "$place"
+    fail "the program could not be unpacked into $place; what tar said is above"
 fi
 
 case ${XDG_CACHE_HOME-} in
     /*) cache=$XDG_CACHE_HOME/Fettle/bundle ;;
-    *) cache=${HOME:-/nowhere}/.cache/Fettle/bundle ;;
+    *) cache=${HOME:-/dev/null}/.cache/Fettle/bundle ;;
 esac
 place=$cache/$(printf %.16s "$sum")
 # Only what this user unpacked is started.
 if [ -O "$place" ]; then
     look "$place"
     if [ -z "$problem" ]; then
-        touch -c "$place"
+        touch -c "$place" 2>/dev/null
         start "$place" "$@"
     fi
-    is_used "$place" || rm -rf "$place" # files were removed from it, or none may be started there
+    is_used "$place" || rm -rf "$place" 2>/dev/null # files were removed from it, or none may be started there
 fi
 
 check_archive
@@ -120,17 +131,21 @@ if mkdir -p "$cache" 2>/dev/null && part=$(mktemp -d "$cache/part-XXXXXX" 2>/dev
     if unpack "$part" 2>/dev/null; then
         try "$part"
         if [ -z "$problem" ]; then
-            touch "$part"
+            sync -f "$part" 2>/dev/null        # otherwise a power cut may leave empty files under the final name
             mv -T "$part" "$place" 2>/dev/null # fails where another start was faster
-            # Removes versions that were not started for a month.
-            find "$cache" -mindepth 1 -maxdepth 1 -mtime +30 | while IFS= read -r old; do
-                is_used "$old" || rm -rf "$old"
-            done
+            # Removes versions that were not started for a month, and what a killed start left half unpacked.
+            find "$cache" -mindepth 1 -maxdepth 1 \( -mtime +30 -o -name 'part-*' -mtime +0 \) |
+                while IFS= read -r old; do
+                    is_used "$old" || rm -rf "$old"
+                done
         fi
     fi
     rm -rf "$part"
     trap - HUP INT TERM
-    [ ! -O "$place" ] || start "$place" "$@"
+    if [ -O "$place" ]; then
+        look "$place" # perhaps it is another start's, or a damaged one that is in use
+        [ -n "$problem" ] || start "$place" "$@"
+    fi
 fi
 
 # The cache cannot be written, is full, or programs may not be started there: this once, from a temporary folder.
