@@ -5,19 +5,9 @@ set -euo pipefail
 source=$1
 build=$2
 bundle=$source/resources/packaging/bundle
-scratch=$(mktemp -d)
+. "$(dirname "$0")/../support/expect.sh"
 trap 'kill $(jobs -p) 2>/dev/null || true; chmod -R u+w "$scratch"; rm -rf "$scratch"' EXIT
 
-failed=0
-expect()
-{
-    local what=$1
-    shift
-    "$@" >"$scratch/said" 2>&1 && return 0
-    printf 'FAIL: %s\n' "$what"
-    cat "$scratch/said"
-    failed=1
-}
 # refuses WORDS COMMAND: it ends with status 3, and one line that has these words.
 refuses()
 {
@@ -47,11 +37,6 @@ for inside in fettle bin/fettle bin/qt.conf lib/fettle/libfettle_simulator.so li
     expect "the bundle has $inside" bash -c 'cd "$1" && ls $2' - "$folder" "$inside"
 done
 outside=$(sed '/^#/d; /^$/d' "$bundle/outside.txt")
-fail()
-{
-    printf 'FAIL: %s\n' "$*"
-    failed=1
-}
 while read -r library; do
     name=${library#"$folder/"}
     dynamic=$(readelf -d "$library")

@@ -27,7 +27,7 @@ if [ -z "${FETTLE_UNSHARED-}" ]; then
     FETTLE_UNSHARED=1 exec unshare --mount --pid --mount-proc --fork --kill-child "$0" "$source" "$build" "$release"
 fi
 
-scratch=$(mktemp -d)
+. "$(dirname "$0")/../support/expect.sh"
 root=${FETTLE_CHROOT:-$scratch/$release}
 clean_up()
 {
@@ -50,16 +50,6 @@ mkdir -p "$root/proc" "$root/dev"
 mount -t proc proc "$root/proc"
 mount --rbind /dev "$root/dev"
 
-failed=0
-expect()
-{
-    local what=$1
-    shift
-    "$@" >"$scratch/said" 2>&1 && return 0
-    printf 'FAIL: %s\n' "$what"
-    cat "$scratch/said"
-    failed=1
-}
 inside() { chroot "$root" env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin "$@"; }
 as_user=(chroot --userspec=1000:1000 "$root" env -i HOME=/home/pupil PATH=/usr/bin:/bin LANG=C.UTF-8)
 user() { "${as_user[@]}" "$@"; }

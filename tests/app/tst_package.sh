@@ -3,19 +3,8 @@
 #   tst_package.sh SOURCE_DIR BUILD_DIR
 set -euo pipefail
 source=$1
-scratch=$(mktemp -d)
+. "$(dirname "$0")/../support/expect.sh"
 trap 'rm -rf "$scratch"' EXIT
-
-failed=0
-expect()
-{
-    local what=$1
-    shift
-    "$@" >"$scratch/said" 2>&1 && return 0
-    printf 'FAIL: %s\n' "$what"
-    cat "$scratch/said"
-    failed=1
-}
 
 packaging=$source/resources/packaging
 expect "the desktop entry is valid" desktop-file-validate "$packaging/org.fettle.Fettle.desktop"
@@ -34,9 +23,9 @@ for type in model/stl model/obj application/x-ply application/x-amf; do
 done
 expect "the desktop entry begins in the simulator, too" grep -q '^Exec=fettle --vr-simulator$' "$packaging/org.fettle.Fettle.desktop"
 expect "the shell scripts parse" bash -c 'for script; do bash -n "$script" || exit 1; done' scripts \
-    "$source/run.sh" "$source/test.sh" "$packaging/prepare.sh" "$source/tests/support/with_display.sh" \
-    "$packaging/man_page.sh" "$packaging/third_party.sh" "$packaging/bundle/bundle.sh" "$packaging/bundle/start.sh" \
-    "$packaging/fettle.bash" "$source/tests/check_windows.sh"
+    "$source/run.sh" "$source/test.sh" "$source/tests/support/with_display.sh" "$source/tests/support/expect.sh" \
+    "$source/tests/check_windows.sh" "$packaging/prepare.sh" "$packaging/man_page.sh" "$packaging/third_party.sh" \
+    "$packaging/bundle/bundle.sh" "$packaging/bundle/start.sh" "$packaging/fettle.bash"
 
 cpack --config "$2/CPackConfig.cmake" -B "$scratch/package" >"$scratch/cpack.log" 2>&1 ||
     { cat "$scratch/cpack.log"; exit 1; }
