@@ -1,5 +1,5 @@
-// Sources: Microsoft Learn, "CreateProcessW function", "UpdateProcThreadAttribute function", "Job Objects", "Parsing
-// C++ command-line arguments".
+// Sources: Microsoft Learn, "CreateProcessW function", "UpdateProcThreadAttribute function", "Nested Jobs",
+// "Parsing C++ command-line arguments", "CancelIoEx function".
 #include "app/platform/child_process.h"
 
 #include "app/platform/low_rights_windows.h"
@@ -125,18 +125,15 @@ void makeLowToken(ScopedHandle& low)
 }
 
 /// Puts the process into a new job, which ends all its processes when its last handle is closed. That happens even if
-/// this program crashes. Returns whether it is in the job. `desktop`: JOB_OBJECT_UILIMIT_..., what the job may not do
-/// with the user's desktop; only a process that is in no other job can have such limits.
-bool enterJob(ScopedHandle& job, HANDLE process, DWORD desktop)
+/// this program crashes. Returns whether it is in the job. The job has no limits of the user's desktop: the process
+/// could then enter none of its own (limitOwnProcess()), because jobs with such limits cannot be nested.
+bool enterJob(ScopedHandle& job, HANDLE process)
 {
     job.reset(CreateJobObjectW(nullptr, nullptr));
     JOBOBJECT_EXTENDED_LIMIT_INFORMATION limits{};
     limits.BasicLimitInformation.LimitFlags =
         JOB_OBJECT_LIMIT_KILL_ON_JOB_CLOSE | JOB_OBJECT_LIMIT_DIE_ON_UNHANDLED_EXCEPTION;
-    JOBOBJECT_BASIC_UI_RESTRICTIONS restrictions{desktop};
     return job && SetInformationJobObject(job.get(), JobObjectExtendedLimitInformation, &limits, sizeof limits) &&
-           (desktop == JOB_OBJECT_UILIMIT_NONE ||
-            SetInformationJobObject(job.get(), JobObjectBasicUIRestrictions, &restrictions, sizeof restrictions)) &&
            AssignProcessToJobObject(job.get(), process);
 }
 
@@ -177,8 +174,7 @@ bool start(const std::vector<std::string>& command, HANDLE output, Child& child)
         return false;
     child.process.reset(started.hProcess);
     const ScopedHandle thread(started.hThread);
-    if (!enterJob(child.job, child.process.get(), JOB_OBJECT_UILIMIT_ALL) &&
-        !enterJob(child.job, child.process.get(), JOB_OBJECT_UILIMIT_NONE)) {
+    if (!enterJob(child.job, child.process.get())) {
         TerminateProcess(child.process.get(), killed);
         return false;
     }
@@ -194,11 +190,11 @@ public:
     {
         m_state.hEvent = m_event.get();
     }
-    /// The system writes into the buffer until the read has ended.
+    /// The system writes into the buffer until the read has ended. If it cannot be cancelled, it is just ending.
     ~PipeReader()
     {
         DWORD ignored = 0;
-        if (m_isPending && CancelIoEx(m_pipe, &m_state))
+        if (m_isPending && (CancelIoEx(m_pipe, &m_state) || GetLastError() == ERROR_NOT_FOUND))
             GetOverlappedResult(m_pipe, &m_state, &ignored, TRUE);
     }
     PipeReader(const PipeReader&) = delete;
@@ -231,8 +227,9 @@ private:
     bool m_isPending = false;
 };
 
-/// Reads the child's output until the child closes it (Exited), or until a limit is exceeded or a read fails.
-End collect(HANDLE input, const ChildRequest& request, Clock::time_point deadline, std::string& bytes)
+/// Reads the output of a process until it closes it or ends (Exited), or until a limit is exceeded or a read fails. The
+/// pipe of an ended process stays open if another program, started meanwhile, has inherited it.
+End collect(HANDLE input, HANDLE process, const ChildRequest& request, Clock::time_point deadline, std::string& bytes)
 {
     PipeReader reader(input);
     for (;;) {
@@ -240,10 +237,13 @@ End collect(HANDLE input, const ChildRequest& request, Clock::time_point deadlin
             return End::Stopped;
         if (Clock::now() > deadline)
             return End::TooSlow;
+        const bool hasEnded = WaitForSingleObject(process, 0) == WAIT_OBJECT_0;
         DWORD problem = 0;
         const std::string_view piece = reader.read(problem);
         if (problem != 0)
             return problem == ERROR_BROKEN_PIPE ? End::Exited : End::Died;
+        if (hasEnded && piece.empty())
+            return End::Exited;
         if (bytes.size() + piece.size() > request.maxBytes)
             return End::Died;
         bytes += piece;
@@ -286,7 +286,7 @@ ChildResult runChild(const ChildRequest& request)
     pipe.writing.reset(); // the child has its own, whose end ends the reading
     if (!isStarted)
         return result;
-    result.end = collect(pipe.reading.get(), request, Clock::now() + request.time, result.bytes);
+    result.end = collect(pipe.reading.get(), child.process.get(), request, Clock::now() + request.time, result.bytes);
     const DWORD status = statusOf(child, result.end == End::Exited);
     constexpr DWORD quotaExceeded = 0xC0000044; // STATUS_QUOTA_EXCEEDED
     if (result.end == End::Exited && status != 0)
