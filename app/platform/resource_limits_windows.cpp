@@ -1,12 +1,14 @@
-// Sources: Microsoft Learn, "Job Objects", "SetProcessMitigationPolicy function",
+// Sources: Microsoft Learn, "Nested Jobs", "SetProcessMitigationPolicy function",
 // JOBOBJECT_NET_RATE_CONTROL_INFORMATION.
 //
 // Windows has no way for a program to give up the network. An app container has none, but it could not read the user's
 // files either, and a rule of the firewall needs an administrator. What remains is the rate limit of a job: one byte a
-// second carries nothing out of the machine.
+// second. It does not count what services send for the process, such as questions for the address of a name.
 #include "app/platform/resource_limits.h"
 
 #include "app/platform/low_rights_windows.h"
+
+#include "core/util/system_file_windows.h"
 
 #include <algorithm>
 #include <bit>
@@ -45,10 +47,11 @@ std::uint64_t machineMemory()
 }
 
 /// Puts this process into a job of its own, inside of the one that ends it with its parent (child_process_windows.cpp).
-/// An allocation beyond the limit fails; exceeding the time ends the process.
+/// An allocation beyond the limit fails; exceeding the time ends the process. The job lasts as long as the process,
+/// which keeps no handle by which it could change the limits.
 void enterJob(std::uint64_t memory, std::uint64_t seconds)
 {
-    const HANDLE job = CreateJobObjectW(nullptr, nullptr); // stays open as long as the process
+    const core::ScopedHandle job(CreateJobObjectW(nullptr, nullptr));
     if (!job)
         return;
     JOBOBJECT_EXTENDED_LIMIT_INFORMATION limits{};
@@ -59,10 +62,10 @@ void enterJob(std::uint64_t memory, std::uint64_t seconds)
     constexpr std::uint64_t unitsPerSecond = 10'000'000; // of 100 ns
     basic.PerProcessUserTimeLimit.QuadPart = static_cast<LONGLONG>(seconds * unitsPerSecond);
     limits.ProcessMemoryLimit = usedNow() + std::min(memory, machineMemory());
-    SetInformationJobObject(job, JobObjectExtendedLimitInformation, &limits, sizeof limits);
+    SetInformationJobObject(job.get(), JobObjectExtendedLimitInformation, &limits, sizeof limits);
     NetRateLimit network{1, limitsBandwidth, 0};
-    SetInformationJobObject(job, netRateClass, &network, sizeof network);
-    AssignProcessToJobObject(job, GetCurrentProcess());
+    SetInformationJobObject(job.get(), netRateClass, &network, sizeof network);
+    AssignProcessToJobObject(job.get(), GetCurrentProcess());
 }
 
 /// Forbids what only an attacker would do in this process. Each policy that an older Windows does not know is skipped.
@@ -82,11 +85,10 @@ void forbidTricks()
 
 void lowerOwnRights()
 {
-    HANDLE token = nullptr;
-    if (!OpenProcessToken(GetCurrentProcess(), TOKEN_ADJUST_DEFAULT | TOKEN_ADJUST_PRIVILEGES | TOKEN_QUERY, &token))
-        return;
-    lowerRights(token);
-    CloseHandle(token);
+    core::ScopedHandle token;
+    constexpr DWORD wanted = TOKEN_ADJUST_DEFAULT | TOKEN_ADJUST_PRIVILEGES | TOKEN_QUERY;
+    if (OpenProcessToken(GetCurrentProcess(), wanted, token.out()))
+        lowerRights(token.get());
 }
 } // namespace
 
