@@ -2,6 +2,7 @@
 
 #include "core/util/file_error.h"
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -31,7 +32,12 @@ public:
     const std::filesystem::path& path() const { return m_path; }
 
 private:
+    static constexpr std::size_t bufferSize = 1 << 20;
+
     void openTemporary();
+    /// Returns a name beside the target that is unique to this call. The caller creates the file exclusively.
+    /// `process`: number of this process, unique among those that run.
+    std::filesystem::path temporaryName(unsigned long process) const;
     void flush();
     void writeNow(std::string_view bytes);
     void giveTemporaryName();

@@ -1,6 +1,7 @@
 #include "core/util/atomic_file.h"
 
-#include <atomic>
+#include "core/util/system_path.h"
+
 #include <cerrno>
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -10,21 +11,11 @@ namespace core
 {
 namespace
 {
-constexpr std::size_t bufferSize = 1 << 20;
-
-/// Returns a name beside the target that is unique to this process and call. The caller creates the file exclusively.
-std::filesystem::path temporaryName(const std::filesystem::path& target)
+unsigned long ownProcess()
 {
-    static std::atomic<unsigned> counter{0};
-    const std::string name = ".fettle-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp";
-    return target.parent_path() / name;
+    return static_cast<unsigned long>(::getpid());
 }
 
-std::filesystem::path folderOf(const std::filesystem::path& target)
-{
-    const std::filesystem::path folder = target.parent_path();
-    return folder.empty() ? "." : folder;
-}
 /// Returns the path at which a chain of symbolic links ends. The path need not exist.
 std::filesystem::path endOfLinks(std::filesystem::path path, std::error_code& error)
 {
@@ -71,18 +62,11 @@ FileErrorKind kindOfWriteError(int systemError)
     }
 }
 
-void checkWritten(const std::error_code& problem, const std::filesystem::path& path)
-{
-    if (!problem)
-        return;
-    throw FileError(kindOfWriteError(problem.value()), path, problem.value());
-}
-
 /// An empty folder that already has the new name is replaced: no data is lost.
 bool renameFolder(const std::filesystem::path& from, const std::filesystem::path& to)
 {
     if (::rename(from.c_str(), to.c_str()) == 0) {
-        syncFolder(folderOf(to));
+        syncFolder(parentFolder(to));
         return true;
     }
     const int problem = errno;
@@ -116,11 +100,11 @@ AtomicFile::AtomicFile(const std::filesystem::path& path) : m_path(path), m_targ
 void AtomicFile::openTemporary()
 {
 #ifdef O_TMPFILE
-    m_descriptor = ::open(folderOf(m_target).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+    m_descriptor = ::open(parentFolder(m_target).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
     if (m_descriptor >= 0)
         return;
 #endif
-    m_temporary = temporaryName(m_target);
+    m_temporary = temporaryName(ownProcess());
     m_descriptor = ::open(m_temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (m_descriptor < 0) {
         const int error = errno;
@@ -135,22 +119,6 @@ AtomicFile::~AtomicFile()
         ::close(m_descriptor);
     if (!m_temporary.empty())
         ::unlink(m_temporary.c_str());
-}
-
-void AtomicFile::write(std::string_view bytes)
-{
-    if (m_buffer.size() + bytes.size() > bufferSize)
-        flush();
-    if (bytes.size() > bufferSize)
-        writeNow(bytes);
-    else
-        m_buffer.append(bytes);
-}
-
-void AtomicFile::flush()
-{
-    writeNow(m_buffer);
-    m_buffer.clear();
 }
 
 void AtomicFile::writeNow(std::string_view bytes)
@@ -176,7 +144,7 @@ void AtomicFile::sync()
 void AtomicFile::giveTemporaryName()
 {
     const std::string self = "/proc/self/fd/" + std::to_string(m_descriptor);
-    std::filesystem::path name = temporaryName(m_target);
+    std::filesystem::path name = temporaryName(ownProcess());
     if (::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) != 0)
         fail(errno);
     m_temporary = std::move(name);
@@ -196,11 +164,6 @@ void AtomicFile::commit()
     if (::rename(m_temporary.c_str(), m_target.c_str()) != 0)
         fail(errno);
     m_temporary.clear();
-    syncFolder(folderOf(m_target));
-}
-
-void AtomicFile::fail(int systemError) const
-{
-    throw FileError(kindOfWriteError(systemError), m_path, systemError);
+    syncFolder(parentFolder(m_target));
 }
 } // namespace core

@@ -2,11 +2,9 @@
 // [MS-FSCC] 2.1.2.4 (symbolic links).
 #include "core/util/atomic_file.h"
 
-#include "core/util/system_code.h"
 #include "core/util/system_file_windows.h"
 
 #include <array>
-#include <atomic>
 #include <cstddef>
 #include <cstring>
 #include <vector>
@@ -16,23 +14,6 @@ namespace core
 {
 namespace
 {
-constexpr std::size_t bufferSize = 1 << 20;
-
-/// Returns a name beside the target that is unique to this process and call. The caller creates the file exclusively.
-std::filesystem::path temporaryName(const std::filesystem::path& target)
-{
-    static std::atomic<unsigned> counter{0};
-    const std::string name =
-        ".fettle-" + std::to_string(GetCurrentProcessId()) + "-" + std::to_string(counter++) + ".tmp";
-    return target.parent_path() / name;
-}
-
-std::filesystem::path folderOf(const std::filesystem::path& target)
-{
-    const std::filesystem::path folder = target.parent_path();
-    return folder.empty() ? "." : folder;
-}
-
 /// The beginning of what the system tells about a symbolic link; the names follow.
 struct LinkHeader
 {
@@ -177,21 +158,13 @@ FileErrorKind kindOfWriteError(int systemError)
     }
 }
 
-void checkWritten(const std::error_code& problem, const std::filesystem::path& path)
-{
-    if (!problem)
-        return;
-    const int systemError = systemCodeOf(problem);
-    throw FileError(kindOfWriteError(systemError), path, systemError);
-}
-
 bool renameFolder(const std::filesystem::path& from, const std::filesystem::path& to)
 {
     const std::filesystem::path oldName = systemPath(from), newName = systemPath(to);
     const DWORD problem =
         retryWhileInUse([&] { return MoveFileExW(oldName.c_str(), newName.c_str(), MOVEFILE_WRITE_THROUGH); });
     if (problem == 0) {
-        syncFolder(folderOf(to));
+        syncFolder(parentFolder(to));
         return true;
     }
     if (GetFileAttributesW(newName.c_str()) != INVALID_FILE_ATTRIBUTES)
@@ -231,7 +204,7 @@ AtomicFile::AtomicFile(const std::filesystem::path& path) : m_path(path), m_targ
 
 void AtomicFile::openTemporary()
 {
-    m_temporary = temporaryName(m_target);
+    m_temporary = temporaryName(GetCurrentProcessId());
     m_descriptor =
         openFile(m_temporary, {GENERIC_READ | GENERIC_WRITE | DELETE, FILE_SHARE_READ | FILE_SHARE_DELETE, CREATE_NEW});
     if (m_descriptor < 0) {
@@ -246,22 +219,6 @@ AtomicFile::~AtomicFile()
     closeFile(m_descriptor);
     if (!m_temporary.empty())
         DeleteFileW(systemPath(m_temporary).c_str());
-}
-
-void AtomicFile::write(std::string_view bytes)
-{
-    if (m_buffer.size() + bytes.size() > bufferSize)
-        flush();
-    if (bytes.size() > bufferSize)
-        writeNow(bytes);
-    else
-        m_buffer.append(bytes);
-}
-
-void AtomicFile::flush()
-{
-    writeNow(m_buffer);
-    m_buffer.clear();
 }
 
 void AtomicFile::writeNow(std::string_view bytes)
@@ -309,11 +266,6 @@ void AtomicFile::commit()
             fail(static_cast<int>(problem));
         m_temporary.clear();
     }
-    syncFolder(folderOf(m_target));
-}
-
-void AtomicFile::fail(int systemError) const
-{
-    throw FileError(kindOfWriteError(systemError), m_path, systemError);
+    syncFolder(parentFolder(m_target));
 }
 } // namespace core

@@ -18,6 +18,12 @@ inline std::filesystem::path pathOfUtf8(std::string_view name)
     return std::u8string(name.begin(), name.end());
 }
 
+/// Returns the folder that holds a file; "." for a name without a folder.
+inline std::filesystem::path parentFolder(const std::filesystem::path& file)
+{
+    return file.has_parent_path() ? file.parent_path() : ".";
+}
+
 struct FileStatus
 {
     std::filesystem::file_type type = std::filesystem::file_type::none;
