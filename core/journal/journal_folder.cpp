@@ -88,7 +88,8 @@ void JournalFolder::show()
 {
     std::error_code problem;
     fs::rename(hiddenPath(), m_path, problem);
-    checkWritten(problem, m_path);
+    if (problem && !renameFolder(hiddenPath(), m_path)) // on Windows this waits for virus scanners
+        checkWritten(problem, m_path);
     m_isHidden = false;
 }
 
@@ -120,6 +121,7 @@ void JournalFolder::remove()
     std::error_code ignored;
     fs::rename(m_path, hiddenPath(), ignored);
     fs::remove_all(hiddenPath(), ignored);
+    fs::remove_all(m_path, ignored); // Windows renames no folder while a virus scanner has a file of it open
 }
 
 fs::path JournalFolder::setAside(const fs::path& root, std::size_t max)

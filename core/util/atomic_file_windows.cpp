@@ -158,11 +158,12 @@ FileErrorKind kindOfWriteError(int systemError)
     }
 }
 
+/// Access is denied while another program has a file of the folder open.
 bool renameFolder(const std::filesystem::path& from, const std::filesystem::path& to)
 {
     const std::filesystem::path oldName = systemPath(from), newName = systemPath(to);
-    const DWORD problem =
-        retryWhileInUse([&] { return MoveFileExW(oldName.c_str(), newName.c_str(), MOVEFILE_WRITE_THROUGH); });
+    const DWORD problem = retryWhileInUse(
+        [&] { return MoveFileExW(oldName.c_str(), newName.c_str(), MOVEFILE_WRITE_THROUGH); }, ERROR_ACCESS_DENIED);
     if (problem == 0) {
         syncFolder(parentFolder(to));
         return true;
@@ -234,10 +235,14 @@ void AtomicFile::sync()
         fail(static_cast<int>(GetLastError()));
 }
 
-/// Makes the temporary file one that stays when it is closed.
+/// Makes the temporary file one that stays when it is closed. Otherwise it would be deleted under the target's name.
 void AtomicFile::giveTemporaryName()
 {
     deleteWhenClosed(m_descriptor, false);
+    FILE_STANDARD_INFO info{};
+    if (GetFileInformationByHandleEx(handleOf(m_descriptor), FileStandardInfo, &info, sizeof info) &&
+        info.DeletePending)
+        fail(ERROR_DELETE_PENDING);
 }
 
 void AtomicFile::commit()
@@ -254,16 +259,12 @@ void AtomicFile::commit()
     m_descriptor = -1;
     if (!isRenamed) {
         const std::filesystem::path temporary = systemPath(m_temporary);
-        const DWORD problem = retryWhileInUse([&] {
-            if (MoveFileExW(temporary.c_str(), target.c_str(), MOVEFILE_REPLACE_EXISTING | MOVEFILE_WRITE_THROUGH))
-                return true;
-            // The constructor was allowed to write to the target: who is denied access now has it open elsewhere.
-            if (GetLastError() == ERROR_ACCESS_DENIED)
-                SetLastError(ERROR_SHARING_VIOLATION);
-            return false;
-        });
+        constexpr DWORD how = MOVEFILE_REPLACE_EXISTING | MOVEFILE_WRITE_THROUGH;
+        const DWORD problem =
+            retryWhileInUse([&] { return MoveFileExW(temporary.c_str(), target.c_str(), how); }, ERROR_ACCESS_DENIED);
+        // The constructor was allowed to write to the target: who is denied access now has it open elsewhere.
         if (problem != 0)
-            fail(static_cast<int>(problem));
+            fail(problem == ERROR_ACCESS_DENIED ? ERROR_SHARING_VIOLATION : static_cast<int>(problem));
         m_temporary.clear();
     }
     syncFolder(parentFolder(m_target));

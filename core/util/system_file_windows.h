@@ -58,8 +58,8 @@ DWORD writeAll(int descriptor, const char* bytes, std::size_t size);
 
 /// Repeats a step for up to half a second as long as it fails because another program has the file open, as virus
 /// scanners and the index of the desktop's search do for a moment. Returns 0, or the system code of the failure. `step`
-/// returns whether it succeeded and leaves the reason in GetLastError().
-template <typename Step> DWORD retryWhileInUse(const Step& step)
+/// returns whether it succeeded and leaves the reason in GetLastError(). `inUseToo`: another code that may mean this.
+template <typename Step> DWORD retryWhileInUse(const Step& step, DWORD inUseToo = ERROR_SHARING_VIOLATION)
 {
     constexpr int maxTries = 10;
     constexpr DWORD pauseMs = 50;
@@ -67,7 +67,8 @@ template <typename Step> DWORD retryWhileInUse(const Step& step)
         if (step())
             return 0;
         const DWORD problem = GetLastError();
-        const bool isInUse = problem == ERROR_SHARING_VIOLATION || problem == ERROR_LOCK_VIOLATION;
+        const bool isInUse =
+            problem == ERROR_SHARING_VIOLATION || problem == ERROR_LOCK_VIOLATION || problem == inUseToo;
         if (!isInUse || i == maxTries)
             return problem;
         Sleep(pauseMs);

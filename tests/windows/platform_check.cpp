@@ -251,6 +251,22 @@ void renameFolder_saysWhatIsTaken(const fs::path& folder)
     CHECK(fails(FileErrorKind::NoFolder, [&] { core::renameFolder(from, folder / L"again"); }));
 }
 
+/// Virus scanners open what has just been written, and no folder is renamed meanwhile.
+void renameFolder_waitsForOthers(const fs::path& folder)
+{
+    const fs::path from = folder / L"from", to = folder / L"to", file = from / L"model.stl";
+    fs::create_directory(from);
+    write(file, "scanned");
+    auto reader = std::make_unique<core::io::InputFile>(file);
+    std::thread closing([&reader] {
+        Sleep(200);
+        reader.reset();
+    });
+    CHECK(core::renameFolder(from, to));
+    closing.join();
+    CHECK(contentOf(to / L"model.stl") == "scanned" && !fs::exists(from));
+}
+
 void appendFile_appends(const fs::path& folder)
 {
     const fs::path file = folder / L"segment-0";
@@ -544,6 +560,7 @@ constexpr Check checks[] = {
     NAMED(links_areFollowed),
     NAMED(names_mayBeOfAnyScriptAndLength),
     NAMED(renameFolder_saysWhatIsTaken),
+    NAMED(renameFolder_waitsForOthers),
     NAMED(appendFile_appends),
     NAMED(folderLock_isExclusive),
     NAMED(journalFolder_isFoundWhenAbandoned),
