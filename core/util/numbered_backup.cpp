@@ -25,7 +25,9 @@ NumberedBackup::NumberedBackup(const fs::path& file, int versions) : m_versions(
     m_file = fs::is_symlink(file, problem) ? fs::weakly_canonical(file, problem) : file;
     if (versions < 1 || !fs::is_regular_file(m_file, problem))
         return;
-    fs::path waiting = m_file.parent_path() / ("." + m_file.filename().string() + "~kept");
+    fs::path waiting = m_file.parent_path() / ".";
+    waiting += m_file.filename();
+    waiting += "~kept";
     fs::remove(waiting, problem); // left by a program that crashed before commit()
     fs::create_hard_link(m_file, waiting, problem);
     if (problem) { // not every file system has hard links

@@ -355,6 +355,13 @@ void numberedBackup_keepsVersions(const fs::path& folder)
     CHECK(contentOf(core::NumberedBackup::nameOf(file, 1)) == "3");
     CHECK(contentOf(core::NumberedBackup::nameOf(file, 2)) == "2");
     CHECK(filesIn(folder) == 3);
+    const fs::path chinese = folder / (std::wstring(80, L'\u82b1') + L".glb");
+    for (const char* const content : {"1", "2"}) {
+        core::NumberedBackup backup(chinese, 2);
+        write(chinese, content);
+        backup.commit();
+    }
+    CHECK(contentOf(core::NumberedBackup::nameOf(chinese, 1)) == "1");
 }
 
 void fileStatus_tellsWhatIsThere(const fs::path& folder)
