@@ -9,8 +9,8 @@ namespace
 {
 constexpr UINT interrupted = 0xC000013A; ///< STATUS_CONTROL_C_EXIT, by which a shell knows the reason
 
-/// Takes Ctrl+C, Ctrl+Break, the closing of the console, and the end of the session. The latter reaches only programs
-/// without a window, because Qt answers WM_QUERYENDSESSION and WM_ENDSESSION. Thread: one that the system makes.
+/// Takes Ctrl+C, Ctrl+Break, and the closing of the console. The end of the session comes to a window as
+/// WM_QUERYENDSESSION, which Qt answers. Thread: one that the system makes.
 BOOL WINAPI endAtOnce(DWORD)
 {
     return TerminateProcess(GetCurrentProcess(), interrupted);

@@ -1,6 +1,7 @@
 // Source: Microsoft Learn, "Maximum Path Length Limitation", "Naming Files, Paths, and Namespaces".
 #include "core/util/system_path.h"
 
+#include "core/util/system_code.h"
 #include "core/util/system_file_windows.h"
 
 #include <string_view>
@@ -44,11 +45,10 @@ FileStatus fileStatus(const std::filesystem::path& path)
     const ScopedHandle file(CreateFileW(systemPath(path).c_str(), FILE_READ_ATTRIBUTES, shareAll, nullptr,
                                         OPEN_EXISTING, FILE_FLAG_BACKUP_SEMANTICS, nullptr));
     if (!file) {
-        const DWORD problem = GetLastError();
-        const bool isMissing = problem == ERROR_FILE_NOT_FOUND || problem == ERROR_PATH_NOT_FOUND ||
-                               problem == ERROR_INVALID_NAME || problem == ERROR_BAD_NETPATH ||
-                               problem == ERROR_BAD_NET_NAME || problem == ERROR_INVALID_DRIVE;
-        return {isMissing ? Type::not_found : Type::none, 0, static_cast<int>(problem)};
+        const auto problem = static_cast<int>(GetLastError());
+        const bool isMissing =
+            problem == ERROR_INVALID_NAME || isSystemCode(problem, std::errc::no_such_file_or_directory);
+        return {isMissing ? Type::not_found : Type::none, 0, problem};
     }
     if (const DWORD type = GetFileType(file.get()); type != FILE_TYPE_DISK)
         return {type == FILE_TYPE_CHAR ? Type::character : type == FILE_TYPE_PIPE ? Type::fifo : Type::unknown, 0, 0};
