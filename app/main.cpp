@@ -289,10 +289,10 @@ int main(int argc, char* argv[])
     app::useBinaryStreams();
     if (argc == 5 && qstrcmp(argv[1], app::importWord) == 0)
         return app::runImport(app::argumentPath(argv, 2), argv[3], argv[4]);
+    app::endOnInterrupt();
     app::useUtf8();
     nameProgram();
     app::surviveFileSizeLimit();
-    app::endOnInterrupt();
     app::installSandboxedImporter();
     const QStringList arguments = app::programArguments(argc, argv);
     return app::CommandLine::opensWindow(arguments) ? runWindow(argc, argv)

@@ -17,7 +17,7 @@ void useBinaryStreams();
 /// Makes the texts of this process and its children UTF-8. Elsewhere than on Windows it switches from the locale C to
 /// C.UTF-8. Qt does the same, but since Qt 6.8 only after four lines of warning on stderr. Other locales stay as they
 /// are, because they name the user's language. On Windows it switches the console until the program ends, and lets it
-/// obey control sequences. Precondition: no Qt application exists yet. Thread: main.
+/// obey control sequences. Precondition: no Qt application exists yet, and endOnInterrupt() was called. Thread: main.
 void useUtf8();
 
 /// Returns the arguments of the program without its name. Precondition: those of main().

@@ -37,6 +37,13 @@ void restoreConsole()
     SetConsoleCP(formerState().input);
 }
 
+/// Takes Ctrl+C and the like before the handler that ends the program: the last one that was set is called first.
+BOOL WINAPI restoreAtInterrupt(DWORD)
+{
+    restoreConsole();
+    return FALSE;
+}
+
 /// The arguments of the process in UTF-16, its name first. main() has them in the code page of the user, which lacks
 /// most characters.
 struct WideArguments
@@ -72,6 +79,7 @@ void useUtf8()
     SetConsoleOutputCP(CP_UTF8);
     SetConsoleCP(CP_UTF8);
     std::atexit(restoreConsole);
+    SetConsoleCtrlHandler(restoreAtInterrupt, TRUE);
     for (std::FILE* const stream : {stdout, stderr}) {
         DWORD mode = 0;
         if (GetConsoleMode(consoleOf(stream), &mode))
