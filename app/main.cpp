@@ -90,13 +90,6 @@ bool hasWord(int argc, char* argv[], const char* word)
                        [word](const char* argument) { return qstrcmp(argument, word) == 0; });
 }
 
-/// Makes Qt use X11 if there is a display: the headset simulator captures pictures by GLX, which needs X11.
-void preferX11()
-{
-    if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM") && !qEnvironmentVariableIsEmpty("DISPLAY"))
-        qputenv("QT_QPA_PLATFORM", "xcb");
-}
-
 /// Returns whether a window can be opened. Checked in advance, because Qt calls abort() without a display, and Fettle
 /// prints its own message instead.
 bool canHaveWindow(int argc, char* argv[])
@@ -252,7 +245,7 @@ int runWindow(int argc, char* argv[])
     }
     app::surviveBrokenPipes();
     if (hasWord(argc, argv, app::simulatorOption))
-        preferX11();
+        app::preferX11();
     ui::prepareGraphics();
     const QtMessageHandler usual = qInstallMessageHandler(onlyTellOfMissingDisplay);
     QApplication application(argc, argv);

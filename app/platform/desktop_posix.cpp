@@ -11,6 +11,8 @@ bool hasDisplay()
     return true;
 }
 
+void preferX11() {}
+
 QString stateFolder()
 {
     const QString state = qEnvironmentVariable("XDG_STATE_HOME");
@@ -21,6 +23,12 @@ bool hasDisplay()
 {
     return !qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") ||
            !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
+}
+
+void preferX11()
+{
+    if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM") && !qEnvironmentVariableIsEmpty("DISPLAY"))
+        qputenv("QT_QPA_PLATFORM", "xcb");
 }
 
 QString stateFolder()

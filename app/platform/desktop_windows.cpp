@@ -11,6 +11,8 @@ bool hasDisplay()
     return true;
 }
 
+void preferX11() {}
+
 /// XDG_STATE_HOME counts on Windows, too, where a class or a test sets it.
 QString stateFolder()
 {
