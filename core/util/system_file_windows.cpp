@@ -19,8 +19,9 @@ int openFile(const std::filesystem::path& path, const FileAccess& access)
     const std::filesystem::path name = systemPath(path);
     HANDLE handle = INVALID_HANDLE_VALUE;
     const DWORD problem = retryWhileInUse([&] {
-        handle = CreateFileW(name.c_str(), access.access, access.share, nullptr, access.disposition, access.flags,
-                             nullptr); // no security attributes: children do not inherit it
+        // Without security attributes, so that children do not inherit the file.
+        handle = CreateFileW(name.c_str(), access.access, access.share, nullptr, access.disposition,
+                             FILE_ATTRIBUTE_NORMAL, nullptr);
         return handle != INVALID_HANDLE_VALUE;
     });
     if (problem != 0) {
