@@ -10,7 +10,6 @@
 #include "app/model/command_names.h"
 #include "app/model/model_change_job.h"
 #include "app/model/model_loader.h"
-#include "app/platform/process_usage.h"
 
 #include "core/analysis/mesh_check.h"
 #include "core/geometry/face_geometry.h"
@@ -19,6 +18,7 @@
 #include "core/mesh/mesh_builder.h"
 #include "core/operations/stroke_coordinates.h"
 #include "core/util/system_path.h"
+#include "core/util/thread_cpu_time.h"
 #include "ui/util/error_messages.h"
 #include "ui/util/number_format.h"
 #include "ui/util/stroke_file_messages.h"
@@ -203,7 +203,7 @@ core::MeshDelta play(core::Sculptor& sculptor, const core::Stroke& stroke, doubl
 {
     sculptor.beginStroke(stroke.settings);
     for (const core::StrokeSample& sample : stroke.samples) {
-        dabStart = threadCpuMs();
+        dabStart = core::threadCpuMs();
         sculptor.addSample(sample);
     }
     return sculptor.endStroke();
@@ -259,10 +259,10 @@ Replayed play(core::Sculptor& sculptor, core::StrokeCoordinates& coordinates, En
     if (options.verify == Verify::Full)
         sculptor.setBetweenSubsteps([&] { requireWhole(sculptor, dabs.size()); });
     sculptor.setAfterDab([&](const core::DabReport& report) {
-        dabs.push_back({report, threadCpuMs() - dabStart, std::nullopt});
+        dabs.push_back({report, core::threadCpuMs() - dabStart, std::nullopt});
         if (!options.stats.isEmpty() && report.touchedVertices > 0)
             dabs.back().quality = sculptor.selectionQuality();
-        dabStart = threadCpuMs();
+        dabStart = core::threadCpuMs();
     });
     takeStrokes(sculptor.mesh(), coordinates, entries, 0, options.strokes);
     for (std::size_t i = 0; i < entries.size(); ++i) {

@@ -1,17 +1,9 @@
 #include "app/platform/process_usage.h"
 
 #include <sys/resource.h>
-#include <time.h>
 
 namespace app
 {
-double threadCpuMs()
-{
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
-}
-
 double peakRssMb()
 {
     rusage usage{};

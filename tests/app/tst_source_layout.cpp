@@ -98,11 +98,11 @@ const FolderRule folderRules[] = {
      "core/primitives core/operations core/io ui/util ui/settings ui/widgets ui/actions ui/scene ui/viewport "
      "ui/gizmo ui/model ui/shapes ui/files ui/brush ui/reference ui/drawing ui/print ui/history ui/parts ui/lesson "
      "ui/preferences ui/classroom ui/headset ui/help"},
-    {"vr/util", "core/geometry"},
+    {"vr/util", "core/util core/geometry"},
     {"vr/gl", ""},
     {"vr/openxr", "vr/util vr/gl"},
     {"vr/input", "core/geometry vr/util vr/openxr"},
-    {"vr/frame", "vr/util vr/gl vr/openxr"},
+    {"vr/frame", "core/util vr/util vr/gl vr/openxr"},
     {"vr/scene", "core/geometry core/stroke core/mesh core/render core/parts core/io/mesh vr/util vr/gl vr/openxr "
                  "vr/input"},
     {"vr/panels",

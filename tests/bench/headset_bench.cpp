@@ -138,10 +138,7 @@ public:
     Phase& operator=(const Phase&) = delete;
 
 private:
-    double now() const
-    {
-        return vr::threadCpuMilliseconds() - m_renderer.scene.drawCallMs() - m_renderer.target.drawCallMs();
-    }
+    double now() const { return core::threadCpuMs() - m_renderer.scene.drawCallMs() - m_renderer.target.drawCallMs(); }
 
     const Renderer& m_renderer;
     Samples& m_into;

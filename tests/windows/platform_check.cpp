@@ -1,4 +1,4 @@
-// Tries what the files *_windows.cpp of core, app and vr promise, on Windows or under Wine. It has no Qt, so that it
+// Tries what the files *_windows.cpp of core and app promise, on Windows or under Wine. It has no Qt, so that it
 // can be built from Debian's packages alone.
 //   platform_check FOLDER    tries everything in an empty folder; the exit status is the number of failures
 // A check of something that Wine does not have is skipped, with the reason.
@@ -14,8 +14,8 @@
 #include "core/util/numbered_backup.h"
 #include "core/util/system_code.h"
 #include "core/util/system_file_windows.h"
+#include "core/util/thread_cpu_time.h"
 #include "core/util/thread_priority.h"
-#include "vr/util/thread_cpu_time.h"
 
 #include <atomic>
 #include <chrono>
@@ -420,16 +420,15 @@ void threadPriority_isLowered(const fs::path&)
     CHECK(GetThreadPriority(GetCurrentThread()) == THREAD_PRIORITY_NORMAL);
 }
 
-// --- app and vr
+// --- app
 
 void usage_grows(const fs::path&)
 {
-    const double before = app::threadCpuMs(), beforeVr = vr::threadCpuMilliseconds();
+    const double before = core::threadCpuMs();
     const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(200);
     while (std::chrono::steady_clock::now() < end) {
     }
-    CHECK(app::threadCpuMs() > before);
-    CHECK(vr::threadCpuMilliseconds() > beforeVr);
+    CHECK(core::threadCpuMs() > before);
     CHECK(app::peakRssMb() > 1 && app::peakRssMb() < 4096);
 }
 

@@ -51,7 +51,7 @@ std::uint32_t DroppedFrameCounter::count(std::int64_t displayNs, std::int64_t pe
 
 void PhaseTimer::endPhase(FramePhase phase)
 {
-    const double now = threadCpuMilliseconds();
+    const double now = core::threadCpuMs();
     m_timing.cpuMs[static_cast<std::size_t>(phase)] += now - std::exchange(m_lastMs, now);
 }
 } // namespace vr

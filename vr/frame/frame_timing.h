@@ -1,6 +1,6 @@
 #pragma once
 
-#include "vr/util/thread_cpu_time.h"
+#include "core/util/thread_cpu_time.h"
 
 #include <array>
 #include <cstddef>
@@ -86,6 +86,6 @@ public:
 
 private:
     FrameTiming m_timing;
-    double m_lastMs = threadCpuMilliseconds();
+    double m_lastMs = core::threadCpuMs();
 };
 } // namespace vr

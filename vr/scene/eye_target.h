@@ -1,7 +1,7 @@
 #pragma once
 
 #include "vr/gl/eye_image.h"
-#include "vr/util/thread_cpu_time.h"
+#include "vr/util/draw_call_timer.h"
 
 class QOpenGLExtraFunctions;
 

@@ -2,7 +2,7 @@
 
 #include "vr/gl/gl_program.h"
 #include "vr/scene/eye_uniforms.h"
-#include "vr/util/thread_cpu_time.h"
+#include "vr/util/draw_call_timer.h"
 
 namespace vr
 {

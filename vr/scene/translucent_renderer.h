@@ -4,7 +4,7 @@
 #include "vr/scene/eye_uniforms.h"
 #include "vr/scene/mesh_buffer.h"
 #include "vr/scene/translucent_shapes.h"
-#include "vr/util/thread_cpu_time.h"
+#include "vr/util/draw_call_timer.h"
 
 #include <span>
 

@@ -3,7 +3,7 @@
 #include "vr/scene/mesh_buffer.h"
 #include "vr/scene/mesh_program.h"
 #include "vr/scene/scene_state.h"
-#include "vr/util/thread_cpu_time.h"
+#include "vr/util/draw_call_timer.h"
 
 namespace vr
 {

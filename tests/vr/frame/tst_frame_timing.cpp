@@ -27,7 +27,7 @@ FrameTiming numbered(std::uint64_t number)
 /// Keeps the CPU busy until this thread has used `ms` milliseconds of CPU time.
 void work(double ms)
 {
-    for (const double start = vr::threadCpuMilliseconds(); vr::threadCpuMilliseconds() - start < ms;) {
+    for (const double start = core::threadCpuMs(); core::threadCpuMs() - start < ms;) {
     }
 }
 } // namespace
@@ -109,7 +109,7 @@ void TestFrameTiming::framesThatAreNotShownAreNotLost()
 
 void TestFrameTiming::phasesAddUp()
 {
-    const double start = vr::threadCpuMilliseconds();
+    const double start = core::threadCpuMs();
     vr::PhaseTimer clock;
     work(2);
     clock.endPhase(FramePhase::Input);
@@ -117,7 +117,7 @@ void TestFrameTiming::phasesAddUp()
     clock.endPhase(FramePhase::Draw);
     work(2);
     clock.endPhase(FramePhase::Input);
-    const double all = vr::threadCpuMilliseconds() - start;
+    const double all = core::threadCpuMs() - start;
     FrameTiming timing = clock.timing();
     QVERIFY(timing.of(FramePhase::Input) >= 4);
     QVERIFY(timing.of(FramePhase::Draw) >= 4);
@@ -132,11 +132,11 @@ void TestFrameTiming::phasesAddUp()
 
 void TestFrameTiming::sleepCostsNothing()
 {
-    const double start = vr::threadCpuMilliseconds();
+    const double start = core::threadCpuMs();
     vr::PhaseTimer clock;
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     clock.endPhase(FramePhase::Wait);
-    QVERIFY(clock.timing().of(FramePhase::Wait) <= vr::threadCpuMilliseconds() - start);
+    QVERIFY(clock.timing().of(FramePhase::Wait) <= core::threadCpuMs() - start);
     QVERIFY(clock.timing().of(FramePhase::Wait) < 25);
 }
 

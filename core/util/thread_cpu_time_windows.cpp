@@ -1,9 +1,9 @@
-#include "vr/util/thread_cpu_time.h"
+#include "core/util/thread_cpu_time.h"
 
 #include <cstdint>
 #include <windows.h>
 
-namespace vr
+namespace core
 {
 namespace
 {
@@ -14,11 +14,11 @@ double milliseconds(const FILETIME& time)
 }
 } // namespace
 
-/// Windows counts this time in steps of up to 16 ms, so only sums over many frames are exact.
-double threadCpuMilliseconds()
+/// Windows counts this time in steps of up to 16 ms, so only differences of seconds are exact.
+double threadCpuMs()
 {
     FILETIME begin{}, end{}, system{}, user{};
     GetThreadTimes(GetCurrentThread(), &begin, &end, &system, &user);
     return milliseconds(system) + milliseconds(user);
 }
-} // namespace vr
+} // namespace core

@@ -1,13 +1,13 @@
-#include "vr/util/thread_cpu_time.h"
+#include "core/util/thread_cpu_time.h"
 
 #include <ctime>
 
-namespace vr
+namespace core
 {
-double threadCpuMilliseconds()
+double threadCpuMs()
 {
     timespec time{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
     return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
 }
-} // namespace vr
+} // namespace core

@@ -1,10 +1,9 @@
 #pragma once
 
+#include "core/util/thread_cpu_time.h"
+
 namespace vr
 {
-/// Returns the CPU time that the calling thread has used, in milliseconds. Cost: a fraction of a microsecond.
-double threadCpuMilliseconds();
-
 /// Adds up the CPU time that a thread spends in OpenGL draw calls. A driver without a graphics card rasterises within
 /// them.
 class DrawCallTimer
@@ -12,9 +11,9 @@ class DrawCallTimer
 public:
     template <class Draw> void run(const Draw& draw)
     {
-        const double start = threadCpuMilliseconds();
+        const double start = core::threadCpuMs();
         draw();
-        m_milliseconds += threadCpuMilliseconds() - start;
+        m_milliseconds += core::threadCpuMs() - start;
         ++m_calls;
     }
 
