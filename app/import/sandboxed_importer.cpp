@@ -102,9 +102,13 @@ std::filesystem::path faultyFile(const ImportHeader& header, const std::filesyst
 {
     const std::string_view name = header.file;
     const bool isPrintable = std::ranges::none_of(name, [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; });
-    const std::filesystem::path file = core::pathOfUtf8(name);
-    const bool isWithin = !file.empty() && file.is_relative() && *file.lexically_normal().begin() != "..";
-    return isPrintable && isWithin ? path.parent_path() / file : path;
+    try {
+        const std::filesystem::path file = core::pathOfUtf8(name);
+        const bool isWithin = !file.empty() && file.is_relative() && *file.lexically_normal().begin() != "..";
+        return isPrintable && isWithin ? path.parent_path() / file : path;
+    } catch (const std::filesystem::filesystem_error&) {
+        return path; // no UTF-8, which only Windows minds
+    }
 }
 
 /// Returns the error that the process reported, or ReaderDied if its numbers are out of range.
