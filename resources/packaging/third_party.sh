@@ -94,4 +94,5 @@ rule=$(printf '=%.0s' {1..80})
         cat "$licence"
     done < <(grep -hoE '/usr/share/common-licenses/[A-Za-z0-9.+-]*[A-Za-z0-9]' "${texts[@]}" | LC_ALL=C sort -u)
 } >"$out.part"
+chmod 644 "$out.part" # whatever the umask is
 mv "$out.part" "$out"

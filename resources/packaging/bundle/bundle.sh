@@ -187,7 +187,7 @@ glibcxx=$(sed -n 's/.* GLIBCXX_//p' "$scratch/versions" | tail -n 1)
 
 # The same files give the same archive: sorted, without owners, with the time of the commit.
 when=$(git -C "$fettle_root" log -1 --format=%ct 2>/dev/null || stat -c %Y "$fettle_root/CMakeLists.txt")
-tar -C "$stage" --sort=name --owner=0 --group=0 --numeric-owner --mode=u+w,go-w --mtime="@$when" -cf - . |
+tar -C "$stage" --sort=name --owner=0 --group=0 --numeric-owner --mode=u+w,go=rX --mtime="@$when" -cf - . |
     gzip -6n >"$scratch/archive"
 sum=$(sha256sum "$scratch/archive")
 sum=${sum%% *}
