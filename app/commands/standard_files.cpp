@@ -4,13 +4,14 @@
 #include "app/platform/terminal.h"
 
 #include "core/io/mesh_io.h"
-#include "core/util/system_code.h"
 
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QTemporaryDir>
 
 #include <cstdio>
+#include <filesystem>
 #include <optional>
 
 namespace app
@@ -54,15 +55,15 @@ bool isText(const QString& ending)
            ending == QLatin1String("html");
 }
 
-[[noreturn]] void failToCopy(const QString& sentence)
+[[noreturn]] void failToCopy(const QString& sentence, const QFile& from, const QFile& to)
 {
-    CommandLine::fail(sentence.arg(qt_error_string(core::streamCode())));
+    const QFile& faulty = from.error() != QFileDevice::NoError ? from : to;
+    CommandLine::fail(sentence.arg(faulty.errorString()));
 }
 
-/// Copies the rest of one file to the other. Returns false if that fails; core::streamCode() then has the reason.
+/// Copies the rest of one file to the other. Returns false if that fails; one of the files then has the reason.
 bool copy(QFile& from, QFile& to)
 {
-    core::clearStreamCode();
     for (;;) {
         const QByteArray bytes = from.read(chunkSize);
         if (bytes.isEmpty())
@@ -99,7 +100,7 @@ QString StandardFiles::input(const CommandOptions& options, const QString& name)
     files().input = files().pathOf(QStringLiteral("input.") + ending);
     QFile standard, file(files().input);
     if (!standard.open(stdin, QFile::ReadOnly) || !file.open(QFile::WriteOnly) || !copy(standard, file))
-        failToCopy(problem);
+        failToCopy(problem, standard, file);
     return files().input;
 }
 
@@ -131,10 +132,14 @@ void StandardFiles::flush()
         return;
     QFile file(files().output), standard;
     const bool isOpen = file.open(QFile::ReadOnly);
-    // removed first: SIGPIPE may end the process while writing, and the open file stays readable
-    files().folder.reset();
+    // Removed first: SIGPIPE may end the process while writing, and the open file stays readable. Windows has no such
+    // signal, and removes no file that is open.
+    std::error_code ignored;
+    std::filesystem::remove_all(QFileInfo(files().output).path().toStdU16String(), ignored);
     if (!isOpen || !standard.open(stdout, QFile::WriteOnly) || !copy(file, standard))
-        failToCopy(tr("The standard output cannot be written (%1)."));
+        failToCopy(tr("The standard output cannot be written (%1)."), file, standard);
+    file.close();
+    files().folder.reset();
 }
 
 QString StandardFiles::named(QString sentence)
