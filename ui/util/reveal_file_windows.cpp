@@ -1,11 +1,8 @@
 // Source: Microsoft Learn, "SHOpenFolderAndSelectItems function".
 #include "ui/util/reveal_file.h"
 
-#include <QCoreApplication>
-#include <QDesktopServices>
 #include <QDir>
 #include <QFileInfo>
-#include <QUrl>
 
 #include <windows.h>
 
@@ -16,11 +13,6 @@ namespace ui
 {
 namespace
 {
-struct RevealFile
-{
-    Q_DECLARE_TR_FUNCTIONS(ui::RevealFile)
-};
-
 /// Returns whether Explorer shows the file, selected in its folder. Qt has prepared COM for the gui thread.
 bool selectInExplorer(const QString& path)
 {
@@ -36,8 +28,7 @@ bool selectInExplorer(const QString& path)
 
 void revealFile(const QString& path, QObject*, const std::function<void(const QString&)>& refused)
 {
-    const QString folder = QFileInfo(path).absolutePath();
-    if (!selectInExplorer(path) && !QDesktopServices::openUrl(QUrl::fromLocalFile(folder)))
-        refused(RevealFile::tr("No file manager was found; the file is in %1.").arg(QDir::toNativeSeparators(folder)));
+    if (!selectInExplorer(path))
+        openFolderOf(path, refused);
 }
 } // namespace ui
