@@ -58,17 +58,25 @@ constexpr auto touch = stickWand(squeezeValue, upperButtons);
 /// Bindings of the Vive Cosmos.
 constexpr auto cosmos = stickWand(squeezeClick, upperButtons);
 
-/// Bindings of HP's Reverb, whose thumbstick does not sense touches.
-constexpr Binding reverb[]{
-    grip,
-    aim,
-    trigger,
-    {Control::Pad, "/input/thumbstick"},
-    {Control::PadPress, "/input/thumbstick/click"},
-    squeezeValue,
-    {Control::Menu, "/input/menu/click"},
-    pulse,
-};
+/// Bindings of wands with a thumbstick that does not sense touches.
+constexpr std::array<Binding, 8> touchlessStickWand(const Binding& menu)
+{
+    return {{grip,
+             aim,
+             trigger,
+             {Control::Pad, "/input/thumbstick"},
+             {Control::PadPress, "/input/thumbstick/click"},
+             squeezeValue,
+             menu,
+             pulse}};
+}
+
+/// Bindings of HP's Reverb.
+constexpr auto reverb = touchlessStickWand({Control::Menu, "/input/menu/click"});
+
+/// Bindings of Khronos' generic controller, for which runtimes may pass off wands that Fettle does not know. It has no
+/// menu button.
+constexpr auto generic = touchlessStickWand({Control::Menu, "/input/secondary/click"});
 
 constexpr Binding simple[]{
     grip, aim, {Control::Trigger, "/input/select/click"}, {Control::Menu, "/input/menu/click"}, pulse,
@@ -106,6 +114,7 @@ constexpr WandProfile profiles[]{
      "XR_BD_ultra_controller_interaction"},
     {"/interaction_profiles/microsoft/motion_controller", false, trackpadWand, in10},
     {"/interaction_profiles/hp/mixed_reality_controller", true, reverb, in11, "XR_EXT_hp_mixed_reality_controller"},
+    {"/interaction_profiles/khr/generic_controller", true, generic, inNone, "XR_KHR_generic_controller"},
     {"/interaction_profiles/khr/simple_controller", false, simple, in10},
     {"/interaction_profiles/ext/hand_interaction_ext", false, bareHand, inNone, "XR_EXT_hand_interaction"},
 };

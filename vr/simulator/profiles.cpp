@@ -126,6 +126,17 @@ constexpr Component cosmos[] = {leftX,        leftY,        leftMenu,     rightA
 constexpr Component reverb[] = {leftX,  leftY,  rightA,     rightB,   menuClick, squeezeValue, triggerValue,
                                 stickX, stickY, stickClick, gripPose, aimPose,   haptic};
 
+constexpr Component generic[] = {{"/input/primary/click", Kind::Boolean, Input::ButtonA},
+                                 {"/input/secondary/click", Kind::Boolean, Input::ButtonB},
+                                 squeezeValue,
+                                 triggerValue,
+                                 stickX,
+                                 stickY,
+                                 stickClick,
+                                 gripPose,
+                                 aimPose,
+                                 haptic};
+
 constexpr Component frame[] = {{"/input/dpad_up/click", Kind::Boolean, Input::ButtonB, Where::Left},
                                {"/input/dpad_down/click", Kind::Boolean, Input::ButtonA, Where::Left},
                                {"/input/view/click", Kind::Boolean, Input::Menu, Where::Left},
@@ -269,6 +280,12 @@ constexpr Profile known[] = {
      {},
      1,
      "XR_EXT_hp_mixed_reality_controller"},
+    {"/interaction_profiles/khr/generic_controller",
+     "Generic Controller",
+     generic,
+     {},
+     {},
+     "XR_KHR_generic_controller"},
     {"/interaction_profiles/ext/hand_interaction_ext", "Hand", bareHand, {}, {}, "XR_EXT_hand_interaction"},
 };
 

@@ -112,6 +112,13 @@ const QMap<QString, Legal> legalPaths{
     {"/interaction_profiles/hp/mixed_reality_controller",
      {poses + stick + QStringList{"/input/menu/click", "/input/squeeze/value", "/input/trigger/value"}, xAndY, aAndB, 1,
       "XR_EXT_hp_mixed_reality_controller"}},
+    {"/interaction_profiles/khr/generic_controller",
+     {poses + stick +
+          QStringList{"/input/primary/click", "/input/secondary/click", "/input/squeeze/value", "/input/trigger/value"},
+      {},
+      {},
+      -1,
+      "XR_KHR_generic_controller"}},
     {"/interaction_profiles/ext/hand_interaction_ext",
      {{"/input/grip/pose", "/input/aim/pose", "/input/pinch_ext/pose", "/input/poke_ext/pose", "/input/pinch_ext/value",
        "/input/pinch_ext/ready_ext", "/input/grasp_ext/value", "/input/grasp_ext/ready_ext",
