@@ -91,8 +91,10 @@ std::vector<WandCommand> WandMapping::step(const InputFrame& frame)
     const double seconds = m_clock.step(frame.time);
     for (const Side side : order()) {
         const WandState& wand = frame.wands[indexOf(side)];
-        at(side).gestures = at(side).reader.read(wand, seconds);
+        if (wand.isHand != at(side).isBare)
+            releaseHand(side);
         at(side).isBare = wand.isHand;
+        at(side).gestures = at(side).reader.read(wand, seconds);
     }
     endFinishedStroke(frame);
     for (const Side side : order())
@@ -109,15 +111,21 @@ std::vector<WandCommand> WandMapping::releaseAll()
 {
     endStroke();
     letGoOfPart();
-    for (const Side side : order()) {
-        Hand& hand = at(side);
-        if (hand.trigger == TriggerUse::Panel)
-            addCommand(side, Gesture::Trigger, ReleasePanel{false});
-        hand.reader.ignoreUntilReleased();
-        hand.gestures = {};
-        hand.trigger = TriggerUse::None;
-    }
+    for (const Side side : order())
+        releaseHand(side);
     return std::exchange(m_commands, {});
+}
+
+/// Ends what a hand does with its buttons, except an open stroke. Those that are down have no effect until they were
+/// released.
+void WandMapping::releaseHand(Side side)
+{
+    Hand& hand = at(side);
+    if (hand.trigger == TriggerUse::Panel)
+        addCommand(side, Gesture::Trigger, ReleasePanel{false});
+    hand.reader.ignoreUntilReleased();
+    hand.gestures = {};
+    hand.trigger = TriggerUse::None;
 }
 
 HandRole WandMapping::roleOf(Side side) const

@@ -44,6 +44,8 @@ struct WandSettings
 /// undo, redo, save and restore are refused. In a frame's list, movements of the model by the other hand come before
 /// the stroke's point.
 ///
+/// A hand that puts its wand down, or takes one up, ends what it does; the new device has to be seen released first.
+///
 /// Stroke points have the frame rate. Core spaces the dabs evenly along their path (StrokeSettings::spacing).
 class WandMapping
 {
@@ -110,6 +112,7 @@ private:
     std::optional<WandFunction> functionOf(Side side, Gesture gesture) const;
     void addCommand(Side side, Gesture gesture, const WandAction& action);
 
+    void releaseHand(Side side);
     void endStroke();
     void endFinishedStroke(const InputFrame& frame);
     void updateTrigger(Side side, const InputFrame& frame);

@@ -381,6 +381,7 @@ private Q_SLOTS:
     void aTaskTakesTheTrigger();
     void theGripMovesThePartOfATask();
     void bareHandsSculptAndGrab();
+    void puttingAWandDownEndsWhatItDoes();
     void swappedHandsDoTheSame();
     void frameRatesDoTheSame();
     void atRandomNothingIsLeftOpen_data();
@@ -953,6 +954,50 @@ void TestWandMapping::bareHandsSculptAndGrab()
         player.play(0.1);
         player.set(Side::Left, bare(pressingMenu()));
         QCOMPARE(all<vr::OpenToolMenu>(player.step()).size(), std::size_t(1));
+    }
+}
+
+/// Checks strokes, presses of panels and grabs during which a hand puts its wand down, or takes one up, without letting
+/// go: all end, no panel is clicked, and nothing begins until the new device was released.
+void TestWandMapping::puttingAWandDownEndsWhatItDoes()
+{
+    const auto as = [](WandState state, bool isHand) {
+        state.isHand = isHand;
+        return state;
+    };
+    for (const bool wasHand : {false, true}) {
+        Player player({ButtonPreset::Studio, Side::Right});
+        const auto rest = [&] {
+            player.set(Side::Right, as(restingWand(), wasHand));
+            player.play(0.1);
+        };
+        rest();
+        player.set(Side::Right, as(pulling(0.8), wasHand));
+        QCOMPARE(all<vr::BeginStroke>(player.play(0.1)).size(), std::size_t(1));
+        player.set(Side::Right, as(pulling(0.8), !wasHand));
+        const std::vector<WandCommand> swapped = player.play(0.3);
+        QCOMPARE(all<vr::EndStroke>(swapped).size(), std::size_t(1));
+        QVERIFY(all<vr::StrokePoint>(swapped).empty() && all<vr::BeginStroke>(swapped).empty());
+        player.set(Side::Right, as(restingWand(), !wasHand));
+        player.play(0.1);
+        player.set(Side::Right, as(pulling(0.8), !wasHand));
+        QCOMPARE(all<vr::BeginStroke>(player.play(0.1)).size(), std::size_t(1));
+
+        rest();
+        player.pointAtPanel(Side::Right, true);
+        player.set(Side::Right, as(pulling(0.8), wasHand));
+        QCOMPARE(all<vr::PressPanel>(player.play(0.1)).size(), std::size_t(1));
+        player.set(Side::Right, as(restingWand(), !wasHand));
+        const auto releases = all<vr::ReleasePanel>(player.play(0.1));
+        QVERIFY(releases.size() == 1 && !releases[0].isClick);
+        player.pointAtPanel(Side::Right, false);
+
+        rest();
+        player.set(Side::Right, as(squeezing(), wasHand));
+        player.play(0.1);
+        player.set(Side::Right, as(squeezing(), !wasHand));
+        player.move(Side::Right, {0.1, 0, 0});
+        QVERIFY(all<vr::MoveModel>(player.play(0.1)).empty());
     }
 }
 
