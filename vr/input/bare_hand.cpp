@@ -25,20 +25,22 @@ core::Vec3 palmNormal(const Pose& grip, Side side)
 WandState BareHandReader::read(const WandState& hand, const Pose& head, double time)
 {
     const double seconds = m_clock.step(time);
-    if (!hand.isHand || !hand.isActive) {
+    if (!hand.isHand) {
         m_held = Held::None;
-        m_showsPalm = false;
-        m_shownFor = 0;
+        hidePalm();
+        return hand;
+    }
+    readPalm(hand, head, seconds);
+    if (!hand.isActive) {
+        m_held = Held::None;
         return hand;
     }
     hold(hand);
-    m_showsPalm = isPalmShown(hand, head);
-    m_shownFor = m_showsPalm ? m_shownFor + seconds : 0;
     WandState wand = hand;
     const bool mayPinch = m_held == Held::Pinch || (m_held == Held::None && hand.squeeze < fistBlocksPinch);
     wand.trigger = mayPinch ? hand.trigger : 0;
     wand.side = m_held == Held::Fist && hand.side;
-    wand.menu = m_shownFor >= palmSeconds - shownRoundOff;
+    wand.menu = isPalmPressed();
     return wand;
 }
 
@@ -56,13 +58,29 @@ void BareHandReader::hold(const WandState& hand)
         m_held = Held::Pinch;
 }
 
-/// Returns whether the open palm is turned to the face of a user who looks at it.
+void BareHandReader::readPalm(const WandState& hand, const Pose& head, double seconds)
+{
+    const bool isSeen = hand.isActive && hand.isTracked;
+    m_unseenFor = isSeen ? 0 : m_unseenFor + seconds;
+    if (m_unseenFor > maxPalmGap || (isSeen && !isPalmShown(hand, head)))
+        hidePalm();
+    else if (isSeen)
+        m_shownFor = m_shownFor ? *m_shownFor + seconds : 0;
+}
+
+/// Returns whether the palm is turned to the face. Until it counts, the hand must be open, and the user must look at
+/// it.
 bool BareHandReader::isPalmShown(const WandState& hand, const Pose& head) const
 {
-    const bool isOpen = hand.trigger < openHand && hand.squeeze < openHand;
     const core::Vec3 toHead = (head.position - hand.grip.position).normalized();
     const double turned = palmNormal(hand.grip, m_side).dot(toHead);
+    const bool isOpen = hand.trigger < openHand && hand.squeeze < openHand;
     const bool isLookedAt = -head.forward().dot(toHead) > cosineOf(palmLookAngle);
-    return hand.isTracked && isOpen && isLookedAt && turned > cosineOf(m_showsPalm ? palmAwayAngle : palmAngle);
+    return turned > cosineOf(m_shownFor ? palmAwayAngle : palmAngle) && (isPalmPressed() || (isOpen && isLookedAt));
+}
+
+bool BareHandReader::isPalmPressed() const
+{
+    return m_shownFor && *m_shownFor >= palmSeconds - shownRoundOff;
 }
 } // namespace vr

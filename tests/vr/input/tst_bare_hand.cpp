@@ -75,6 +75,8 @@ private Q_SLOTS:
     void aPalmTurnedToTheFace_isTheMenuButton_data();
     void aPalmTurnedToTheFace_isTheMenuButton();
     void aPalm_countsOnlyIfItIsShown();
+    void aPalm_countsOnce();
+    void aStall_isNotATimeOfShowing();
     void aHandThatIsLost_holdsNothing();
     void aWand_isLeftAlone();
 };
@@ -153,6 +155,40 @@ void TestBareHand::aPalm_countsOnlyIfItIsShown()
     aside.head.rotation = Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitY());
     for (Hand* hand : {&pinching, &closed, &aside})
         QVERIFY(!hand->frames(1).menu);
+}
+
+/// Checks that a palm that counts is one press until it is turned away, whatever hand and eyes do meanwhile, and that a
+/// hand that comes back after a long time presses again.
+void TestBareHand::aPalm_countsOnce()
+{
+    Hand hand;
+    hand.turnPalm(0);
+    QVERIFY(hand.frames(1).menu);
+    QVERIFY(hand.with(0.9, 0.1).menu && hand.with(0.9, 0.9).menu && hand.with(0, 0).menu);
+    hand.head.rotation = Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitY());
+    QVERIFY(hand.frames(1).menu);
+    hand.head.rotation = Eigen::Quaterniond::Identity();
+    QVERIFY(hand.frames(1).menu);
+    for (bool WandState::*lost : {&WandState::isTracked, &WandState::isActive}) {
+        hand.state.*lost = false;
+        hand.frames(0.8 * vr::maxPalmGap);
+        hand.state.*lost = true;
+        QVERIFY(hand.frame().menu);
+        hand.state.*lost = false;
+        hand.frames(1.5 * vr::maxPalmGap);
+        hand.state.*lost = true;
+        QVERIFY(!hand.frame().menu);
+        QVERIFY(hand.frames(1.5 * vr::palmSeconds).menu);
+    }
+}
+
+void TestBareHand::aStall_isNotATimeOfShowing()
+{
+    Hand hand;
+    hand.frames(0.1);
+    hand.turnPalm(0);
+    hand.time += 3;
+    QVERIFY(!hand.frame().menu);
 }
 
 void TestBareHand::aHandThatIsLost_holdsNothing()
