@@ -14,8 +14,8 @@ namespace ui
 {
 /// Draws the avatar of the headset's user, the brush of a lesson's teacher, and solids of glass: half transparent,
 /// after everything else, into the bound framebuffer, with OpenGL 3.3 core. The clay hides them. Plain OpenGL rather
-/// than Qt3D, so that moving them costs nothing. Thread: the OpenGL context that
-/// was current at create() must be current at every call, except for the setters.
+/// than Qt3D, so that moving them costs nothing. Thread: the OpenGL context that was current at create() must be
+/// current at every call, except for the setters.
 class GhostRenderer
 {
 public:

@@ -85,7 +85,7 @@ public:
     /// Returns the context, which shares with QOpenGLContext::globalShareContext(). Never null.
     virtual QOpenGLContext* context() const = 0;
     /// Draws the overlays that are shown into the bound framebuffer. Precondition: the context is current; so it is
-    /// afterwards, with the same framebuffer bound and OpenGL's defaults for depth test, culling and blending.
+    /// afterwards, with the same framebuffer bound. Depth test, culling and blending may have changed.
     virtual void draw(const OrbitCamera& camera, QSize pixels) = 0;
 };
 } // namespace ui

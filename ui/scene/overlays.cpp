@@ -60,6 +60,7 @@ double gridCell(double size)
 {
     return std::pow(10.0, std::floor(std::log10(size / 3)));
 }
+
 /// Returns a square in the plane z = 0, from -1 to 1, for this fragment shader.
 Overlay::Shape square(const QString& fragmentShader)
 {
