@@ -9318,6 +9318,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Strahl</translation>
     </message>
     <message>
+        <source>%1 mm</source>
+        <extracomment>%1: a radius in the room</extracomment>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
         <source>Topology</source>
         <translation>Netz</translation>
     </message>

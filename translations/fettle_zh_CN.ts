@@ -9284,6 +9284,11 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>射线</translation>
     </message>
     <message>
+        <source>%1 mm</source>
+        <extracomment>%1: a radius in the room</extracomment>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
         <source>Topology</source>
         <translation>拓扑</translation>
     </message>

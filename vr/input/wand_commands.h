@@ -50,6 +50,10 @@ struct StepTool
     int by = 1;
 };
 
+// Radius of the brush in the room, metres. Trembling hands cannot use a smaller brush, and a larger one hides the
+// model.
+inline constexpr double minRadius = 0.002, maxRadius = 0.25, defaultRadius = 0.03;
+
 struct ScaleRadius
 {
     double factor = 1; ///< above 0

@@ -13,7 +13,7 @@ namespace
 {
 static_assert(jointCount == XR_HAND_JOINT_COUNT_EXT);
 
-constexpr double minRadius = 0.002, maxRadius = 0.04; ///< of a joint that is drawn, metres
+constexpr double minJointRadius = 0.002, maxJointRadius = 0.04; ///< of a joint that is drawn, metres
 } // namespace
 
 HandTrackers::HandTrackers(const Instance& instance, XrSession session)
@@ -63,7 +63,7 @@ std::optional<HandJoints> HandTrackers::locate(Side side, XrSpace room, XrTime t
             return {};
         joints[i].position = core::Vec3(joint.pose.position.x, joint.pose.position.y, joint.pose.position.z);
         if (std::isfinite(joint.radius))
-            joints[i].radius = std::clamp(static_cast<double>(joint.radius), minRadius, maxRadius);
+            joints[i].radius = std::clamp(static_cast<double>(joint.radius), minJointRadius, maxJointRadius);
     }
     return joints;
 }

@@ -205,6 +205,7 @@ enum class PanelSlider {
     Red, ///< Red, Green and Blue: whole numbers of 0 to 255, in the order of channels
     Green,
     Blue,
+    Radius,    ///< of the brush in the room: doublings of vr::minRadius
     Height,    ///< metres that the model is raised
     TurnSpeed, ///< degrees a second
     Contact,   ///< Contact and all following sliders: levels of 0 to 1, in the order of Sensation

@@ -4,6 +4,7 @@
 
 #include "vr/frame/frame_timing.h"
 #include "vr/input/headset_settings.h"
+#include "vr/input/wand_commands.h"
 
 #include "core/parts/part_list.h"
 
@@ -26,6 +27,7 @@ struct ToolPanel
 public:
     core::Tool tool = core::Tool::Pull;
     core::BrushShape brush = core::BrushShape::Sphere;
+    double radius = defaultRadius; ///< of the brush in the room, metres
     core::Topology topology = core::Topology::Adaptive;
     bool isSymmetric = false;
     int radial = 1;         ///< number of sectors
@@ -40,6 +42,7 @@ public:
 private:
     static QString nameOf(core::Tool tool);
     void addTools(PanelBuilder& builder) const;
+    void addBrush(PanelBuilder& builder) const;
     void addSymmetry(PanelBuilder& builder) const;
     void addMask(PanelBuilder& builder) const;
     void addPanelButtons(PanelBuilder& builder) const;

@@ -2,12 +2,15 @@
 #include "vr/panels/panel_content.h"
 #include "vr/panels/panel_theme.h"
 
+#include <cmath>
+
 namespace vr
 {
 namespace
 {
 constexpr double toolWidth = 1260, toolNameWidth = 210, toolHeight = 124, buttonHeight = 84, groupGap = 8,
                  toolTitleWidth = 300;
+constexpr double brushWidth = 450, radiusWidth = 135, radiusStep = 0.25;
 constexpr double symmetryWidth = 270, radialWidth = 170;
 constexpr double filesButtonWidth = 225, partsButtonWidth = 215, levelButtonWidth = 265, addButtonWidth = 230,
                  leaveButtonWidth = 245;
@@ -72,6 +75,24 @@ void ToolPanel::addTools(PanelBuilder& builder) const
         }
 }
 
+/// Adds the brush's shape and a slider for its radius, each of whose steps multiplies it by the same factor.
+void ToolPanel::addBrush(PanelBuilder& builder) const
+{
+    const std::vector<QRectF> places = cells(builder.nextRow(theme::row), {toolNameWidth, brushWidth, 0, radiusWidth});
+    builder.add(places[0], TextLook{.text = tr("Brush"), .lines = 2});
+    builder.addChoice(
+        places[1],
+        {{tr("Sphere"), QStringLiteral("sphere"), core::BrushShape::Sphere, brush == core::BrushShape::Sphere},
+         {tr("Ray"), QStringLiteral("ray"), core::BrushShape::Ray, brush == core::BrushShape::Ray}});
+    const double doublings = std::ceil(std::log2(maxRadius / minRadius) / radiusStep) * radiusStep;
+    builder.add({places[2], SliderLook{.max = doublings, .step = radiusStep},
+                 Slide{PanelSlider::Radius, std::log2(radius / minRadius)}});
+    //: %1: a radius in the room
+    builder.add(places[3], TextLook{.text = tr("%1 mm").arg(std::lround(radius * 1000)),
+                                    .role = TextRole::Number,
+                                    .alignment = Qt::AlignRight | Qt::AlignVCenter});
+}
+
 /// Adds the buttons that open other panels, and those that concern the whole scene.
 void ToolPanel::addPanelButtons(PanelBuilder& builder) const
 {
@@ -118,7 +139,7 @@ void ToolPanel::addMask(PanelBuilder& builder) const
 
 PanelLayout ToolPanel::layout() const
 {
-    using core::BrushShape, core::Topology;
+    using core::Topology;
     PanelBuilder builder(PanelKind::Tools, toolWidth, toolDistance);
     const auto choice = [this](const QString& text, Topology value) {
         return PanelChoice{text, QLatin1StringView(name(value)), value, topology == value};
@@ -128,9 +149,7 @@ PanelLayout ToolPanel::layout() const
                       {{.icon = QStringLiteral("redo")}, PanelCommand::Redo, canRedo}});
     addTools(builder);
     builder.skip(groupGap);
-    builder.addChoice(tr("Brush"), toolNameWidth,
-                      {{tr("Sphere"), QStringLiteral("sphere"), BrushShape::Sphere, brush == BrushShape::Sphere},
-                       {tr("Ray"), QStringLiteral("ray"), BrushShape::Ray, brush == BrushShape::Ray}});
+    addBrush(builder);
     builder.addChoice(tr("Topology"), toolNameWidth,
                       {choice(tr("Refine"), Topology::Refine), choice(tr("Adaptive"), Topology::Adaptive)});
     builder.addChoice(cells(builder.nextRow(theme::row), {toolNameWidth, 0}).back(),

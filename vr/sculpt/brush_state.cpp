@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace vr
@@ -145,7 +146,11 @@ BrushState changed(BrushState brush, const PanelAction& action)
         [&](const ChooseSymmetry& symmetry) { setSymmetric(brush, symmetry.isOn); },
         [&](const ChooseRadial& chosen) { stroke.radial = chosen.count; },
         [&](const ChooseColor& chosen) { stroke.color = chosen.color; },
-        [&](const Slide& slide) { stroke.color = changedColor(stroke.color, slide); },
+        [&](const Slide& slide) {
+            stroke.color = changedColor(stroke.color, slide);
+            if (slide.slider == PanelSlider::Radius)
+                brush.radius = std::clamp(minRadius * std::exp2(slide.value), minRadius, maxRadius);
+        },
         [](const auto&) {},
     };
     std::visit(change, action);

@@ -7,9 +7,6 @@
 
 namespace vr
 {
-// Radius of the brush in the room, metres. Trembling hands cannot use a smaller brush, and a larger one hides the
-// model.
-inline constexpr double minRadius = 0.002, maxRadius = 0.25, defaultRadius = 0.03;
 /// StrokeSettings::spacing of strokes by wands, radii; not used for tools that follow the hand. A dab of full strength
 /// raises the surface by a tenth of the radius, so with this spacing the surface keeps up with the wand that pulls it.
 inline constexpr double wandSpacing = 0.1;

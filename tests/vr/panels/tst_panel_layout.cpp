@@ -137,6 +137,7 @@ private Q_SLOTS:
     void aSlider_takesTheValueUnderThePoint();
     void aPanel_isAsLargeAsItLooks_data() { addExamples(); }
     void aPanel_isAsLargeAsItLooks();
+    void theRadius_hasItsWholeRange();
     void everyFile_isOnOnePage();
     void manyMarks_beginWithThoseToBeMet();
     void aPageThatIsNot_isTheNearest();
@@ -275,6 +276,29 @@ void TestPanelLayout::aPanel_isAsLargeAsItLooks()
     QVERIFY(layout.contains(0.99 * half) && !layout.contains(1.01 * half));
     const auto degreesAt = [](double dmm) { return 2 * std::atan(dmm / 2000) * 180 / std::numbers::pi; };
     QVERIFY(degreesAt(vr::theme::titleHeight) > 3.45 && degreesAt(vr::theme::minHeight) > 3.45 / 2);
+}
+
+/// Checks that the slider of the tools shows the radius, and that its ends are those of the radius.
+void TestPanelLayout::theRadius_hasItsWholeRange()
+{
+    const vr::Slide any{vr::PanelSlider::Radius, 0};
+    for (const double radius : {vr::minRadius, vr::defaultRadius, vr::maxRadius}) {
+        vr::ToolPanel panel;
+        panel.radius = radius;
+        const PanelLayout layout = panel.layout();
+        const PanelItem* item = layout.itemFor(any);
+        QVERIFY(item && item->isSlider());
+        const auto& look = std::get<vr::SliderLook>(item->look);
+        const double shown = std::get<vr::Slide>(*item->action).value;
+        QCOMPARE(vr::minRadius * std::exp2(shown), radius);
+        QVERIFY(shown >= look.min && shown <= look.max);
+        QVERIFY(look.min == 0 && vr::minRadius * std::exp2(look.max - look.step) < vr::maxRadius);
+        const QString text = QString::number(std::lround(radius * 1000)) + " mm";
+        QVERIFY(std::ranges::any_of(layout.items, [&](const PanelItem& i) {
+            const auto* words = std::get_if<vr::TextLook>(&i.look);
+            return words && words->text == text;
+        }));
+    }
 }
 
 void TestPanelLayout::everyFile_isOnOnePage()

@@ -290,6 +290,7 @@ void TestPanelPainter::aValue_isSeen_data()
     };
     row("tool", 0, [](vr::ToolPanel& panel) { panel.tool = core::Tool::Smooth; });
     row("brush", 0, [](vr::ToolPanel& panel) { panel.brush = core::BrushShape::Ray; });
+    row("radius", 0, [](vr::ToolPanel& panel) { panel.radius = 0.06; });
     row("topology", 0, [](vr::ToolPanel& panel) { panel.topology = core::Topology::Uniform; });
     row("symmetry", 0, [](vr::ToolPanel& panel) { panel.isSymmetric = true; });
     row("sectors", 0, [](vr::ToolPanel& panel) { panel.radial = 6; });

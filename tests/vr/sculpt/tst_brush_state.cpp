@@ -139,6 +139,20 @@ private Q_SLOTS:
         QCOMPARE(after(brush, {vr::ScaleRadius{1e-9}}).radius, vr::minRadius);
     }
 
+    /// Checks that each step of a panel's slider multiplies the radius by the same factor, within its range.
+    void theRadiusFollowsItsSlider()
+    {
+        const auto radiusAt = [](double value) {
+            return vr::changed(BrushState(), vr::PanelAction(vr::Slide{vr::PanelSlider::Radius, value})).radius;
+        };
+        QCOMPARE(radiusAt(0), vr::minRadius);
+        QCOMPARE(radiusAt(3), 8 * vr::minRadius);
+        QCOMPARE(radiusAt(100), vr::maxRadius);
+        QCOMPARE(radiusAt(-1), vr::minRadius);
+        const BrushState painted = vr::changed(BrushState(), vr::PanelAction(vr::Slide{vr::PanelSlider::Radius, 5}));
+        QVERIFY(painted.stroke.color == BrushState().stroke.color);
+    }
+
     void channelsGoFrom0To255()
     {
         BrushState brush;
