@@ -41,7 +41,8 @@ private:
     /// Returns whether the angle of (x, y) is in (0, pi].
     static bool isUpper(double x, double y) { return y > 0 || (y == 0 && x < 0); }
 
-    static constexpr double largest = 1e100; ///< size of a product from which it is scaled, so as not to overflow
+    /// A product that is larger than this, or smaller than its inverse, is scaled before it overflows or vanishes.
+    static constexpr double largest = 1e100;
 
     double m_x = 1, m_y = 0;
     int m_turns = 0;

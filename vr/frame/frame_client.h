@@ -27,7 +27,8 @@ struct FrameInput
     bool roomMoved = false; ///< room space was redefined since the last frame: grabs and strokes in progress must end
     const FrameTimings& timings;
     bool offersPassthrough = false; ///< the headset can show the real room behind the picture
-    /// Joints of bare hands, indexed by Side; none: a wand, or the runtime does not report them.
+    /// Joints of bare hands, indexed by Side; none: a wand, a hand that is not tracked, or a runtime that has no
+    /// joints.
     std::array<std::optional<HandJoints>, sideCount> joints{};
 
     double seconds() const { return static_cast<double>(displayNs) * 1e-9; }

@@ -28,7 +28,8 @@ public:
     /// Makes the program current for an eye, with smooth shading and without cut line, tint, cavity shading and
     /// transform.
     void useFor(const EyeUniforms& eye) const;
-    /// Sets the transform from the vertices' own space to room space. It must scale uniformly.
+    /// Sets the transform from the vertices' own space to room space. Unless it scales uniformly, the light is only
+    /// about right.
     void place(const EyeUniforms& eye, const Eigen::Matrix4f& toRoom) const
     {
         view.set(Eigen::Matrix4f(eye.view * toRoom));
