@@ -36,7 +36,7 @@ struct ViewportStats
     double patchMs = 0;        ///< CPU time to take and upload the last patch
     /// CPU time of the clay's draw calls in the last frame; includes rasterising in software OpenGL
     double drawMs = 0;
-    double sceneMs = 0; ///< CPU time of Qt3D in the last frame
+    double sceneMs = 0; ///< CPU time of overlays and ghosts in the last frame
     double frameMs = 0; ///< CPU time of the whole last frame
     /// time from an input event to the upload of its patch, for the last patch caused by input
     double latencyMs = 0;

@@ -430,6 +430,9 @@ void TestScene::bothDrawTheSame()
     ui::OrbitCamera camera = cameraOn(model);
     camera.setProjection(projection);
     Scene byQt3d(Scene::Mode::Qt3d), byOpenGl(Scene::Mode::OpenGl);
+    if (!FETTLE_HAS_QT3D)
+        QSKIP("This build has no Qt3D to compare with");
+    QCOMPARE(byQt3d.mode(), Scene::Mode::Qt3d);
     const auto picture = [&](Scene& scene, bool withOverlays) {
         scene.setAppearance({.ground = withOverlays}, dark);
         scene.meshBuffer().apply(model.whole());
