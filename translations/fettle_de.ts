@@ -7900,8 +7900,9 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Das Modell lässt sich nicht anzeigen: OpenGL startet auf dieser Anzeige nicht.</translation>
     </message>
     <message>
-        <source>The model cannot be shown: OpenGL 3.3 is needed, and this display offers %1.%2.</source>
-        <translation>Das Modell lässt sich nicht anzeigen: Nötig ist OpenGL 3.3, diese Anzeige bietet %1.%2.</translation>
+        <source>The model cannot be shown: OpenGL 3.3 is needed, and this display offers %1.%2 (%3). Update the graphics driver, or install Mesa&apos;s software driver, llvmpipe.</source>
+        <extracomment>%1.%2: a version; %3: the name of the OpenGL driver</extracomment>
+        <translation>Das Modell lässt sich nicht anzeigen: Nötig ist OpenGL 3.3, diese Anzeige bietet %1.%2 (%3). Aktualisieren Sie den Grafiktreiber, oder installieren Sie den Softwaretreiber von Mesa, llvmpipe.</translation>
     </message>
 </context>
 <context>

@@ -7868,8 +7868,9 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>无法显示模型：OpenGL 无法在此显示环境中启动。</translation>
     </message>
     <message>
-        <source>The model cannot be shown: OpenGL 3.3 is needed, and this display offers %1.%2.</source>
-        <translation>无法显示模型：需要 OpenGL 3.3，而此显示环境仅提供 %1.%2。</translation>
+        <source>The model cannot be shown: OpenGL 3.3 is needed, and this display offers %1.%2 (%3). Update the graphics driver, or install Mesa&apos;s software driver, llvmpipe.</source>
+        <extracomment>%1.%2: a version; %3: the name of the OpenGL driver</extracomment>
+        <translation>无法显示模型：需要 OpenGL 3.3，而此显示环境仅提供 %1.%2（%3）。请更新显卡驱动程序，或安装 Mesa 的软件驱动 llvmpipe。</translation>
     </message>
 </context>
 <context>

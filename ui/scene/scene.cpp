@@ -12,6 +12,7 @@
 #include <QCoreApplication>
 #include <QElapsedTimer>
 #include <QOffscreenSurface>
+#include <QOpenGLFunctions>
 #include <QOpenGLFunctions_3_3_Core>
 #include <QOpenGLVersionFunctionsFactory>
 
@@ -30,6 +31,12 @@ const QColor markColor(255, 70, 200); ///< a hue that no scale of shades has
 double milliseconds(const QElapsedTimer& since)
 {
     return static_cast<double>(since.nsecsElapsed()) * 1e-6;
+}
+
+/// Returns the name that the current context's driver gives itself.
+QString rendererName(QOpenGLFunctions& gl)
+{
+    return QString::fromUtf8(reinterpret_cast<const char*>(gl.glGetString(GL_RENDERER)));
 }
 
 QOpenGLFunctions_3_3_Core* functionsOf(QOpenGLContext* context)
@@ -285,9 +292,12 @@ QString graphicsProblem()
             return SceneText::tr("The model cannot be shown: OpenGL does not start on this display.");
         const auto version = context.format().version();
         if (version < qMakePair(3, 3) || !functionsOf(&context))
-            return SceneText::tr("The model cannot be shown: OpenGL 3.3 is needed, and this display offers %1.%2.")
+            //: %1.%2: a version; %3: the name of the OpenGL driver
+            return SceneText::tr("The model cannot be shown: OpenGL 3.3 is needed, and this display offers %1.%2 (%3). "
+                                 "Update the graphics driver, or install Mesa's software driver, llvmpipe.")
                 .arg(version.first)
-                .arg(version.second);
+                .arg(version.second)
+                .arg(rendererName(*context.functions()));
         return QString();
     }();
     return problem;
