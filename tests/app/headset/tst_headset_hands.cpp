@@ -34,6 +34,7 @@ private Q_SLOTS:
     void fist_movesTheModelAndNeverSculpts();
     void twoFists_scaleTheModel();
     void palm_opensTheToolsAndAPinchPressesThem();
+    void slider_setsTheRadius();
     void oneHand_hasTheToolsToo();
     void wand_mayBeTakenUpAgain();
 };
@@ -108,6 +109,19 @@ void TestHeadsetHands::palm_opensTheToolsAndAPinchPressesThem()
     v.hand.showPalm(Side::Left); // closes them
     v.hand.stroke({0, 49, 0}, {10, 48, 0}, 4);
     QCOMPARE(v.changes(), 1);
+    QCOMPARE(v.hand.headset().complaints(), QString());
+}
+
+void TestHeadsetHands::slider_setsTheRadius()
+{
+    BareHanded v;
+    v.hand.showPalm(Side::Left);
+    for (const double doublings : {2.0, 5.0}) {
+        const double wanted = vr::minRadius * std::exp2(doublings);
+        QVERIFY(v.hand.choose(v.tools(), vr::Slide{vr::PanelSlider::Radius, doublings},
+                              [&] { return std::abs(v.hand.seen().radius / wanted - 1) < 1e-6; }));
+    }
+    QVERIFY(v.isUntouched());
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 
