@@ -1,5 +1,7 @@
 #include "vr/input/bare_hand.h"
 
+#include "vr/input/wand_mapping.h"
+
 #include <cmath>
 #include <numbers>
 
@@ -26,22 +28,43 @@ WandState BareHandReader::read(const WandState& hand, const Pose& head, double t
 {
     const double seconds = m_clock.step(time);
     if (!hand.isHand) {
-        m_held = Held::None;
+        forget();
         hidePalm();
         return hand;
     }
     readPalm(hand, head, seconds);
-    if (!hand.isActive) {
-        m_held = Held::None;
-        return hand;
-    }
+    if (!hand.isActive)
+        return lost(hand);
     hold(hand);
     WandState wand = hand;
     const bool mayPinch = m_held == Held::Pinch || (m_held == Held::None && hand.squeeze < fistBlocksPinch);
     wand.trigger = mayPinch ? hand.trigger : 0;
     wand.side = m_held == Held::Fist && hand.side;
     wand.menu = isPalmPressed();
+    m_last = wand;
     return wand;
+}
+
+/// Returns a hand of which the runtime reports no gestures: as it was before for up to maxTrackingGap, then without
+/// any.
+WandState BareHandReader::lost(const WandState& hand)
+{
+    if (m_unseenFor > maxTrackingGap)
+        forget();
+    if (!m_last)
+        return hand;
+    WandState wand = *m_last;
+    wand.grip = hand.grip;
+    wand.aim = hand.aim;
+    wand.pinch = hand.pinch;
+    wand.isTracked = false;
+    return wand;
+}
+
+void BareHandReader::forget()
+{
+    m_held = Held::None;
+    m_last.reset();
 }
 
 void BareHandReader::hold(const WandState& hand)

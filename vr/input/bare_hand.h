@@ -23,7 +23,8 @@ inline constexpr double maxPalmGap = 0.5;
 ///
 /// A fist brings finger and thumb together too, and a pinch may curl the other fingers. Of the two, the one that began
 /// first counts until both have ended. A palm counts once, until it is turned away: a hand that closes, a glance aside
-/// and a moment without tracking do not press again. The only clock is the frames' times.
+/// and a moment without tracking do not press again. A hand whose gestures are lost holds on for maxTrackingGap, as a
+/// wand does, because a hand often hides its own fingers. The only clock is the frames' times.
 class BareHandReader
 {
 public:
@@ -35,6 +36,8 @@ public:
 private:
     enum class Held { None, Pinch, Fist };
 
+    WandState lost(const WandState& hand);
+    void forget();
     void hold(const WandState& hand);
     void readPalm(const WandState& hand, const Pose& head, double seconds);
     void hidePalm() { m_shownFor.reset(); }
@@ -44,6 +47,7 @@ private:
     Side m_side;
     FrameClock m_clock;
     Held m_held = Held::None;
+    std::optional<WandState> m_last;  ///< the hand as a wand in the last frame in which it was active; none: it is lost
     std::optional<double> m_shownFor; ///< seconds that the palm has been turned to the face; none: it is not
     double m_unseenFor = 0;           ///< seconds that the hand has not been tracked
 };

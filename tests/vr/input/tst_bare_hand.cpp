@@ -1,5 +1,7 @@
 #include "vr/input/bare_hand.h"
 
+#include "vr/input/wand_mapping.h"
+
 #include "tests/support/test_main.h"
 
 #include <QTest>
@@ -77,7 +79,7 @@ private Q_SLOTS:
     void aPalm_countsOnlyIfItIsShown();
     void aPalm_countsOnce();
     void aStall_isNotATimeOfShowing();
-    void aHandThatIsLost_holdsNothing();
+    void aHandThatIsLost_holdsOnForAMoment();
     void aWand_isLeftAlone();
 };
 
@@ -191,14 +193,32 @@ void TestBareHand::aStall_isNotATimeOfShowing()
     QVERIFY(!hand.frame().menu);
 }
 
-void TestBareHand::aHandThatIsLost_holdsNothing()
+/// Checks that a hand without gestures keeps those that it had, untracked, for as long as a wand may be lost, and that
+/// it is inactive after that and begins anew when it comes back.
+void TestBareHand::aHandThatIsLost_holdsOnForAMoment()
 {
     Hand hand;
-    QVERIFY(hand.with(0, 0.9).side);
-    hand.state.isActive = false;
+    hand.with(0.8, 0.1);
+    const auto lose = [&](bool isLost) {
+        hand.state.isActive = hand.state.isTracked = !isLost;
+        hand.state.trigger = hand.state.squeeze = 0;
+    };
+    lose(true);
+    const WandState lost = hand.frames(0.5 * vr::maxTrackingGap);
+    QVERIFY(lost.isActive && !lost.isTracked && lost.isHand);
+    QCOMPARE(lost.trigger, 0.8);
+    lose(false);
+    QCOMPARE(hand.with(0.7, 0.1).trigger, 0.7);
+    QVERIFY(!hand.with(0.7, 0.9).side); // the same pinch still
+
+    lose(false);
     hand.frame();
-    hand.state.isActive = true;
-    QCOMPARE(hand.with(0.9, 0).trigger, 0.9);
+    QVERIFY(hand.with(0, 0.9).side);
+    lose(true);
+    const WandState gone = hand.frames(1.5 * vr::maxTrackingGap);
+    QVERIFY(!gone.isActive && !gone.isTracked && gone.trigger == 0 && !gone.side);
+    lose(false);
+    QCOMPARE(hand.with(0.9, 0).trigger, 0.9); // the fist is forgotten
 }
 
 void TestBareHand::aWand_isLeftAlone()
