@@ -19,8 +19,7 @@ XrDuration nanoseconds(double seconds)
     return seconds > 0 ? static_cast<XrDuration>(std::llround(seconds * 1e9)) : XR_MIN_HAPTIC_DURATION;
 }
 
-/// Returns the profile with this path. Returns null if Fettle has no such profile, or if the runtime has chosen none
-/// yet.
+/// Returns the profile with this path; null: Fettle has no such profile.
 const WandProfile* profileOf(const std::string& path)
 {
     const auto found = std::ranges::find(wandProfiles(), path, &WandProfile::path);
@@ -252,6 +251,8 @@ void Actions::refreshProfiles()
         XrInteractionProfileState state{};
         state.type = XR_TYPE_INTERACTION_PROFILE_STATE;
         check(xrGetCurrentInteractionProfile(m_session, hand.path, &state), "xrGetCurrentInteractionProfile");
+        if (state.interactionProfile == XR_NULL_PATH)
+            continue; // nothing is held, perhaps only because a hand is lost for a moment
         const WandProfile* profile = profileOf(m_instance.text(state.interactionProfile));
         hand.isStick = profile && profile->isStick;
         hand.isHand = profile && has(*profile, Control::Pinch);

@@ -31,6 +31,7 @@ private Q_SLOTS:
     void initTestCase() { SKIP_WITHOUT_GLX(); }
 
     void pinch_sculptsWhereTheFingersMeet();
+    void stroke_outlastsAMomentWithoutTheHand();
     void fist_movesTheModelAndNeverSculpts();
     void twoFists_scaleTheModel();
     void palm_opensTheToolsAndAPinchPressesThem();
@@ -48,6 +49,27 @@ void TestHeadsetHands::pinch_sculptsWhereTheFingersMeet()
     QVERIFY(v.box().max().x() < 50.5);
     v.pull(0.3); // fingers that do not meet
     QCOMPARE(v.changes(), 1);
+    QCOMPARE(v.hand.headset().complaints(), QString());
+}
+
+/// Checks that a stroke goes on if the runtime loses the pinching hand for three frames.
+void TestHeadsetHands::stroke_outlastsAMomentWithoutTheHand()
+{
+    BareHanded v;
+    v.hand.begin({0, 49, 0}, {0, 50, 0}, 3);
+    v.hand.headset().step("{'right': {'on': false}}");
+    v.hand.frames(3);
+    v.hand.headset().step("{'right': {'on': true}}");
+    v.hand.frames(2);
+    const double before = v.box().max().y();
+    for (int i = 1; i <= 12; ++i) {
+        v.hand.put(Side::Right, v.hand.place({0, 50 + 0.25 * i, 0}));
+        v.hand.frame();
+    }
+    v.hand.end();
+    v.hand.settle();
+    QCOMPARE(v.changes(), 1);
+    QVERIFY(v.box().max().y() > before + 0.05);
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 

@@ -599,6 +599,9 @@ void TestHeadsetFrames::bareHandsAreRead()
     m_headset->step("{'left': {'tracked': false}}");
     QVERIFY(m_headset->frames(2));
     QVERIFY(!visitor.client->last().wands[0].isTracked && visitor.client->last().wands[1].isTracked);
+    m_headset->step("{'left': {'on': false}}"); // the runtime finds no device, but it may have been a hand
+    QVERIFY(m_headset->frames(4));
+    QVERIFY(!visitor.client->last().wands[0].isActive && visitor.client->last().wands[0].isHand);
     vr::FrameOutput output;
     output.pulses = {{Side::Right, 0.5, 160, 0.02}}; // nothing vibrates, and nothing fails
     visitor.client->answer(output);
