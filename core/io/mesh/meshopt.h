@@ -23,6 +23,12 @@ struct MeshoptView
 /// Largest number of bytes that one compressed byte can produce.
 inline constexpr std::size_t maxMeshoptRatio = 1024;
 
+/// Returns the signed number, in two's complement, that zigzag encoding wrote as `value`.
+constexpr std::uint32_t withoutZigzag(std::uint32_t value)
+{
+    return (value & 1) != 0 ? ~(value >> 1) : value >> 1;
+}
+
 /// Returns the view's elements, unpacked and filtered. Precondition: count, stride and filter are allowed by the
 /// extensions. Throws FileError::Malformed: CompressedCut if the data end too early, else CompressedWrong. Memory:
 /// twice the result.

@@ -11,11 +11,6 @@ namespace
 {
 constexpr std::size_t groupSize = 16, maxBlock = 256, maxStride = 256;
 
-std::uint32_t withoutZigzag(std::uint32_t value)
-{
-    return (value & 1) != 0 ? ~(value >> 1) : value >> 1;
-}
-
 std::uint8_t& byteAt(char* bytes, std::size_t at)
 {
     return reinterpret_cast<std::uint8_t*>(bytes)[at];

@@ -8,11 +8,6 @@ namespace core::io
 {
 namespace
 {
-std::uint32_t withoutZigzag(std::uint32_t value)
-{
-    return (value & 1) != 0 ? ~(value >> 1) : value >> 1;
-}
-
 /// Collects indices of 2 or 4 bytes.
 class IndexWriter
 {

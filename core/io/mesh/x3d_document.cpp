@@ -16,11 +16,6 @@
 
 namespace core::io
 {
-namespace
-{
-constexpr std::size_t maxDepth = 256;
-} // namespace
-
 std::string_view X3dNode::text(std::string_view attribute) const
 {
     for (const auto& [key, value] : attributes)
@@ -123,7 +118,7 @@ struct X3dDocument::Parser
 
     void beginNode(const char* name, const char** pairs)
     {
-        if (open.size() >= maxDepth)
+        if (open.size() >= maxX3dDepth)
             refuse(FileFault::XmlTooDeep);
         spaces.begin(pairs);
         X3dNode& node = document.m_nodes.emplace_back();

@@ -8,6 +8,9 @@
 
 namespace core::io
 {
+/// Levels of elements, and of groups including those nested by USE, that a file may nest.
+inline constexpr std::size_t maxX3dDepth = 256;
+
 /// A node of an X3D scene, as written in the XML.
 struct X3dNode
 {
@@ -25,9 +28,9 @@ struct X3dNode
     bool isFalse(std::string_view attribute) const;
 };
 
-/// An X3D file in XML encoding, parsed by the library expat to a tree. Elements may be nested 256 deep. A document type
-/// is ignored unless it declares something. Element names lose their prefix if it is the root's, or denotes
-/// the root's or X3D's namespace. Throws FileError with the line; an undefined USE is an error.
+/// An X3D file in XML encoding, parsed by the library expat to a tree. Elements may be nested maxX3dDepth deep. A
+/// document type is ignored unless it declares something. Element names lose their prefix if it is the root's, or
+/// denotes the root's or X3D's namespace. Throws FileError with the line; an undefined USE is an error.
 class X3dDocument
 {
 public:

@@ -22,7 +22,6 @@ namespace core::io
 namespace
 {
 constexpr std::size_t maxNodes = std::size_t(1) << 18;
-constexpr std::size_t maxDepth = 256; ///< nested groups, as deep as XML elements may be, including those nested by USE
 /// Bytes of text that may be written for any file, in addition to 16 times its size.
 constexpr std::size_t leastText = std::size_t(1) << 26;
 
@@ -344,7 +343,7 @@ private:
 
     void addGroup(const X3dNode& node, const X3dNode& meant)
     {
-        if (m_open.size() >= maxDepth || !m_open.insert(&meant).second)
+        if (m_open.size() >= maxX3dDepth || !m_open.insert(&meant).second)
             refuseX3d(m_file, node, FileFault::TooDeep, "nodes of USE=" + std::string(node.text("USE")));
         const std::size_t before = m_to.size(), names = m_to.names();
         const bool isTransform = isIn(transforms, meant.name);

@@ -5,7 +5,6 @@
 #include "core/io/mesh/number_parsing.h"
 
 #include <algorithm>
-#include <charconv>
 #include <numeric>
 #include <span>
 #include <unordered_map>
@@ -134,13 +133,6 @@ std::optional<std::vector<Face>> facesOf(const FileBytes& file, const X3dNode& n
     return std::nullopt;
 }
 
-template <class Number> void append(std::string& text, Number number)
-{
-    char digits[32];
-    text.append(text.empty() ? "" : " ");
-    text.append(digits, std::to_chars(digits, std::end(digits), number).ptr);
-}
-
 std::size_t countIn(const FileBytes& file, const X3dNode& node, std::string_view name)
 {
     const std::vector<std::string_view> words = x3dWords(node.text(name));
@@ -174,7 +166,7 @@ Grid gridOf(const FileBytes& file, const X3dNode& node)
     for (std::size_t i = 0; i < grid.count; ++i)
         for (const double number :
              {stepX * static_cast<double>(i % alongX), heights[i], stepZ * static_cast<double>(i / alongX)})
-            append(grid.points, number);
+            appendNumber(grid.points, number);
     const auto row = static_cast<Index>(alongX);
     for (std::size_t i = 0; i + alongX < grid.count; ++i)
         if (const auto first = static_cast<Index>(i); (i + 1) % alongX != 0)
@@ -185,7 +177,7 @@ Grid gridOf(const FileBytes& file, const X3dNode& node)
 std::string written(const std::vector<Face>& faces, bool isReversed)
 {
     std::string text;
-    const auto add = [&text](Index index) { append(text, index); };
+    const auto add = [&text](Index index) { appendNumber(text, index); };
     for (const Face& face : faces) {
         if (face.size() < 3)
             continue;
@@ -340,7 +332,7 @@ std::optional<X3dFaces> facesOfX3d(const FileBytes& file, const X3dNode& node, X
         return std::nullopt;
     for (const Index point : used)
         for (std::size_t k = 0; k < 3; ++k)
-            append(result.points, numbers[3 * static_cast<std::size_t>(point) + k]);
+            appendNumber(result.points, numbers[3 * static_cast<std::size_t>(point) + k]);
     const auto isNone = [](const Face& face) { return face.size() < 3; };
     if (!std::all_of(faces->begin(), faces->end(), isNone))
         addColors(file, node, *faces, used, used.empty() ? count : used.size(), lists, result);

@@ -2,6 +2,8 @@
 
 #include "core/io/mesh/x3d_document.h"
 
+#include <charconv>
+#include <iterator>
 #include <optional>
 #include <unordered_map>
 
@@ -55,4 +57,12 @@ private:
 /// globe (GeoCoordinate). Throws FileError with the node's line, also if an index is out of range or heights are
 /// missing.
 std::optional<X3dFaces> facesOfX3d(const FileBytes& file, const X3dNode& node, X3dLists& lists);
+
+/// Appends a number to a list of numbers with blanks between them.
+template <class Number> void appendNumber(std::string& text, Number number)
+{
+    char digits[32];
+    text.append(text.empty() ? "" : " ");
+    text.append(digits, std::to_chars(digits, std::end(digits), number).ptr);
+}
 } // namespace core::io

@@ -7,7 +7,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <charconv>
 #include <numbers>
 
 namespace core::io
@@ -28,7 +27,7 @@ public:
     int addPoint(const Vec3& point)
     {
         for (int axis = 0; axis < 3; ++axis)
-            append(m_faces.points, point[axis]);
+            appendNumber(m_faces.points, point[axis]);
         return m_points++;
     }
     void addFace(std::vector<int> corners)
@@ -36,19 +35,12 @@ public:
         if (m_isReversed)
             std::reverse(corners.begin(), corners.end());
         for (const int corner : corners)
-            append(m_faces.coordIndex, corner);
-        append(m_faces.coordIndex, -1);
+            appendNumber(m_faces.coordIndex, corner);
+        appendNumber(m_faces.coordIndex, -1);
     }
     X3dFaces take() { return std::move(m_faces); }
 
 private:
-    template <class Number> static void append(std::string& to, Number number)
-    {
-        char digits[32];
-        to.append(to.empty() ? "" : " ");
-        to.append(digits, std::to_chars(digits, std::end(digits), number).ptr);
-    }
-
     X3dFaces m_faces;
     int m_points = 0;
     bool m_isReversed;
