@@ -65,7 +65,8 @@ compile()
     return 1
 }
 
-# Writes what CMake compiles, which is files of a folder together or a file alone, as a unit each.
+# Writes what CMake compiles, which is files of a folder together or a file alone, as a unit each. The files of Windows
+# are left out.
 units_of_core()
 {
     python3 - "$build/core/compile_commands.json" "$build/units" <<'EOF'
@@ -74,6 +75,8 @@ commands, units = sys.argv[1:]
 flags = None
 for entry in json.load(open(commands)):
     if "fettle_core.dir" not in entry["command"] or "cmake_pch.hxx.cxx" in entry["file"]:
+        continue
+    if entry["file"].endswith("_windows.cpp"):
         continue
     name = os.path.basename(entry["file"]).removesuffix("_cxx.cxx").removesuffix(".cpp")
     if not flags:
@@ -92,7 +95,7 @@ EOF
 
 check_syntax()
 {
-    local failed=0 file modules module
+    local failed=0 library modules module
     rm -rf "$build/units"
     mkdir -p "$build/units"
     units_of_core || fail "the list of core's files cannot be read"
@@ -103,8 +106,10 @@ check_syntax()
     for module in QtCore QtGui QtWidgets QtOpenGL QtNetwork; do
         modules+=(-isystem "${modules[1]}/$module")
     done
-    for file in $(cd "$root" && find app ui vr -name '*_windows.cpp' -o -name '*_wgl.cpp' | sort); do
-        printf '#include "%s"\n' "$file" >"$build/units/qt_$(basename "$file")"
+    # The headers of Windows and Qt take most of the time, so the files of Windows of a library are one unit.
+    for library in core app ui vr; do
+        (cd "$root" && find "$library" -name '*_windows.cpp' -o -name '*_wgl.cpp' | sort) |
+            sed 's/.*/#include "&"/' >"$build/units/windows_$library.cpp"
     done
     export -f compile
     export build
@@ -114,7 +119,7 @@ check_syntax()
     find "$build/units" -name '*.cpp' -printf '%f\n' | sort |
         xargs -P "$jobs" -I{} bash -c '
             set=core
-            [[ {} != qt_* ]] || set=qt
+            [[ {} != windows_* || {} = windows_core.cpp ]] || set=qt
             mapfile -t flags <"$build/units/$set.flags"
             compile "{}" '"$compiler"' "${flags[@]}" "$build/units/{}"' || failed=1
     [ "$failed" = 0 ] || fail "these files do not compile for Windows; the lines above say why"

@@ -9488,7 +9488,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
 </context>
 <context>
-    <name>ui::PresetShelf</name>
+    <name>ui::PresetList</name>
     <message>
         <source>Brush presets</source>
         <translation>Pinselvorlagen</translation>

@@ -9453,7 +9453,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
 </context>
 <context>
-    <name>ui::PresetShelf</name>
+    <name>ui::PresetList</name>
     <message>
         <source>Brush presets</source>
         <translation>笔刷预设</translation>

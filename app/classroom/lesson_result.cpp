@@ -17,7 +17,7 @@ namespace
 const QString lessonKey = QStringLiteral("lesson"), titleKey = QStringLiteral("title"),
               stepKey = QStringLiteral("step"), stepsKey = QStringLiteral("steps"),
               teachersKey = QStringLiteral("teachers_model"), goalsKey = QStringLiteral("goals"),
-              goalKey = QStringLiteral("goal"), leastKey = QStringLiteral("least"), mostKey = QStringLiteral("most"),
+              goalKey = QStringLiteral("goal"), minKey = QStringLiteral("least"), maxKey = QStringLiteral("most"),
               measuredKey = QStringLiteral("measured"), metKey = QStringLiteral("met"),
               distance = QStringLiteral("distance_mm");
 
@@ -30,8 +30,7 @@ void read(const QJsonObject& goal, core::CheckpointVerdict& verdict)
 {
     const QString name = goal.value(goalKey).toString();
     const QJsonValue measured = goal.value(measuredKey);
-    const double least = goal.value(leastKey).toDouble(),
-                 most = goal.value(mostKey).toDouble(core::FactBounds::unbounded);
+    const double least = goal.value(minKey).toDouble(), most = goal.value(maxKey).toDouble(core::FactBounds::unbounded);
     const bool holds = goal.value(metKey).toBool();
     if (name == distance) {
         verdict.target.emplace();
@@ -83,14 +82,14 @@ QJsonObject LessonResult::toJson() const
     QJsonArray goals;
     for (const core::FactVerdict& fact : verdict.facts)
         goals.append(QJsonObject{{goalKey, QString::fromUtf8(core::info(fact.asked.fact).key)},
-                                 {leastKey, boundOf(fact.asked.min)},
-                                 {mostKey, boundOf(fact.asked.max)},
+                                 {minKey, boundOf(fact.asked.min)},
+                                 {maxKey, boundOf(fact.asked.max)},
                                  {measuredKey, fact.measured ? QJsonValue(*fact.measured) : QJsonValue()},
                                  {metKey, fact.holds}});
     if (verdict.target)
         goals.append(QJsonObject{{goalKey, distance},
-                                 {leastKey, 0},
-                                 {mostKey, verdict.target->tolerance},
+                                 {minKey, 0},
+                                 {maxKey, verdict.target->tolerance},
                                  {measuredKey, verdict.target->nearDistance},
                                  {metKey, verdict.target->holds}});
     return {{lessonKey, lesson}, {titleKey, title},         {stepKey, step},

@@ -27,7 +27,7 @@ std::string partNameOf(const ui::InsertRequest& insertion)
 }
 
 /// Returns the parts of which the request takes something away.
-std::shared_ptr<const core::DrawArrays> glassOf(const core::Mesh& mesh, const ModelChangeRequest& request)
+std::shared_ptr<const core::DrawArrays> translucentOf(const core::Mesh& mesh, const ModelChangeRequest& request)
 {
     const auto& command = std::get<core::CombineParts>(request.command);
     std::vector<core::PartId> parts;
@@ -40,9 +40,9 @@ std::shared_ptr<const core::DrawArrays> glassOf(const core::Mesh& mesh, const Mo
         pieces.push_back({part, core::surfaceOf(mesh, part), {}, {}});
     if (pieces.empty())
         return {};
-    core::TriangleMesh glass = core::joined(pieces);
-    glass.colors.clear();
-    return std::make_shared<const core::DrawArrays>(core::drawArraysOf(glass));
+    core::TriangleMesh translucent = core::joined(pieces);
+    translucent.colors.clear();
+    return std::make_shared<const core::DrawArrays>(core::drawArraysOf(translucent));
 }
 } // namespace
 
@@ -186,11 +186,11 @@ void ModelChanger::show(const std::shared_ptr<const Change>& change)
     Q_EMIT m_document->job().busy(tr("Preview: %1").arg(change->step.text));
     m_document->worker().post([this, change](core::Sculptor& sculptor) {
         const auto operation = std::get<core::CombineParts>(change->request.command).operation;
-        const auto glass = glassOf(sculptor.mesh(), change->request);
+        const auto translucent = translucentOf(sculptor.mesh(), change->request);
         sculptor.swap(*change->delta);
-        m_mailbox.post([this, change, operation, glass] {
+        m_mailbox.post([this, change, operation, translucent] {
             if (m_preview == change)
-                Q_EMIT previewed(operation, glass);
+                Q_EMIT previewed(operation, translucent);
         });
     });
     m_document->notifyStateChanged(); // the mesh has changed; a window that is closing drops the preview

@@ -48,8 +48,8 @@ public Q_SLOTS:
     void dropPreview();
 
 Q_SIGNALS:
-    /// `glass`: the parts that the operation has taken away, mm.
-    void previewed(core::SetOperation operation, const std::shared_ptr<const core::DrawArrays>& glass);
+    /// `translucent`: the parts that the operation has taken away, mm.
+    void previewed(core::SetOperation operation, const std::shared_ptr<const core::DrawArrays>& translucent);
     void previewEnded();
     /// Emitted if the model to insert is not sound. insert() with InsertRequest::repair may succeed.
     void insertionRepairable(const ui::InsertRequest& insertion, const QString& problem);

@@ -74,7 +74,7 @@ SimulatorController::SimulatorController(ui::MainWindow* window, SculptWorker* w
     connect(worker, &SculptWorker::answeredSimulator, this,
             [this](const std::optional<core::SurfaceHit>& hit) { m_hit = hit; });
     connect(m_window, &ui::SimulatorWindow::closed, m_headset, &Headset::leave);
-    connect(m_window->view(), &ui::SimulatorView::headTurned, this, [this] { m_gaze.letGo(); });
+    connect(m_window->view(), &ui::SimulatorView::headTurned, this, [this] { m_gaze.cancel(); });
     connect(m_window->view(), &ui::SimulatorView::buttonsChanged, this, &SimulatorController::queueButtons);
 }
 

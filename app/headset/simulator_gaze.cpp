@@ -22,7 +22,7 @@ bool isOpenedByHand(vr::PanelKind kind)
 }
 } // namespace
 
-void SimulatorGaze::letGo()
+void SimulatorGaze::cancel()
 {
     m_turned = 0;
     m_isDone = true;

@@ -17,7 +17,7 @@ public:
     /// call; 0: turn at once.
     double step(std::span<const vr::PanelTarget> panels, const vr::Pose& head, double sideTangent, double seconds);
     /// Called when the user has turned the head: cancels turning, including turning back.
-    void letGo();
+    void cancel();
 
 private:
     static double missing(const vr::PanelTarget& panel, const vr::Pose& head, double sideTangent);

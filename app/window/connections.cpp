@@ -247,12 +247,12 @@ void connectCombinations(ui::MainWindow& window, Document& document, Headset* he
                      });
     QObject::connect(window.headset(), &ui::HeadsetActions::enterRequested, changer, &ModelChanger::dropPreview);
     QObject::connect(changer, &ModelChanger::previewed, card,
-                     [card, view](core::SetOperation operation, const auto& glass) {
-                         view->showGlass(glass);
+                     [card, view](core::SetOperation operation, const auto& translucent) {
+                         view->showTranslucent(translucent);
                          card->open(operation);
                      });
     QObject::connect(changer, &ModelChanger::previewEnded, card, [card, view] {
-        view->showGlass({});
+        view->showTranslucent({});
         card->close();
     });
     QObject::connect(card, &CombinationCard::operationChosen, changer, &ModelChanger::previewInstead);

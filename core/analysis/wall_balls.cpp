@@ -26,7 +26,7 @@ namespace
 constexpr double shallow = 0.04, shallowOfMany = 0.1;
 constexpr int maxShrinkings = 48;
 /// Least start diameter of a second search, in the model's unit.
-constexpr double leastSecondStart = 0.05;
+constexpr double minSecondStart = 0.05;
 /// Largest number of hidden faces that are skipped for one ball.
 constexpr std::size_t maxHidden = 16;
 /// Distance by which lines of sight begin and end inside the faces, as a share of the line's length. On an edge,
@@ -289,7 +289,7 @@ bool WallBalls::doTouch(Slot position, const WallCell& cell, Slot other) const
 double WallBalls::secondStart(double diameter) const
 {
     const double second = m_shallow / (2 - m_shallow) * diameter;
-    return diameter < noBall && second > leastSecondStart ? second : 0;
+    return diameter < noBall && second > minSecondStart ? second : 0;
 }
 
 double WallBalls::byBall(Slot position, const Vec3& p, double start) const

@@ -5,7 +5,7 @@ namespace core
 namespace
 {
 /// Least ratio of a corner's depth to its distance from the eye: corners farther aside are refused.
-constexpr double leastCosine = 0.02;
+constexpr double minCosine = 0.02;
 } // namespace
 
 Sight::Sight(const ViewArea& area) : m_isPerspective(area.eye.has_value())
@@ -22,7 +22,7 @@ std::vector<Eigen::Vector2d> Sight::seenCurve(const std::vector<Vec3>& outline) 
     std::vector<Eigen::Vector2d> curve;
     for (const Vec3& p : outline) {
         const Vec3 at = seen(p);
-        if (!at.allFinite() || (m_isPerspective && !(at.z() > leastCosine * (p - m_eye).norm())))
+        if (!at.allFinite() || (m_isPerspective && !(at.z() > minCosine * (p - m_eye).norm())))
             return {};
         curve.emplace_back(at.head<2>());
     }

@@ -24,9 +24,9 @@ using FlatBox = Eigen::AlignedBox2d;
 /// Distance from the model to the caps and to the clipping rectangle, as a share of the model's size.
 constexpr double margin = 0.03;
 /// Least depth of the front cap in perspective, as a share of the greatest depth of the model.
-constexpr double leastDepth = 1e-3;
+constexpr double minDepth = 1e-3;
 /// Largest number of wall faces; above it they are made larger than the model's.
-constexpr double mostWallFaces = 60'000;
+constexpr double maxWallFaces = 60'000;
 
 /// The model as seen: its range of depths, and the rectangle around it if all of it is in front of the eye.
 struct SeenModel
@@ -51,7 +51,7 @@ SeenModel seenModel(const Sight& sight, const Mesh& mesh)
     }
     model.front -= margin * size;
     model.back += margin * size;
-    const double least = leastDepth * model.back;
+    const double least = minDepth * model.back;
     if (sight.isPerspective() && model.front < least) {
         model.front = least;
         model.rectangle.setEmpty();
@@ -152,10 +152,10 @@ double Sweeper::wallFaces(double edge)
     double sum = 0;
     for (Side& side : m_sides) {
         const double parts = std::ceil((m_corners[side.to] - m_corners[side.from]).norm() * scale / edge);
-        side.parts = static_cast<int>(std::clamp(parts, 1.0, mostWallFaces));
+        side.parts = static_cast<int>(std::clamp(parts, 1.0, maxWallFaces));
         sum += side.parts;
     }
-    m_rows = static_cast<int>(std::clamp(std::ceil(depth / edge) - 1, 1.0, mostWallFaces));
+    m_rows = static_cast<int>(std::clamp(std::ceil(depth / edge) - 1, 1.0, maxWallFaces));
     return 2 * sum * m_rows;
 }
 
@@ -194,7 +194,7 @@ TriangleMesh Sweeper::solid()
     const auto cap = triangulatePolygon(m_points, m_loops);
     if (!cap)
         return {};
-    for (double edge = m_model.edge; wallFaces(edge) > mostWallFaces && m_rows > 1;)
+    for (double edge = m_model.edge; wallFaces(edge) > maxWallFaces && m_rows > 1;)
         edge *= larger;
     std::vector<std::vector<Slot>> columns(m_corners.size()); // points of each corner, from front to back
     for (std::size_t i = 0; i < m_corners.size(); ++i) {

@@ -15,7 +15,7 @@ namespace core
 struct ViewArea
 {
     enum class Side { Inside, Outside };
-    static constexpr std::size_t mostCorners = 10'000; ///< that stroke files may have
+    static constexpr std::size_t maxCorners = 10'000; ///< that stroke files may have
 
     std::vector<Vec3> outline;       ///< corners; all in front of the eye, if there is one
     Vec3 direction = -Vec3::UnitZ(); ///< direction of the view, any length but zero

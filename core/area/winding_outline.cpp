@@ -18,11 +18,11 @@ namespace core
 {
 namespace
 {
-constexpr int mostRounds = 40;
+constexpr int maxRounds = 40;
 /// Distance by which a loop is drawn back from a point where it touches itself or another.
 constexpr double drawnBack = 16;
 /// Least mean width of a loop: twice its area divided by its length.
-constexpr double leastWidth = 4;
+constexpr double minWidth = 4;
 
 using Point = std::array<int, 2>;
 
@@ -125,7 +125,7 @@ void SegmentSet::meet(std::size_t first, std::size_t second, const std::vector<S
 /// Cuts segments until they only meet at their ends. Returns whether that came to an end.
 bool SegmentSet::cutAll()
 {
-    for (int round = 0; round < mostRounds; ++round) {
+    for (int round = 0; round < maxRounds; ++round) {
         const std::vector<Segment> all = segments(); // ascending by the lesser x
         Cuts cuts(all.size());
         for (std::size_t i = 0; i < all.size(); ++i) {
@@ -269,7 +269,7 @@ bool isThin(const FlatLoop& loop)
         area += p.x() * q.y() - p.y() * q.x();
         length += (q - p).norm();
     }
-    return std::abs(area) < leastWidth * length;
+    return std::abs(area) < minWidth * length;
 }
 } // namespace
 

@@ -156,8 +156,8 @@ repair::LeftOut CutRegion::leftOut() const
 
 repair::Resolution CutRegion::cut(double tolerance, const JobControl& control)
 {
-    constexpr std::uint64_t mostCutAgain = 5'000; // pairs of faces: about a second
-    std::uint64_t budget = mostCutAgain;
+    constexpr std::uint64_t maxCutAgain = 5'000; // pairs of faces: about a second
+    std::uint64_t budget = maxCutAgain;
     const repair::Resolution resolution =
         repair::cutIntersections(m_surface, {m_soup.least, false}, leftOut(), tolerance, budget, control);
     m_exactVolume = resolution.volume;

@@ -138,8 +138,8 @@ private:
 
     bool separate(PlacedSurface& placed, const JobControl& control)
     {
-        constexpr std::uint64_t mostCutAgain = 5'000; // pairs of faces: about a second
-        std::uint64_t budget = mostCutAgain;
+        constexpr std::uint64_t maxCutAgain = 5'000; // pairs of faces: about a second
+        std::uint64_t budget = maxCutAgain;
         std::map<std::tuple<int, int, int>, Vec3f> off; // points off the lattice, by the nearest lattice point
         repair::TriangleSoup& surface = placed.surface;
         for (std::size_t v = 0; v < surface.points.size(); ++v)

@@ -9,10 +9,10 @@ namespace
 /// The search ends after this number of visits in a row, per vertex of the mesh, that removed nothing.
 constexpr std::size_t vainVisits = 400;
 /// Limit on the faces that all checks together visit, and the fixed cost of one check, counted in faces.
-constexpr std::size_t mostFacesVisited = 25'000'000, facesPerCheck = 10;
+constexpr std::size_t maxFacesVisited = 25'000'000, facesPerCheck = 10;
 /// Limits of m_tolerance: the first value, the largest, and the factor by which it grows after `vainVisitsAtTolerance`
 /// visits per vertex without a removal.
-constexpr double firstTolerance = 0.02, mostTolerance = 1, growth = 1.5;
+constexpr double firstTolerance = 0.02, maxTolerance = 1, growth = 1.5;
 constexpr std::size_t vainVisitsAtTolerance = 20;
 } // namespace
 
@@ -54,14 +54,14 @@ void CoarseSearch::run()
             order.push_back(v);
         if (vain > vainVisits * order.size())
             return;
-        if (vain > vainVisitsAtTolerance * order.size() && m_tolerance < mostTolerance) {
-            m_tolerance = std::min(mostTolerance, m_tolerance * growth);
+        if (vain > vainVisitsAtTolerance * order.size() && m_tolerance < maxTolerance) {
+            m_tolerance = std::min(maxTolerance, m_tolerance * growth);
             vain = 0;
         }
         for (std::size_t i = order.size(); i > 1; --i)
             std::swap(order[i - 1], order[m_random() % i]);
         for (const Slot v : order) {
-            if (isDone() || m_facesVisited > mostFacesVisited)
+            if (isDone() || m_facesVisited > maxFacesVisited)
                 return;
             if (!m_mesh.isVertex(v))
                 continue;

@@ -50,10 +50,10 @@ constexpr std::array<Tolerance, 3> tolerances = {{{0.25, 0.02, false}, {0.02, 0.
 constexpr std::size_t checkInterval = 1024;
 /// A pass over all edges is repeated with the same tolerance if it removed at least one vertex per this number of
 /// faces.
-constexpr std::size_t leastPerPass = 100;
+constexpr std::size_t minPerPass = 100;
 /// If a pass refuses more collapses than this fraction of the mesh's edges, nested components are assumed to obstruct
 /// each other.
-constexpr double mostRefused = 0.25;
+constexpr double maxRefused = 0.25;
 
 template <int N> class Decimater
 {
@@ -134,10 +134,10 @@ template <int N> Decimated Decimater<N>::run()
             refused = m_refused;
             for (const Slot e : m_mesh.edges()) // all edges again: obstacles to a collapse may be gone
                 push(m_mesh.from(2 * e), m_mesh.to(2 * e));
-            pays = collapseQueue() > m_mesh.live().faces / leastPerPass;
+            pays = collapseQueue() > m_mesh.live().faces / minPerPass;
             refused = m_refused - refused;
         }
-        if (!isDone() && static_cast<double>(refused) > mostRefused * m_mesh.live().edges) {
+        if (!isDone() && static_cast<double>(refused) > maxRefused * m_mesh.live().edges) {
             NestedShells(m_surface, m_target, m_control).run();
             gatherQuadrics(); // again, because the components have shrunk
         }

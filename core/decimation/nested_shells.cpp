@@ -8,7 +8,7 @@ namespace
 {
 constexpr std::size_t fewestFaces = 4;
 /// Smallest scale of shrink(), and the number of scales tried; each failed try is followed by a milder one.
-constexpr double leastScale = 0.25;
+constexpr double minScale = 0.25;
 constexpr int shrinkings = 4;
 } // namespace
 
@@ -126,7 +126,7 @@ void NestedShells::shrink(const Shell& shell)
     }
     // a face with edges of length e on a ball of diameter d is nearer to the centre by the factor sqrt(1 - (e / d)^2)
     const double ratio = longest / shell.box.sizes().maxCoeff();
-    double scale = std::max(leastScale, 1 - 1.1 * ratio * ratio);
+    double scale = std::max(minScale, 1 - 1.1 * ratio * ratio);
     for (int i = 0; i < shrinkings; ++i, scale = std::sqrt(scale)) {
         const auto shrinkAll = [&] {
             for (const Slot v : shell.vertices) {

@@ -12,7 +12,7 @@ constexpr double farthestInSizes = 4;
 /// A lattice is kept if its exponent differs by at most this from the exponent that an import would choose. An import
 /// leaves room for at least 8 times the model; a kept lattice has a quarter to four times that room.
 constexpr int maxStepsOff = 2;
-constexpr double leastStepsPerEdge = 32;
+constexpr double minStepsPerEdge = 32;
 
 double largestCoordinate(const Box& box)
 {
@@ -44,7 +44,7 @@ double floatStepsPerEdge(const Box& box, double area, std::size_t faces)
 
 bool isTooFarForFloats(const Box& box, double area, std::size_t faces)
 {
-    return isFarFromOrigin(box) && faces > 0 && floatStepsPerEdge(box, area, faces) < leastStepsPerEdge;
+    return isFarFromOrigin(box) && faces > 0 && floatStepsPerEdge(box, area, faces) < minStepsPerEdge;
 }
 
 LatticePlacement placeOnLattice(const Box& box, bool centre)

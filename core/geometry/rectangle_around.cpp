@@ -65,9 +65,9 @@ Rectangle rectangleAround(std::span<const Vec3> points)
         for (const Vec2& p : hull)
             box.extend(Vec2(along.dot(p), across.dot(p)));
         const Rectangle rectangle{box.sizes().maxCoeff(), box.sizes().minCoeff()};
-        const double area = rectangle.length * rectangle.width, leastArea = least.length * least.width;
-        const bool isAsLarge = std::abs(area - leastArea) <= rounding * leastArea;
-        if (i == 0 || (isAsLarge ? rectangle.length < least.length : area < leastArea))
+        const double area = rectangle.length * rectangle.width, minArea = least.length * least.width;
+        const bool isAsLarge = std::abs(area - minArea) <= rounding * minArea;
+        if (i == 0 || (isAsLarge ? rectangle.length < least.length : area < minArea))
             least = rectangle;
     }
     return least;

@@ -15,7 +15,7 @@ namespace
 {
 /// Smallest acceptable mean edge length, in steps between neighbouring floats. With fewer steps the surface is refused
 /// without a check: its faces would meet everywhere.
-constexpr double leastStepsPerEdge = 3;
+constexpr double minStepsPerEdge = 3;
 
 bool areFloatsTooCoarse(const TriangleMesh& mesh, const Vec3& place)
 {
@@ -26,7 +26,7 @@ bool areFloatsTooCoarse(const TriangleMesh& mesh, const Vec3& place)
     }
     Box box = boxOf(mesh);
     box.translate(place);
-    return floatStepsPerEdge(box, area, mesh.triangles.size()) < leastStepsPerEdge;
+    return floatStepsPerEdge(box, area, mesh.triangles.size()) < minStepsPerEdge;
 }
 
 /// Moves points to other floats where rounding made faces meet. Returns false if some points have no suitable float.

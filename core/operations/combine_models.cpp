@@ -61,7 +61,7 @@ bool snapModel(TriangleMesh& model, const Lattice& lattice, const std::vector<Ve
 }
 
 /// Returns the corners of a face, the least one first.
-Triangle leastFirst(Triangle t)
+Triangle minFirst(Triangle t)
 {
     std::ranges::rotate(t, std::ranges::min_element(t));
     return t;
@@ -83,7 +83,7 @@ public:
         for (const Slot v : mesh.vertices())
             m_vertices.emplace_back(positionOf(mesh.point(v)), v);
         for (const Slot f : mesh.faces())
-            m_faces.emplace_back(leastFirst(mesh.corners(f)), f);
+            m_faces.emplace_back(minFirst(mesh.corners(f)), f);
         std::ranges::sort(m_vertices);
         std::ranges::sort(m_faces);
         m_isKept.resize(m_faces.size(), false);
@@ -97,8 +97,8 @@ public:
     /// Returns whether the mesh has a face with these corners, and keeps it.
     bool keepFace(const Triangle& corners)
     {
-        const auto found = std::ranges::lower_bound(m_faces, leastFirst(corners), {}, &Face::first);
-        if (found == m_faces.end() || found->first != leastFirst(corners))
+        const auto found = std::ranges::lower_bound(m_faces, minFirst(corners), {}, &Face::first);
+        if (found == m_faces.end() || found->first != minFirst(corners))
             return false;
         m_isKept[static_cast<std::size_t>(found - m_faces.begin())] = true;
         return true;

@@ -31,7 +31,7 @@ namespace
 constexpr double afterCutting = 0.7, afterExchanging = 0.8;
 
 /// Largest difference between the volume of a split model and that of both parts, as a share of it.
-constexpr double mostLost = 1e-4;
+constexpr double maxLost = 1e-4;
 
 /// Returns whether the area is its own mirror image: swept along the mirror normal, or along a curve that runs back as
 /// the image of its way there.
@@ -268,7 +268,7 @@ std::optional<TriangleMesh> split(Mesh& mesh, const Trim& command, ModelChange& 
     if (command.area.isFrontOnly)
         taken = withoutKept(taken, mesh);
     // the two cuts are made one by one, so they might choose different pieces
-    if (std::abs(volumeOf(extractMesh(mesh)) + volumeOf(taken) - whole) > mostLost * whole) {
+    if (std::abs(volumeOf(extractMesh(mesh)) + volumeOf(taken) - whole) > maxLost * whole) {
         change.refusal = ModelRefusal::NoCut;
         return std::nullopt;
     }

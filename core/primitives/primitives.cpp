@@ -32,7 +32,7 @@ constexpr double maxEdgePerRadius = 1.3; ///< longest edge on a ring of 8 vertic
 constexpr double maxEdgePerRound = 1.0 / 6;
 /// Least radius of a tube, and distance of two of its points, as shares of the largest coordinate: so that float32 has
 /// about 100 steps for it.
-constexpr double leastPerReach = 1e-5;
+constexpr double minPerReach = 1e-5;
 const double faceShare = std::sqrt(3.0) / 4;
 
 /// Returns the number of parts into which a length is divided: parts of at most 1.25 edges.
@@ -300,7 +300,7 @@ private:
         double reach = 0;
         for (const TubePoint& p : path)
             reach = std::max(reach, p.position.allFinite() ? reachOf(p) : INFINITY);
-        const double least = std::max(ModelLimits::minExtent, leastPerReach * reach);
+        const double least = std::max(ModelLimits::minExtent, minPerReach * reach);
         const auto isThin = [&](const TubePoint& p) { return !(p.radius >= least && isExtent(p.radius)); };
         const auto isNear = [&](const TubePoint& a, const TubePoint& b) {
             return (a.position - b.position).norm() < least;
@@ -312,8 +312,8 @@ private:
     /// Makes one solid of the tube's pieces.
     void makeTube(const JobControl& control)
     {
-        constexpr auto mostFaces = static_cast<std::size_t>(PrimitiveLimits::maxFaces);
-        std::vector<TriangleMesh> solids = Tube(m_primitive.path, m_edge).solids(mostFaces, control);
+        constexpr auto limit = static_cast<std::size_t>(PrimitiveLimits::maxFaces);
+        std::vector<TriangleMesh> solids = Tube(m_primitive.path, m_edge).solids(limit, control);
         if (solids.size() == 1)
             m_result.mesh = std::move(solids.front());
         else if (!solids.empty())

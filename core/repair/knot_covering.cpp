@@ -54,7 +54,7 @@ void coverPoints(TriangleSoup& surface, std::span<const Slot> points, int radius
 
 CoveredKnots coverKnots(TriangleSoup& surface, std::span<const FacePair> pairs, double widest)
 {
-    constexpr int leastRadius = 16;
+    constexpr int minRadius = 16;
     if (pairs.empty())
         return {};
     std::vector<FaceBox> boxes;
@@ -73,7 +73,7 @@ CoveredKnots coverKnots(TriangleSoup& surface, std::span<const FacePair> pairs, 
         if (width > widest)
             continue;
         const LatticePoint middle = ((box.min + box.max) / 2).matrix().cast<int>();
-        const int radius = std::max(leastRadius, static_cast<int>(std::ceil(width)));
+        const int radius = std::max(minRadius, static_cast<int>(std::ceil(width)));
         addSolid(surface, middle, radius, surface.triangles[pairs[pair].first][0]);
         ++covered.count;
         covered.largest = std::max(covered.largest, 2.0 * radius);

@@ -540,10 +540,10 @@ private:
         constexpr auto outside = PartSamples::Side::Outside;
         if (windings.least() == 0 || alike.around(of.overArea(few, outside), part, outside).most() == 0)
             return 0;
-        return std::min(windings.least(), alike.around(of.atVertices(mostVertices), part).least());
+        return std::min(windings.least(), alike.around(of.atVertices(maxVertices), part).least());
     }
 
-    static constexpr std::size_t few = 128, many = 2048, mostVertices = 16'384; ///< numbers of samples
+    static constexpr std::size_t few = 128, many = 2048, maxVertices = 16'384; ///< numbers of samples
     /// Few samples are enough if at least this share of them is inside parts of the other orientation.
     static constexpr double clearly = 0.75;
 

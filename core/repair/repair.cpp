@@ -313,14 +313,14 @@ double shareOfHoles(const TriangleMesh& mesh)
 /// loose sheet faces another one.
 std::optional<TriangleMesh> sheetsOf(TriangleSoup file, const Lattice& lattice, const RepairReport& report)
 {
-    constexpr double nearby = 16;         // lattice units, as in doubled_parts.h
-    constexpr double mostHoles = 1.0 / 6; // share of the area
+    constexpr double nearby = 16;        // lattice units, as in doubled_parts.h
+    constexpr double maxHoles = 1.0 / 6; // share of the area
     TriangleMesh all = meshOf(std::move(file), lattice);
     const bool isAnyDropped = report.duplicateFaces + report.membraneFaces > 0;
     if (!(isAnyDropped || hasSharedEdges(all.triangles)) || !runsOneWay(all.triangles))
         return std::nullopt;
     TriangleMesh single = singleSheets(all, nearby * lattice.unit());
-    return shareOfHoles(single) > mostHoles ? std::nullopt : std::optional(std::move(single));
+    return shareOfHoles(single) > maxHoles ? std::nullopt : std::optional(std::move(single));
 }
 
 /// A valid surface, and its distance from the original.
@@ -355,7 +355,7 @@ void measure(RepairReport& report, const TriangleMesh& old, const TriangleMesh& 
     report.fromOld = distanceFrom(old, mesh, control.part(0, half));
     report.fromNew = distanceFrom(mesh, old, control.part(half, 1));
     report.lost = report.fromOld.mean;
-    if (report.lost > RepairReport::mostLost * report.size) // some of the old surface may have been inside
+    if (report.lost > RepairReport::maxLost * report.size) // some of the old surface may have been inside
         report.lost = meanDistanceOutside(old, mesh, near * report.size, {control.stop, {}});
 }
 
@@ -435,7 +435,7 @@ public:
     /// Returns why there is no result, or none that is good enough.
     RepairRefusal refusal() const
     {
-        constexpr double half = 0.5, mostDistance = 0.05;
+        constexpr double half = 0.5, maxDistance = 0.05;
         const bool wasCut = m_resolution.rounds > 0 || m_resolution.intersections == 0;
         if (!m_best && m_volume <= 0 && wasCut)
             return m_closed.isLoose && standAroundSpace(m_closed.unfilled) ? RepairRefusal::TooMuchLost
@@ -444,7 +444,7 @@ public:
             return RepairRefusal::Unresolved;
         const RepairReport& report = m_best->report;
         const bool isOther = m_closed.isLoose || report.remeshedAt;
-        const bool isFar = isOther && report.lost > mostDistance * report.size;
+        const bool isFar = isOther && report.lost > maxDistance * report.size;
         return report.keptVolume() < half || isFar ? RepairRefusal::TooMuchLost : RepairRefusal::None;
     }
     std::optional<Vec3> unresolvedPlace() const
@@ -482,7 +482,7 @@ private:
     bool isInsideOut() const
     {
         return m_resolution.isDone && m_resolution.insideOutVolume > 0 &&
-               (!m_best || m_best->report.keptVolume() < RepairReport::leastVolume);
+               (!m_best || m_best->report.keptVolume() < RepairReport::minVolume);
     }
 
     /// Keeps the surface as the best outcome if it is valid and loses less than the best one so far.
@@ -520,7 +520,7 @@ private:
         constexpr double nearlyAll = 0.99;
         const SpaceDifference eitherWay =
             spaceDifference(*m_originals.sheets, WoundAround::EitherWay, solid, {control.stop, {}});
-        if (total(eitherWay) <= RepairReport::mostSingleSpace)
+        if (total(eitherWay) <= RepairReport::maxSingleSpace)
             return eitherWay;
         const SpaceDifference outwards =
             spaceDifference(*m_originals.sheets, WoundAround::Outwards, solid, {control.stop, {}});
@@ -541,10 +541,10 @@ private:
 
 bool RepairReport::isFaithful() const
 {
-    return !remeshedAt && keptVolume() >= leastVolume && keptVolume() <= mostVolume && lost <= mostLost * size &&
-           space.lost <= mostSpaceLost && space.gained <= mostSpaceGained &&
-           otherSpace.lost + otherSpace.gained <= mostOtherSpace &&
-           singleSpace.lost + singleSpace.gained <= mostSingleSpace;
+    return !remeshedAt && keptVolume() >= minVolume && keptVolume() <= maxVolume && lost <= maxLost * size &&
+           space.lost <= maxSpaceLost && space.gained <= maxSpaceGained &&
+           otherSpace.lost + otherSpace.gained <= maxOtherSpace &&
+           singleSpace.lost + singleSpace.gained <= maxSingleSpace;
 }
 
 RepairResult repairMesh(const TriangleMesh& mesh, const RepairOptions& options, const JobControl& control,

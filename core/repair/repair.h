@@ -66,9 +66,9 @@ struct RepairReport
     SurfaceDistance fromOld; ///< distances of the old surface from the new one: what was removed
     SurfaceDistance fromNew; ///< distances of the new surface from the old one: what was added or moved
     double hausdorff() const { return std::max(fromOld.largest, fromNew.largest); }
-    static constexpr double leastVolume = 0.98, mostVolume = 1.02, mostLost = 0.005, mostSpaceLost = 0.02,
-                            mostSpaceGained = 0.1, mostOtherSpace = 0.02, mostSingleSpace = 0.02;
-    /// Mean distance of the old surface from the new one, in the model's unit. If it exceeds mostLost x size, it is
+    static constexpr double minVolume = 0.98, maxVolume = 1.02, maxLost = 0.005, maxSpaceLost = 0.02,
+                            maxSpaceGained = 0.1, maxOtherSpace = 0.02, maxSingleSpace = 0.02;
+    /// Mean distance of the old surface from the new one, in the model's unit. If it exceeds maxLost x size, it is
     /// measured again, and points of the old surface inside the new one count as distance 0.
     double lost = 0;
     /// Compares the enclosed space with that of the old surface, if the old surface was open. Uses the faces of the

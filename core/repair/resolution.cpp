@@ -105,12 +105,12 @@ public:
     /// Only cuts and rounds, without merging or moving points, and gives up after this number of rounds.
     void setExact(std::size_t rounds) { m_exactRounds = rounds; }
 
-    /// `mostPairs`: if more pairs of faces meet at first, nothing is cut.
-    void run(std::uint64_t mostPairs)
+    /// `pairLimit`: if more pairs of faces meet at first, nothing is cut.
+    void run(std::uint64_t pairLimit)
     {
         constexpr std::size_t maxRounds = 24, firstOfCovering = 4, lastOfGrowth = 10; // rounds; few surfaces need all
         constexpr double ofRounding = 8;                                              // tolerance in lattice units
-        constexpr std::uint64_t mostTriples = 1'000'000; // cutting them takes about a minute
+        constexpr std::uint64_t maxTriples = 1'000'000; // cutting them takes about a minute
         m_resolution.isDone = false;
         m_met = selfIntersections<LatticePredicates>(m_surface.points, m_surface.triangles, maxPairs, m_control.stop);
         m_resolution.intersections = m_met.count;
@@ -118,8 +118,8 @@ public:
             removeSlivers(m_ofFile);
         if (m_met.count > 0)
             m_resolution.unresolved = placeOf(m_met.pairs[0]);
-        if (m_met.count > std::min(mostPairs, manyMoreThan(m_resolution.intersections)) ||
-            triplesOf(m_surface.triangles.size(), m_met.pairs, mostTriples) > mostTriples)
+        if (m_met.count > std::min(pairLimit, manyMoreThan(m_resolution.intersections)) ||
+            triplesOf(m_surface.triangles.size(), m_met.pairs, maxTriples) > maxTriples)
             return;
         cut(m_control.part(0, 0.5));
         std::uint64_t fewest = m_met.count;
@@ -271,7 +271,7 @@ Resolution resolveIntersections(TriangleSoup& surface, Inside inside, const Tria
     constexpr int firstReach = 16, lastReach = 2048; // lattice units; doubled each time
     constexpr std::size_t manyTimes = 4, fewStuck = 500;
     Resolution resolution;
-    std::size_t mostStuck = std::numeric_limits<std::size_t>::max();
+    std::size_t maxStuck = std::numeric_limits<std::size_t>::max();
     Cutting(surface, inside, {cavities, {}}, tolerance, resolution, budget, control).run(maxPairs);
     for (int time = 0; time < maxTimes && resolution.isDone && !control.isCancelled(); ++time) {
         const MeshTopology topology = topologyOf(surface.points.size(), surface.triangles);
@@ -282,8 +282,8 @@ Resolution resolveIntersections(TriangleSoup& surface, Inside inside, const Tria
         resolution.touchingVertices += separated.vertices;
         if (separated.stuck.empty())
             break;
-        const bool areMore = separated.stuck.size() > mostStuck; // it does not converge
-        mostStuck = manyTimes * separated.stuck.size() + fewStuck;
+        const bool areMore = separated.stuck.size() > maxStuck; // it does not converge
+        maxStuck = manyTimes * separated.stuck.size() + fewStuck;
         if (time + 1 == maxTimes || areMore) {
             resolution.isDone = false;
             resolution.unresolved = surface.points[separated.stuck[0]];

@@ -149,14 +149,14 @@ void drop(TriangleSoup& surface, std::span<const Candidate> parts, std::span<Can
 
 SheetRemoval removeSheets(TriangleSoup& surface, const JobControl& control)
 {
-    constexpr double mostFilled = 0.75, leastShare = 0.25;
+    constexpr double maxFilled = 0.75, minShare = 0.25;
     SheetRemoval removed;
     std::vector<Candidate> candidates;
     for (Faces& faces : openParts(surface)) {
         if (control.isCancelled())
             return removed;
         TriangleSoup part = partOf(surface, faces);
-        const bool isOpen = fillHoles(part, true, control).share > mostFilled;
+        const bool isOpen = fillHoles(part, true, control).share > maxFilled;
         if (const Extent extent = extentOf(part); isOpen && isFlat(extent))
             candidates.push_back({std::move(faces), extent.volume});
     }
@@ -167,7 +167,7 @@ SheetRemoval removeSheets(TriangleSoup& surface, const JobControl& control)
         const std::vector<Vec3> points = surface.places();
         const WindingNumber winding(points, surface.triangles);
         const auto isNeeded = [&](const Candidate& candidate) {
-            return closingShare(surface, points, winding, candidate.faces) > leastShare;
+            return closingShare(surface, points, winding, candidate.faces) > minShare;
         };
         const auto sheets = std::stable_partition(candidates.begin(), candidates.end(), isNeeded);
         for (auto sheet = sheets; sheet != candidates.end(); ++sheet)

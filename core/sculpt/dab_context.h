@@ -37,7 +37,7 @@ struct DabRequest
     SculptorTotals& totals;
     WorkBudget work = {};
     /// result: the tip of Snake Hook has joined another surface, so the stroke ignores further dabs
-    bool hasLetGo = false;
+    bool isOver = false;
     /// result: edge bounds of the image sculpted last; empty if the dab only painted or added a solid
     std::optional<EdgeBounds> bounds = {};
 };

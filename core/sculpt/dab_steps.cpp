@@ -21,7 +21,7 @@ namespace
 /// A dab whose centre is farther than this from the centre of its mirror image, in radii, cannot touch the image.
 constexpr double maxImageDistance = 4;
 /// Smallest depth of a stamp, in d_detail, at which its outline is cut into the mesh.
-constexpr double leastDepth = 0.05;
+constexpr double minDepth = 0.05;
 /// Number of vertex pairs examined by fusion that cost as much time as one unit of WorkBudget. Charged because a mesh
 /// far finer than the brush has many pairs within d_thickness.
 constexpr double visitsPerWork = 128;
@@ -130,7 +130,7 @@ StampShape DabSteps::stampShape(DabContext& context)
 RemeshCounts DabSteps::cutOutline(DabContext& context, MeshEditor& edit)
 {
     const StampShape shape = stampShape(context);
-    const double least = leastDepth * context.bounds.detail; // a surface already at the stamp's depth needs no outline
+    const double least = minDepth * context.bounds.detail; // a surface already at the stamp's depth needs no outline
     const ShapeDepth depth = [&](const Vec3& p) {
         const double deep = shape.depthAt(p);
         return std::abs(deep) < least ? 0 : deep;

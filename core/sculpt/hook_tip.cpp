@@ -158,7 +158,7 @@ bool joinHookTip(DabContext& context)
     }
     context.report.outcome = DabOutcome::Committed;
     context.report.touchedVertices = context.touchedVertices();
-    context.request.hasLetGo = true;
+    context.request.isOver = true;
     return true;
 }
 } // namespace core

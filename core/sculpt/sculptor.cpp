@@ -63,7 +63,7 @@ public:
     std::optional<StrokeAnchor> anchor;
     /// StrokeSettings::add as it was at the stroke's start; `settings.add` is cleared after the first dab
     bool mayAdd = false;
-    bool hasLetGo = false;  ///< the stroke ignores all further dabs (DabRequest::hasLetGo)
+    bool isOver = false;    ///< the stroke ignores all further dabs (DabRequest::isOver)
     bool isEditable = true; ///< whether the stroke's part may be changed
     bool isShown = false;   ///< the newest sample's preview of an anchored stroke is applied to the mesh
     SectorGrabs grabs{surface};
@@ -96,7 +96,7 @@ void Sculptor::Engine::startOver()
 {
     anchor.emplace(settings);
     settings.add = mayAdd;
-    hasLetGo = false;
+    isOver = false;
     grabs.beginStroke();
     pipeline.beginStroke();
     displacements.clear();
@@ -188,7 +188,7 @@ std::optional<Sculptor::Engine::SurfacePlace> Sculptor::Engine::nearestPlace(con
 
 DabReport Sculptor::Engine::apply(Dab dab)
 {
-    if (hasLetGo || !isEditable)
+    if (isOver || !isEditable)
         return {};
     anchor->place(dab);
     const DabReport report = sculpt(dab);
@@ -196,7 +196,7 @@ DabReport Sculptor::Engine::apply(Dab dab)
     if (!settings.join && report.outcome != DabOutcome::Empty)
         settings.add = false;
     if (settings.tool == Tool::Stamp && report.outcome == DabOutcome::Added && !settings.join)
-        hasLetGo = true; // otherwise the next stamp would be pressed into the solid just added
+        isOver = true; // otherwise the next stamp would be pressed into the solid just added
     return report;
 }
 
@@ -236,7 +236,7 @@ DabReport Sculptor::Engine::sculpt(const Dab& dab)
                                      : mirroredDab.apply(request, dab, grabs.first());
     }
     lastBounds = request.bounds;
-    hasLetGo = request.hasLetGo;
+    isOver = request.isOver;
     report.verifyMs = surface.verifyMs() - verifiedBefore;
     if (report.touchedFaces == 0)
         report.touchedFaces = surface.maxDirtyFaces();

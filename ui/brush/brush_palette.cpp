@@ -2,7 +2,7 @@
 
 #include "ui/actions/actions.h"
 #include "ui/brush/brush_bar.h"
-#include "ui/brush/preset_shelf.h"
+#include "ui/brush/preset_list.h"
 #include "ui/util/error_messages.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/named.h"
@@ -26,7 +26,7 @@ constexpr QSize iconSize{24, 24}, presetSize{48, 48};
 constexpr int presetRows = 2;
 } // namespace
 
-BrushPalette::BrushPalette(BrushSettings* brush, PresetShelf* presets, const QList<QAction*>& tools,
+BrushPalette::BrushPalette(BrushSettings* brush, PresetList* presets, const QList<QAction*>& tools,
                            const QList<QAction*>& commands, QWidget* parent)
     : QFrame(parent, Qt::Popup)
 {
@@ -71,7 +71,7 @@ QWidget* BrushPalette::makeButtons(const QList<QAction*>& actions)
     return cells;
 }
 
-QWidget* BrushPalette::makePresets(PresetShelf* presets)
+QWidget* BrushPalette::makePresets(PresetList* presets)
 {
     auto* view = named(new QListView, "brushPalette.presets", {}, tr("Brush presets"));
     view->setViewMode(QListView::IconMode);
@@ -87,7 +87,7 @@ QWidget* BrushPalette::makePresets(PresetShelf* presets)
     view->setTextElideMode(Qt::ElideRight);
     view->setEditTriggers(QAbstractItemView::NoEditTriggers);
     presets->showIn(view);
-    connect(presets, &PresetShelf::taken, this, &QWidget::close);
+    connect(presets, &PresetList::taken, this, &QWidget::close);
     return view;
 }
 
@@ -101,7 +101,7 @@ void BrushPalette::openAt(const QPoint& place)
     show();
 }
 
-void connectBrushPalette(QWidget* window, Viewport* viewport, BrushSettings* brush, PresetShelf* presets,
+void connectBrushPalette(QWidget* window, Viewport* viewport, BrushSettings* brush, PresetList* presets,
                          const Actions& actions)
 {
     const auto open = [=, &actions] {

@@ -9,7 +9,7 @@ namespace ui
 {
 class Actions;
 class BrushSettings;
-class PresetShelf;
+class PresetList;
 class Viewport;
 
 /// A popup at the pointer with the most used controls: tools, radius, strength, some commands, and presets as pictures.
@@ -21,7 +21,7 @@ class BrushPalette : public QFrame
 public:
     /// Shows those of the actions that are visible. Nothing is owned. Precondition: `brush` and `presets` outlive the
     /// palette.
-    BrushPalette(BrushSettings* brush, PresetShelf* presets, const QList<QAction*>& tools,
+    BrushPalette(BrushSettings* brush, PresetList* presets, const QList<QAction*>& tools,
                  const QList<QAction*>& commands, QWidget* parent = nullptr);
 
     /// Opens the palette centred at a screen position, moved as far as needed to keep all of it on the screen.
@@ -29,11 +29,11 @@ public:
 
 private:
     QWidget* makeButtons(const QList<QAction*>& actions);
-    QWidget* makePresets(PresetShelf* presets);
+    QWidget* makePresets(PresetList* presets);
 };
 
 /// Opens a palette on the action brush.palette or a right click: at the pointer, or in the middle of the view if the
 /// pointer is outside. The arguments are not owned.
-void connectBrushPalette(QWidget* window, Viewport* viewport, BrushSettings* brush, PresetShelf* presets,
+void connectBrushPalette(QWidget* window, Viewport* viewport, BrushSettings* brush, PresetList* presets,
                          const Actions& actions);
 } // namespace ui

@@ -21,7 +21,7 @@ struct PresetFile
     QString problem;
 };
 
-/// Returns the presets that are part of the program (resources/brushes), in the order of the shelf.
+/// Returns the presets that are part of the program (resources/brushes), in the order of the list.
 QStringList bundledPresets();
 
 /// Reads a preset. Thread: any, as for all functions below; none of them throws.

@@ -28,7 +28,7 @@ public:
     explicit PresetLibrary(QObject* parent = nullptr) : QObject(parent) {}
     ~PresetLibrary() override;
 
-    /// Returns the program's presets in the order of the shelf, then the user's by name.
+    /// Returns the program's presets in the order of the list, then the user's by name.
     const std::vector<Entry>& entries() const { return m_entries; }
     /// Reads all presets again and emits loaded(). A file that is no preset, or of a newer version, is left out;
     /// refused() reports each such file once.

@@ -27,15 +27,15 @@ constexpr int clockShare = 5, minClockWidth = 160, maxClockWidth = 320;
 constexpr double clockHeight = 0.625;
 /// Letter heights as divisors of the clock's height: 7 means 1/7.
 constexpr int nameShare = 7, timeShare = 3, nextShare = 14;
-constexpr int leastClockLetters = 10; ///< smallest letter height, pixels
-constexpr int maxLettersAcross = 12;  ///< characters of the time that must fit the width
+constexpr int minClockLetters = 10;  ///< smallest letter height, pixels
+constexpr int maxLettersAcross = 12; ///< characters of the time that must fit the width
 
 /// Sets the letter height in pixels; reduces it if the text is wider than the label.
 void setLetters(QLabel* label, int pixels)
 {
     QFont font = label->font();
-    font.setPixelSize(std::max(pixels, leastClockLetters));
-    while (font.pixelSize() > leastClockLetters && QFontMetrics(font).horizontalAdvance(label->text()) > label->width())
+    font.setPixelSize(std::max(pixels, minClockLetters));
+    while (font.pixelSize() > minClockLetters && QFontMetrics(font).horizontalAdvance(label->text()) > label->width())
         font.setPixelSize(font.pixelSize() - 1);
     label->setFont(font);
 }

@@ -13,7 +13,7 @@ namespace
 {
 constexpr int lastSeconds = 60;
 constexpr int minLetters = 32, maxLetters = 140; ///< pixels
-constexpr int leastLetters = 12;                 ///< smallest letters in a narrow view, pixels
+constexpr int narrowLetters = 12;                ///< smallest letters in a narrow view, pixels
 constexpr int viewShare = 10;                    ///< letter height as a divisor of the view's height: 10 means 1/10
 } // namespace
 
@@ -48,7 +48,7 @@ void TurnCountdown::place()
     QFont letters = font();
     letters.setBold(true);
     letters.setPixelSize(std::clamp(parentWidget()->height() / viewShare, minLetters, maxLetters));
-    while (letters.pixelSize() > leastLetters &&
+    while (letters.pixelSize() > narrowLetters &&
            QFontMetrics(letters).horizontalAdvance(text()) + 2 * margin() > parentWidget()->width())
         letters.setPixelSize(letters.pixelSize() - 1);
     setFont(letters);

@@ -24,7 +24,7 @@ constexpr double reachPerNotch = 0.02;      ///< metres for each notch of the wh
 constexpr double radiansPerNotch = 0.2;     ///< rotation of the wand for each notch of the wheel
 constexpr double notch = 120;               ///< one notch of a wheel in Qt's units (1/8 degree)
 constexpr double walkingSpeed = 0.8;        ///< metres per second
-constexpr double leastDepth = 0.005;        ///< metres; smaller depths are not shown
+constexpr double minDepth = 0.005;          ///< metres; smaller depths are not shown
 /// Pixels: margin around the depth text, and distance from the mouse up to the text.
 constexpr double textMargin = 6, textAbove = 40;
 
@@ -49,7 +49,7 @@ const PadKey padKeys[] = {{Qt::Key_Left, {-padEdge, 0}},
 /// Returns the text for a tip `depth` metres behind the surface under the mouse; empty if the tip is at the surface.
 QString depthText(double depth)
 {
-    if (std::abs(depth) < leastDepth)
+    if (std::abs(depth) < minDepth)
         return {};
     const QString centimetres = QLocale().toString(100 * std::abs(depth), 'f', 0);
     //: %1: a number

@@ -28,7 +28,7 @@ namespace
 constexpr QSize pictureSize{150, 100}, starterSize{64, 64};
 constexpr int starterWidth = 84, recentWidth = 260;
 /// Heights of the list in pixels. It shrinks to the smallest height before the page gets a scroll bar.
-constexpr int leastRecentHeight = 72, recentHeight = 160;
+constexpr int minRecentHeight = 72, recentHeight = 160;
 
 QLabel* heading(const QString& text)
 {
@@ -136,7 +136,7 @@ QLayout* StartPage::recent()
 {
     named(m_recent, "startRecent", tr("Opens a model that was open before."), tr("Recent files"));
     m_recent->setFixedWidth(recentWidth);
-    m_recent->setMinimumHeight(leastRecentHeight);
+    m_recent->setMinimumHeight(minRecentHeight);
     m_recent->setMaximumHeight(recentHeight);
     connect(m_recent, &RecentFiles::chosen, this, [this](const QString& path) {
         close();

@@ -110,7 +110,7 @@ void LessonEditor::addStarts(const Actions& actions)
     rows->addWidget(record);
     rows->addSpacing(2 * gap);
     rows->addWidget(head(tr("Or change an existing lesson:")));
-    m_library = named(new QComboBox, "lessonShelf", {}, tr("Built-in lessons"));
+    m_library = named(new QComboBox, "lessonLibrary", {}, tr("Built-in lessons"));
     auto* change =
         named(new QPushButton(tr("Edit")), "lessonEdit", tr("Opens it here; you save it under a name of your own."));
     auto* file = named(new QPushButton(tr("Open a Lesson…")), "lessonEditFile",

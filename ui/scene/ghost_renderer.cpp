@@ -10,8 +10,8 @@ namespace ui
 namespace
 {
 // Opacity of a shape where it faces the eye, and where it turns away, 0 to 1.
-const QVector2D bodyAlphas(0.42F, 0.85F), brushAlphas(0.05F, 0.60F), glassAlphas(0.14F, 0.70F);
-constexpr float glassDepthOffset = 2; // units of glPolygonOffset
+const QVector2D bodyAlphas(0.42F, 0.85F), brushAlphas(0.05F, 0.60F), translucentAlphas(0.14F, 0.70F);
+constexpr float translucentDepthOffset = 2; // units of glPolygonOffset
 
 Eigen::Matrix4d sized(const Eigen::Isometry3d& pose, double size)
 {
@@ -36,7 +36,7 @@ void GhostRenderer::destroy()
     if (!m_gl)
         return;
     m_program.reset();
-    for (Shape* shape : {&m_head, &m_ball, &m_glass, &m_hands[0], &m_hands[1]}) {
+    for (Shape* shape : {&m_head, &m_ball, &m_translucent, &m_hands[0], &m_hands[1]}) {
         shape->buffer.destroy();
         shape->arrays.reset();
     }
@@ -57,11 +57,11 @@ void GhostRenderer::upload(Shape& shape, const std::shared_ptr<const core::DrawA
 /// model, or between it and the eye, from being cut off.
 void GhostRenderer::draw(const OrbitCamera& camera)
 {
-    if (!m_glassArrays && m_glass.arrays) {
-        m_glass.buffer.destroy();
-        m_glass.arrays.reset();
+    if (!m_translucentArrays && m_translucent.arrays) {
+        m_translucent.buffer.destroy();
+        m_translucent.arrays.reset();
     }
-    if (!m_avatar && !m_teacher && !m_glassArrays)
+    if (!m_avatar && !m_teacher && !m_translucentArrays)
         return;
     m_view = camera.viewMatrix();
     m_program->bind();
@@ -89,8 +89,8 @@ void GhostRenderer::draw(const OrbitCamera& camera)
         drawBrush(*m_avatar->brush);
     if (m_teacher)
         drawBrush(*m_teacher);
-    if (m_glassArrays)
-        drawGlass();
+    if (m_translucentArrays)
+        drawTranslucent();
 
     m_gl->glDisable(GL_BLEND);
     m_gl->glDepthMask(GL_TRUE);
@@ -125,14 +125,14 @@ void GhostRenderer::drawBrush(const core::Sphere& brush)
 }
 
 /// Draws both sides, so that a cutter is seen in the hollow that it has left.
-void GhostRenderer::drawGlass()
+void GhostRenderer::drawTranslucent()
 {
-    upload(m_glass, m_glassArrays);
-    m_program->setUniformValue("alphas", glassAlphas);
+    upload(m_translucent, m_translucentArrays);
+    m_program->setUniformValue("alphas", translucentAlphas);
     m_gl->glDisable(GL_CULL_FACE);
     m_gl->glEnable(GL_POLYGON_OFFSET_FILL);
-    m_gl->glPolygonOffset(glassDepthOffset, glassDepthOffset);
-    place(m_glass, Eigen::Matrix4d::Identity());
+    m_gl->glPolygonOffset(translucentDepthOffset, translucentDepthOffset);
+    place(m_translucent, Eigen::Matrix4d::Identity());
     m_gl->glDisable(GL_POLYGON_OFFSET_FILL);
 }
 

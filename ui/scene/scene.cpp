@@ -224,9 +224,9 @@ void Scene::showTeacher(const std::optional<core::Sphere>& brush)
     m_state->ghosts.showTeacher(brush);
 }
 
-void Scene::showGlass(const std::shared_ptr<const core::DrawArrays>& glass)
+void Scene::showTranslucent(const std::shared_ptr<const core::DrawArrays>& translucent)
 {
-    m_state->ghosts.showGlass(glass);
+    m_state->ghosts.showTranslucent(translucent);
 }
 
 void Scene::setAppearance(const ViewAppearance& appearance, bool darkTheme)

@@ -76,8 +76,8 @@ public:
     void showAvatar(const std::optional<HeadsetAvatar>& avatar);
     /// Shows the brush of a lesson's teacher in the next frames; nullopt hides it.
     void showTeacher(const std::optional<core::Sphere>& brush);
-    /// Shows solids as glass in the next frames, mm; null shows none.
-    void showGlass(const std::shared_ptr<const core::DrawArrays>& glass);
+    /// Shows solids translucent in the next frames, mm; null shows none.
+    void showTranslucent(const std::shared_ptr<const core::DrawArrays>& translucent);
     /// `darkTheme`: whether Background::Theme is dark.
     void setAppearance(const ViewAppearance& appearance, bool darkTheme);
 

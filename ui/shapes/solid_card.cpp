@@ -24,7 +24,7 @@ using core::Primitive;
 using Measure = core::Primitive::Measure;
 
 constexpr std::size_t kinds = static_cast<std::size_t>(Primitive::Kind::Torus) + 1; ///< those that have measures
-constexpr double leastMeasure = 0.001;                                              ///< mm
+constexpr double minMeasure = 0.001;                                                ///< mm
 constexpr double tubeShare = 0.3; ///< radius of a torus's tube, as a share of its radius
 
 constexpr double capsuleShare = 4; ///< height of a capsule, as a share of its radius
@@ -65,7 +65,7 @@ SolidCard::SolidCard(QWidget* view)
     for (std::size_t i = 0; i < Primitive::measures; ++i) {
         const auto measure = static_cast<Measure>(i);
         const QString text = PrimitiveMessages::measure(measure);
-        const double least = measure == Measure::TopRadius ? 0 : leastMeasure;
+        const double least = measure == Measure::TopRadius ? 0 : minMeasure;
         m_measures[i] = makeNumber(QLatin1StringView(core::name(measure).data()), text, least);
         connect(m_measures[i], &QDoubleSpinBox::valueChanged, this, &SolidCard::noteMeasure);
         m_labels[i] = new QLabel(text);

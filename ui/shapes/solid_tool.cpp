@@ -19,13 +19,13 @@ namespace ui
 {
 namespace
 {
-constexpr double leastDrag = 4;         ///< pixels; a shorter drag makes a solid of the usual size
+constexpr double minDrag = 4;           ///< pixels; a shorter drag makes a solid of the usual size
 constexpr double usualShare = 1.0 / 16; ///< half size of a solid that was not dragged, as a share of the view's height
 
 constexpr double around = 12; ///< pixels from the press within which the surface's direction is measured
 constexpr int aroundRays = 8;
 
-constexpr double mostGlass = 200'000; ///< number of triangles; a larger solid is not shown while it changes
+constexpr double maxPreviewFaces = 200'000; ///< number of triangles; a larger solid is not shown while it changes
 
 /// Returns the mean of the surface's normals, so that a solid does not follow each triangle.
 core::Vec3 meanNormal(const ViewTool::Hits& hits)
@@ -52,7 +52,7 @@ void SolidTool::clear()
 {
     m_isPressed = m_isPlaced = false;
     m_card->hide();
-    viewport()->showGlass({});
+    viewport()->showTranslucent({});
 }
 
 bool SolidTool::handleKey(const QKeyEvent& event)
@@ -129,7 +129,7 @@ void SolidTool::resize()
 {
     const OrbitCamera& camera = viewport()->camera();
     const double dragged = QLineF(m_from, m_pointer).length();
-    const double pixels = dragged < leastDrag ? usualShare * viewport()->height() : dragged;
+    const double pixels = dragged < minDrag ? usualShare * viewport()->height() : dragged;
     m_card->setSize(pixels / camera.pixelsPerMm(m_card->insertion().centre));
     m_card->keepBase();
 }
@@ -145,12 +145,12 @@ void SolidTool::refresh()
     core::Primitive solid = *m_card->insertion().primitive;
     const core::PrimitiveResult judged = core::judgePrimitive(solid);
     solid.edge = judged.limit;
-    core::TriangleMesh glass;
-    if (judged.fault == core::PrimitiveFault::None && judged.faces < mostGlass)
-        glass = core::makePrimitive(solid).mesh.value_or(core::TriangleMesh());
-    for (core::Vec3f& p : glass.points)
+    core::TriangleMesh translucent;
+    if (judged.fault == core::PrimitiveFault::None && judged.faces < maxPreviewFaces)
+        translucent = core::makePrimitive(solid).mesh.value_or(core::TriangleMesh());
+    for (core::Vec3f& p : translucent.points)
         p = (p.cast<double>() + m_card->insertion().centre).cast<float>();
-    showGlass(std::move(glass));
+    showTranslucent(std::move(translucent));
     m_card->show(PrimitiveMessages::problem(judged));
     m_card->raise();
 }

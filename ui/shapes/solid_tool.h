@@ -11,7 +11,7 @@ class BrushSettings;
 class SolidCard;
 
 /// Lets the user place a solid with measures in the view: a press on the model, or on the ground beside it, puts its
-/// base there, and the drag gives its size. Then all numbers can be typed. What the solid will be is shown as glass.
+/// base there, and the drag gives its size. Then all numbers can be typed. What the solid will be is shown translucent.
 /// Return makes it. Switched by the action "model.placeSolid". Knows no document: it requests the insertion by a
 /// signal. Thread: gui.
 class SolidTool : public ViewTool

@@ -11,7 +11,7 @@ namespace ui
 namespace
 {
 constexpr double dotRadius = 4.5, reach = 9; ///< pixels: size of a dot, and how near the pointer must be to a handle
-constexpr double leastRim = 14;              ///< pixels; a smaller circle is drawn and hit with this size
+constexpr double minRim = 14;                ///< pixels; a smaller circle is drawn and hit with this size
 constexpr QColor lightLine(255, 246, 232), darkLine(0, 0, 0, 120), chosenFill(255, 176, 60), hotFill(120, 190, 255);
 } // namespace
 
@@ -29,7 +29,7 @@ QPointF TubeHandles::positionOf(std::size_t point) const
 
 double TubeHandles::radiusInPixels(std::size_t point) const
 {
-    return std::max(leastRim, m_path[point].radius * m_camera.pixelsPerMm(m_path[point].position));
+    return std::max(minRim, m_path[point].radius * m_camera.pixelsPerMm(m_path[point].position));
 }
 
 std::optional<TubeHandle> TubeHandles::handleAt(const QPointF& at) const

@@ -26,12 +26,12 @@ namespace ui
 {
 namespace
 {
-constexpr double tolerance = 5;   ///< pixels between the drawn curve and the lines between its points
-constexpr double leastLength = 8; ///< pixels; a shorter curve is begun again
-constexpr double leastStep = 3;   ///< pixels between points where the curve is held against the model
-constexpr double mostSamples = 600;
+constexpr double tolerance = 5; ///< pixels between the drawn curve and the lines between its points
+constexpr double minLength = 8; ///< pixels; a shorter curve is begun again
+constexpr double minStep = 3;   ///< pixels between points where the curve is held against the model
+constexpr double maxSamples = 600;
 
-constexpr double previewFaces = 20'000; ///< about the largest number of triangles of the glass
+constexpr double previewFaces = 20'000; ///< about the largest number of triangles of the preview
 
 /// Returns the length of the curve, logical pixels.
 double lengthOf(const QPolygonF& curve)
@@ -45,7 +45,7 @@ double lengthOf(const QPolygonF& curve)
 /// Returns points on the curve, a step apart.
 QPolygonF sampled(const QPolygonF& curve)
 {
-    const double step = std::max(leastStep, lengthOf(curve) / mostSamples);
+    const double step = std::max(minStep, lengthOf(curve) / maxSamples);
     QPolygonF samples{curve.front()};
     double ahead = step; // way to the next sample
     for (qsizetype i = 1; i < curve.size(); ++i) {
@@ -120,7 +120,7 @@ void TubeTool::clear()
     m_dragged.reset();
     m_isDrawing = false;
     m_card->hide();
-    viewport()->showGlass({});
+    viewport()->showTranslucent({});
 }
 
 bool TubeTool::handleKey(const QKeyEvent& event)
@@ -236,7 +236,7 @@ void TubeTool::drag(const QSinglePointEvent& event)
 void TubeTool::endCurve()
 {
     const QPolygonF curve = sampled(simplified(m_curve, tolerance));
-    const bool isLong = lengthOf(m_curve) >= leastLength;
+    const bool isLong = lengthOf(m_curve) >= minLength;
     m_curve.clear();
     update();
     if (!isLong)
@@ -287,9 +287,10 @@ void TubeTool::refresh()
     if (!m_path.empty()) {
         const core::PrimitiveResult judged = core::judgePrimitive(primitive());
         if (judged.fault == core::PrimitiveFault::None)
-            showGlass(core::Tube(m_path, judged.limit * std::sqrt(std::max(1.0, judged.faces / previewFaces))).swept());
+            showTranslucent(
+                core::Tube(m_path, judged.limit * std::sqrt(std::max(1.0, judged.faces / previewFaces))).swept());
         else
-            showGlass({});
+            showTranslucent({});
         m_card->show(m_path[m_chosen].radius, PrimitiveMessages::problem(judged));
     }
     hint()->showText(m_path.empty() ? tr("Draw the middle of a tube, on the model or beside it. Esc cancels.")

@@ -13,7 +13,7 @@ class TubeCard;
 
 /// Lets the user draw a tube: a curve over the view, which lies on the model where it meets it, and beside it as deep
 /// as there. Then each point of the curve can be moved, and its radius changed; a double click on the line adds a
-/// point, Delete removes the chosen one. What the tube will be is shown as glass. Return makes it. Switched by the
+/// point, Delete removes the chosen one. What the tube will be is shown translucent. Return makes it. Switched by the
 /// action "model.tube". Thread: gui.
 class TubeTool : public ViewTool
 {

@@ -104,11 +104,11 @@ bool ViewTool::isAtPlane(const core::Vec3& place) const
            std::abs(place[core::axisOf(symmetry())]) * m_viewport->camera().pixelsPerMm(place) < atPlane;
 }
 
-void ViewTool::showGlass(core::TriangleMesh solid)
+void ViewTool::showTranslucent(core::TriangleMesh solid)
 {
     const core::TriangleMesh both = core::besideImage(std::move(solid), symmetry());
-    m_viewport->showGlass(both.triangles.empty() ? nullptr
-                                                 : std::make_shared<const core::DrawArrays>(core::drawArraysOf(both)));
+    m_viewport->showTranslucent(
+        both.triangles.empty() ? nullptr : std::make_shared<const core::DrawArrays>(core::drawArraysOf(both)));
 }
 
 void ViewTool::endRequest(bool isMade)

@@ -66,8 +66,8 @@ protected:
     core::Symmetry symmetry() const;
     /// Returns whether a place is seen so near to the plane of symmetry that it is meant to be on it.
     bool isAtPlane(const core::Vec3& place) const;
-    /// Shows a solid, and its mirror image, as glass; an empty one: shows none.
-    void showGlass(core::TriangleMesh solid);
+    /// Shows a solid, and its mirror image, translucent; an empty one: shows none.
+    void showTranslucent(core::TriangleMesh solid);
     /// Asks where the rays meet the model. Until place() is called, isAsking().
     void ask(const std::vector<core::Ray>& rays);
     bool isAsking() const { return m_isAsking; }

@@ -93,15 +93,15 @@ QString RepairMessages::doubt(const QString& file, const core::RepairReport& rep
             .arg(file, shortMillimetres(*report.remeshedAt));
     constexpr double percent = 100;
     const double kept = report.keptVolume();
-    const bool isLost = report.lost > core::RepairReport::mostLost * report.size;
-    const bool isOfOtherVolume = kept < core::RepairReport::leastVolume || kept > core::RepairReport::mostVolume;
+    const bool isLost = report.lost > core::RepairReport::maxLost * report.size;
+    const bool isOfOtherVolume = kept < core::RepairReport::minVolume || kept > core::RepairReport::maxVolume;
     if (!isLost && isOfOtherVolume)
         return tr("%1 was repaired, but now has %2 % of its volume.")
             .arg(file, QLocale().toString(percent * kept, 'f', 1));
     const double space = std::max(report.space.lost + report.space.gained,
                                   report.singleSpace.lost + report.singleSpace.gained),
                  otherSpace = report.otherSpace.lost + report.otherSpace.gained;
-    if (!isLost && otherSpace > core::RepairReport::mostOtherSpace)
+    if (!isLost && otherSpace > core::RepairReport::maxOtherSpace)
         return tr("%1 was repaired, but parts that could be holes were treated as parts that face the wrong way: %2 % "
                   "of the space.")
             .arg(file, QLocale().toString(percent * otherSpace, 'f', 1));

@@ -18,7 +18,7 @@ namespace ui
 namespace
 {
 constexpr double closingDistance = 8; ///< pixels from a polygon's first corner at which a click closes it
-constexpr double leastSize = 3;       ///< pixels; a smaller curve is begun again
+constexpr double minSize = 3;         ///< pixels; a smaller curve is begun again
 constexpr int barMargin = 6;          ///< pixels from the hint to the bar
 constexpr double cornerRadius = 3;    ///< pixels
 constexpr QColor warning(215, 60, 45, 80), selecting(60, 120, 215, 80);
@@ -239,7 +239,7 @@ void CurveDrawing::close()
 {
     const QPolygonF closed = simplified(curve());
     const QRectF around = closed.boundingRect();
-    if (closed.size() < 3 || std::max(around.width(), around.height()) < leastSize) {
+    if (closed.size() < 3 || std::max(around.width(), around.height()) < minSize) {
         if (m_bar->shape() != CurveShape::Polygon)
             m_points.clear();
         return update();

@@ -21,7 +21,7 @@ using Side = OrbitCamera::Side;
 constexpr int extent = 88; ///< width and height of the widget, logical pixels
 /// half of the cube's edge, pixels; its corners stay within the widget at any rotation
 constexpr double halfEdge = 25;
-constexpr double leastSlant = 0.15; ///< smallest slant at which a face has a label
+constexpr double minSlant = 0.15; ///< smallest slant at which a face has a label
 constexpr double degreesPerPixel = 1;
 
 /// Axes of a face of the cube, as seen when looking at it.
@@ -131,7 +131,7 @@ void NavigationCube::paint(const Face& face, QPainter& painter) const
     painter.setBrush(fill);
     painter.drawPolygon(face.corners);
     QTransform onFace;
-    if (face.slant < leastSlant ||
+    if (face.slant < minSlant ||
         !QTransform::quadToQuad(QPolygonF{{0, 0}, {flat, 0}, {flat, flat}, {0, flat}}, face.corners, onFace))
         return;
     QPainterPath word;

@@ -105,7 +105,7 @@ struct Viewport::State
     std::function<std::optional<core::MeshPatch>()> patchSource;
     std::shared_ptr<const core::Footprint> shades;
     std::optional<core::Sphere> teacher;
-    std::shared_ptr<const core::DrawArrays> glass;
+    std::shared_ptr<const core::DrawArrays> translucent;
     std::shared_ptr<const core::Footprint> movedVertices; ///< null: none is shown moved
     core::Transform move;
     std::optional<Cut> cut;
@@ -218,7 +218,7 @@ void Viewport::State::placeGhosts()
 {
     scene->showAvatar(navigation.shownAvatar());
     scene->showTeacher(teacher);
-    scene->showGlass(glass);
+    scene->showTranslucent(translucent);
 }
 
 void Viewport::State::placeHighlight()
@@ -453,9 +453,9 @@ void Viewport::showTeacher(const std::optional<core::Sphere>& brush)
     Q_EMIT teacherShown(brush);
 }
 
-void Viewport::showGlass(const std::shared_ptr<const core::DrawArrays>& glass)
+void Viewport::showTranslucent(const std::shared_ptr<const core::DrawArrays>& translucent)
 {
-    m_state->glass = glass;
+    m_state->translucent = translucent;
     update();
 }
 

@@ -108,8 +108,8 @@ public:
     void showAvatar(const std::optional<HeadsetAvatar>& avatar);
     /// Shows the brush of a lesson's teacher as a ghost until the next call.
     void showTeacher(const std::optional<core::Sphere>& brush);
-    /// Shows solids as glass until the next call, mm; null: none.
-    void showGlass(const std::shared_ptr<const core::DrawArrays>& glass);
+    /// Shows solids translucent until the next call, mm; null: none.
+    void showTranslucent(const std::shared_ptr<const core::DrawArrays>& translucent);
 
 public Q_SLOTS:
     /// Schedules a frame that takes the waiting patch. Several calls before it cause only one frame.

@@ -17,7 +17,7 @@ namespace ui
 {
 namespace
 {
-constexpr int leastLines = 12; ///< smallest height, in lines, of content that scrolls by itself
+constexpr int minLines = 12; ///< smallest height, in lines, of content that scrolls by itself
 
 bool grows(const QWidget* content)
 {
@@ -40,7 +40,7 @@ public:
     {
         const QSize least = QWidget::minimumSizeHint(), whole = QWidget::sizeHint();
         const int height =
-            grows(m_content) ? std::min(whole.height(), leastLines * fontMetrics().lineSpacing()) : whole.height();
+            grows(m_content) ? std::min(whole.height(), minLines * fontMetrics().lineSpacing()) : whole.height();
         return {least.width(), std::max(least.height(), height)};
     }
 

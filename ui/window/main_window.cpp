@@ -7,7 +7,7 @@
 #include "ui/brush/brush_panels.h"
 #include "ui/brush/brush_shapes.h"
 #include "ui/brush/color_panel.h"
-#include "ui/brush/preset_shelf.h"
+#include "ui/brush/preset_list.h"
 #include "ui/classroom/classroom.h"
 #include "ui/classroom/classroom_lock.h"
 #include "ui/drawing/preview_panel.h"
@@ -90,7 +90,7 @@ struct MainWindow::State
     QToolBar* options = nullptr;
     SideColumn* column = nullptr;
     BrushShapes* shapes = nullptr;
-    PresetShelf* presets = nullptr;
+    PresetList* presets = nullptr;
     NotificationBanner* banner = nullptr;
     InfoBar* infoBar = nullptr;
     HistoryPanel* history = nullptr;
@@ -215,7 +215,7 @@ void MainWindow::State::buildPanels(QMenu* toggles)
     addLessonEditor(column, actions);
     addBrushPanels({column, focusModel}, &brush, shapes);
     addColorPanel({column, viewport}, &brush, &settings, actions, notice);
-    presets = addPresetShelf({column, &actions, focusModel, notice}, &brush, shapes);
+    presets = addPresetList({column, &actions, focusModel, notice}, &brush, shapes);
     connectInputActions({column, viewport, notice}, &brush, &settings, actions);
     addPrintPanel({column, viewport}, &settings, actions);
     addPartsPanel(column, actions);

@@ -19,7 +19,7 @@ namespace ui
 {
 namespace
 {
-constexpr int mostColumns = 4;
+constexpr int maxColumns = 4;
 constexpr QSize iconSize{26, 26};
 
 qsizetype shownIn(const QList<QToolButton*>& group)
@@ -92,14 +92,14 @@ int ToolPalette::heightOf(int columns) const
 
 QSize ToolPalette::sizeHint() const
 {
-    return {m_columns * cell().width(), heightOf(mostColumns)};
+    return {m_columns * cell().width(), heightOf(maxColumns)};
 }
 
 /// Arranges the buttons in the smallest number of columns that fits the height.
 void ToolPalette::arrange()
 {
     int columns = 1;
-    while (columns < mostColumns && heightOf(columns) > height())
+    while (columns < maxColumns && heightOf(columns) > height())
         ++columns;
     if (columns != m_columns) {
         m_columns = columns;

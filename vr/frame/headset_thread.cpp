@@ -105,7 +105,7 @@ HeadsetReport HeadsetThread::Visit::runSession(const Instance& instance, const G
                                                const OnReport& onReport)
 {
     const auto [major, minor] = gl.context().format().version();
-    const QVersionNumber asked = leastOpenGl(instance), present(major, minor);
+    const QVersionNumber asked = minOpenGl(instance), present(major, minor);
     const bool isTooOld = present < asked;
     if (isTooOld)
         qInfo("The OpenXR runtime asks for OpenGL %s; the context has %s", qPrintable(asked.toString()),

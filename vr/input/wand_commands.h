@@ -111,13 +111,13 @@ struct UseTip
     Pose tip;
 };
 
-/// Moves and turns the active part with the sculpting hand, whose poses are in room space. Followed by LetGoOfPart.
+/// Moves and turns the active part with the sculpting hand, whose poses are in room space. Followed by ReleasePart.
 struct MovePart
 {
     Pose from, to;
 };
 
-struct LetGoOfPart
+struct ReleasePart
 {};
 
 /// Presses a panel: the trigger was pulled while the wand pointed at it. The trigger belongs to the panel until
@@ -138,7 +138,7 @@ using WandAction =
     std::variant<BeginStroke, StrokePoint, EndStroke, Undo, Redo, SaveModel, RestoreModel, ToggleTopology,
                  ToggleBrushShape, ToggleSymmetry, ToggleInverse, StepTool, ScaleRadius, SelectChannel, ChangeChannel,
                  TurnModel, ScaleModel, MoveModel, StretchModel, OpenToolMenu, OpenColorPanel, UseTip, MovePart,
-                 LetGoOfPart, PressPanel, ReleasePanel, Refuse>;
+                 ReleasePart, PressPanel, ReleasePanel, Refuse>;
 
 /// A request of a hand, and the gesture that made it. The gesture's label may fade once it was used.
 struct WandCommand

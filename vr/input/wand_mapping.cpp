@@ -110,7 +110,7 @@ std::vector<WandCommand> WandMapping::step(const InputFrame& frame)
 std::vector<WandCommand> WandMapping::releaseAll()
 {
     endStroke();
-    letGoOfPart();
+    releasePart();
     for (const Side side : order())
         releaseHand(side);
     return std::exchange(m_commands, {});
@@ -338,16 +338,16 @@ void WandMapping::updateHeldPart(const InputFrame& frame)
     const bool holds = !m_stroke && wand.isTracked && at(side).gestures.side.isDown &&
                        functionOf(side, Gesture::Squeeze) == WandFunction::MovePart;
     if (!holds)
-        return letGoOfPart();
+        return releasePart();
     if (m_partGrip)
         addCommand(side, Gesture::Squeeze, MovePart{*m_partGrip, wand.grip});
     m_partGrip = wand.grip;
 }
 
-void WandMapping::letGoOfPart()
+void WandMapping::releasePart()
 {
     if (std::exchange(m_partGrip, std::nullopt))
-        addCommand(m_settings.sculpting, Gesture::Squeeze, LetGoOfPart{});
+        addCommand(m_settings.sculpting, Gesture::Squeeze, ReleasePart{});
 }
 
 void WandMapping::updateStroke(const InputFrame& frame)

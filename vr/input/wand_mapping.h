@@ -126,7 +126,7 @@ private:
     bool isGrabbing(Side side) const;
     void updateGrabs(const InputFrame& frame);
     void updateHeldPart(const InputFrame& frame);
-    void letGoOfPart();
+    void releasePart();
     void updateStroke(const InputFrame& frame);
 
     WandSettings m_settings;

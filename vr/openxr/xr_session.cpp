@@ -51,7 +51,7 @@ std::vector<ImageSize> imageSizesOf(const Instance& instance, XrViewConfiguratio
 
 SessionHandle makeSession(const Instance& instance, const GlBinding& binding)
 {
-    leastOpenGl(instance);
+    minOpenGl(instance);
     const XrSessionCreateInfo info{XR_TYPE_SESSION_CREATE_INFO, binding.next(), 0, instance.system()};
     XrSession made = XR_NULL_HANDLE;
     check(xrCreateSession(instance.handle(), &info, &made), "xrCreateSession");
@@ -98,7 +98,7 @@ void tryRefreshRate(const Instance& instance, XrSession session)
 }
 } // namespace
 
-QVersionNumber leastOpenGl(const Instance& instance)
+QVersionNumber minOpenGl(const Instance& instance)
 {
     XrGraphicsRequirementsOpenGLKHR requirements{};
     requirements.type = XR_TYPE_GRAPHICS_REQUIREMENTS_OPENGL_KHR;

@@ -27,7 +27,7 @@ inline constexpr float wantedRefreshRate = 90;
 
 /// Returns the lowest OpenGL version that the runtime asks for, although it may accept an earlier one. OpenXR requires
 /// this query before a session is made. Throws XrError.
-QVersionNumber leastOpenGl(const Instance& instance);
+QVersionNumber minOpenGl(const Instance& instance);
 
 /// A session with one headset, and the sizes and formats of the images that the runtime offers. Precondition: the
 /// context described by the binding is current at every call. All members except those that only return a value throw

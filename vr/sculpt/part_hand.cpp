@@ -34,7 +34,7 @@ void PartHand::move(const MovePart& move, core::PartId part, const ModelPlacemen
     m_shift = to + turn * (m_shift - from);
 }
 
-void PartHand::letGo()
+void PartHand::release()
 {
     if (m_state != State::Held)
         return;

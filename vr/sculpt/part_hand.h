@@ -23,7 +23,7 @@ public:
     /// Moves the part; the first move takes hold of it. Has no effect while an earlier change of it is being made.
     void move(const MovePart& move, core::PartId part, const ModelPlacement& placement);
     /// Ends the hold, and requests the change of the part: now, or in the step() that takes the document's answer.
-    void letGo();
+    void release();
 
     /// Returns the transform to be shown; none if nothing is held, or if it is not known yet what moves.
     std::optional<core::Transform> shown() const;

@@ -363,7 +363,7 @@ void SculptClient::handle(const WandCommand& command)
                 requestAt({use.tip, m_mapping.task(), m_update.box}, m_contents.parts(), m_brush.state(), m_placement));
         },
         [&](const MovePart& move) { m_partHand.move(move, m_update.activePart, m_placement); },
-        [&](const LetGoOfPart&) { m_partHand.letGo(); },
+        [&](const ReleasePart&) { m_partHand.release(); },
         [&](const PressPanel&) { act(m_panels.press(side)); },
         [&](const ReleasePanel& release) { act(m_panels.release(side, release.isClick)); },
         [&](const Undo& undo) { m_port->request(undo); },

@@ -14,7 +14,7 @@ namespace
 using core::TubePoint;
 using core::Vec3;
 
-constexpr double leastStep = 0.1; ///< between points of the path, radii of the tube
+constexpr double minStep = 0.1;   ///< between points of the path, radii of the tube
 constexpr double tolerance = 0.1; ///< distance by which the tube may leave the path, radii of the tube
 constexpr int tubeRingEdges = 16, maxRings = 20;
 constexpr double ringDistance = 1; ///< at least, radii of the tube
@@ -41,7 +41,7 @@ void TubeDrawing::begin()
 {
     m_isDrawing = true;
     m_path.clear();
-    m_step = leastStep;
+    m_step = minStep;
 }
 
 void TubeDrawing::add(const TubePoint& point)
@@ -70,7 +70,7 @@ double TubeDrawing::length() const
 std::optional<core::Primitive> TubeDrawing::end(const ModelPlacement& placement)
 {
     m_isDrawing = false;
-    if (m_path.size() < 2 || placement.lengthToRoom(length()) < leastLength)
+    if (m_path.size() < 2 || placement.lengthToRoom(length()) < minLength)
         return std::nullopt;
     core::Primitive tube;
     tube.kind = core::Primitive::Kind::Tube;
@@ -80,7 +80,7 @@ std::optional<core::Primitive> TubeDrawing::end(const ModelPlacement& placement)
         most *= 2;
     } while (tube.path.size() > core::PrimitiveLimits::maxProfile);
     const bool isBall =
-        tube.path.size() == 2 && placement.lengthToRoom(distance(tube.path.front(), tube.path.back())) < leastLength;
+        tube.path.size() == 2 && placement.lengthToRoom(distance(tube.path.front(), tube.path.back())) < minLength;
     return isBall ? std::nullopt : std::optional(tube);
 }
 

@@ -15,7 +15,7 @@ namespace vr
 class TubeDrawing
 {
 public:
-    static constexpr double leastLength = 0.01; ///< metres in the room; a shorter path makes no tube
+    static constexpr double minLength = 0.01; ///< metres in the room; a shorter path makes no tube
     /// Number of points of the path while it is drawn. Before there are more, every second one goes, and those that
     /// follow are twice as far apart.
     static constexpr std::size_t maxPoints = 2000;

@@ -78,12 +78,12 @@ Change blendModesChange(const json& value, Over)
     return [modes](Runtime& runtime, XrTime) { runtime.world.blendModes = modes; };
 }
 
-Change leastOpenGlChange(const json& value, Over)
+Change minOpenGlChange(const json& value, Over)
 {
     const std::vector<double> version = readNumbers(value, 2);
     const XrVersion least =
         XR_MAKE_VERSION(static_cast<std::uint64_t>(version[0]), static_cast<std::uint64_t>(version[1]), 0);
-    return [least](Runtime& runtime, XrTime) { runtime.world.leastOpenGl = least; };
+    return [least](Runtime& runtime, XrTime) { runtime.world.minOpenGl = least; };
 }
 
 Change ratesChange(const json& value, Over)
@@ -277,7 +277,7 @@ const std::map<std::string_view, Reader>& vocabulary()
         {"runtime", flag<&SimulatedWorld::hasRuntime>},
         {"headset", flag<&SimulatedWorld::hasHeadset>},
         {"opengl", flag<&SimulatedWorld::hasOpenGl>},
-        {"least_opengl", leastOpenGlChange},
+        {"least_opengl", minOpenGlChange},
         {"extensions", flag<&SimulatedWorld::hasExtensions>},
         {"withheld", withheldChange},
         {"blend_modes", blendModesChange},

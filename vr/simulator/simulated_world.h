@@ -89,7 +89,7 @@ struct SimulatedWorld
     std::set<std::uint64_t> minors{0};           ///< minor versions of OpenXR 1 that a client may ask for
     std::set<std::int64_t> failingFormats;       ///< offered formats of which no images are made
     std::vector<XrEnvironmentBlendMode> blendModes{XR_ENVIRONMENT_BLEND_MODE_OPAQUE}; ///< the preferred first
-    XrVersion leastOpenGl = XR_MAKE_VERSION(3, 3, 0);
+    XrVersion minOpenGl = XR_MAKE_VERSION(3, 3, 0);
     bool isWorn = true, isVisible = true, hasFocus = true, shouldRender = true;
 
     Head head;

@@ -121,7 +121,7 @@ XrResult getOpenGlRequirements(Call& call, XrInstance handle, XrSystemId system,
     Instance& instance = call.get<Instance>(handle);
     validated(requirements, XR_TYPE_GRAPHICS_REQUIREMENTS_OPENGL_KHR);
     requireSystem(system);
-    requirements->minApiVersionSupported = call.runtime.world.leastOpenGl;
+    requirements->minApiVersionSupported = call.runtime.world.minOpenGl;
     requirements->maxApiVersionSupported = XR_MAKE_VERSION(4, 6, 0);
     instance.requirementsAsked = true;
     return XR_SUCCESS;

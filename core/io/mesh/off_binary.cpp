@@ -189,7 +189,7 @@ ReadResult BinaryOff::read() const
 {
     std::optional<BodyReader> withRest; // the first dialect that leaves only some bytes after the model
     std::optional<FileError> problem;   // the error of the dialect that read furthest
-    std::size_t leastLeft = 0;
+    std::size_t minLeft = 0;
     for (const std::endian order : {std::endian::big, std::endian::little})
         for (const bool countsComponents : {true, false})
             for (const std::size_t components : {std::size_t(4), std::size_t(3)}) {
@@ -203,10 +203,10 @@ ReadResult BinaryOff::read() const
                     if (!withRest)
                         withRest.emplace(std::move(reader));
                 } catch (const FileError& error) {
-                    if (problem && reader.bytesLeft() >= leastLeft)
+                    if (problem && reader.bytesLeft() >= minLeft)
                         continue;
                     problem.emplace(error);
-                    leastLeft = reader.bytesLeft();
+                    minLeft = reader.bytesLeft();
                 }
             }
     if (!withRest)

@@ -23,7 +23,7 @@ namespace
 {
 constexpr std::size_t maxNodes = std::size_t(1) << 18;
 /// Bytes of text that may be written for any file, in addition to 16 times its size.
-constexpr std::size_t leastText = std::size_t(1) << 26;
+constexpr std::size_t minText = std::size_t(1) << 26;
 
 /// Groups whose children belong to the scene.
 constexpr std::array<std::string_view, 12> groups{"Group",     "StaticGroup", "Collision", "Anchor",
@@ -188,9 +188,9 @@ public:
             error.place = {FilePlace::Unit::Line, node.line};
             throw error;
         }
-        const std::size_t mostText = leastText + 16 * m_file.bytes.size();
-        if (m_text.size() > mostText)
-            throw withCounts(errorWithToken(FileErrorKind::UnpacksTooLarge, m_file, {}), mostText);
+        const std::size_t maxText = minText + 16 * m_file.bytes.size();
+        if (m_text.size() > maxText)
+            throw withCounts(errorWithToken(FileErrorKind::UnpacksTooLarge, m_file, {}), maxText);
         m_text.append("<").append(name);
     }
 

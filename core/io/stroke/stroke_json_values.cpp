@@ -104,7 +104,7 @@ void StrokeJsonReader::strokeVector(const Vec3& vector)
         m_command.scaleAxes = unitRotation();
         break;
     case OutlineKey:
-        if (m_command.area.outline.size() == ViewArea::mostCorners)
+        if (m_command.area.outline.size() == ViewArea::maxCorners)
             refuse(Kind::OutOfRange);
         m_command.area.outline.push_back(vector);
         break;

@@ -41,7 +41,7 @@ bool haveCommonNeighbour(const Mesh& mesh, Slot p, Slot q)
 }
 
 /// Returns the smallest dot product of `normal` and any vector in the box.
-double leastCosine(const Vec3& normal, const Box& box)
+double minCosine(const Vec3& normal, const Box& box)
 {
     return normal.cwiseProduct(box.min()).cwiseMin(normal.cwiseProduct(box.max())).sum();
 }
@@ -154,7 +154,7 @@ void FusionCandidates::findPairs(const Mesh& mesh, const Region& region, const M
     maxMotion *= input.part;
     for (Slot turned : m_turned) {
         grid.forEachCellIn(partnersBox(turned, maxMotion, input), [&](Slot cell) {
-            if (leastCosine(m_normals[turned], normals[cell]) > facingCosine)
+            if (minCosine(m_normals[turned], normals[cell]) > facingCosine)
                 return; // no vertex in the cell faces this one
             m_visits += grid.pointsIn(cell).size();
             for (Slot near : grid.pointsIn(cell))

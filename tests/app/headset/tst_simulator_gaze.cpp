@@ -86,7 +86,7 @@ private Q_SLOTS:
         User user;
         user.look({panelAt(0.9)});
         user.yaw += 0.2;
-        user.gaze.letGo();
+        user.gaze.cancel();
         const double yaw = user.yaw;
         user.look({panelAt(0.9)});
         user.look({});

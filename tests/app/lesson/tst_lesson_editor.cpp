@@ -140,7 +140,7 @@ std::uint64_t playedHash(const QString& path)
 
 void edit(Program& program, const char* lesson)
 {
-    auto* lessons = part<QComboBox>(program, "lessonShelf");
+    auto* lessons = part<QComboBox>(program, "lessonLibrary");
     lessons->setCurrentIndex(lessons->findData(QLatin1StringView(lesson)));
     press(program, "lessonEdit");
     QTRY_VERIFY_WITH_TIMEOUT(program.window.findChild<ui::LessonEditor*>()->isOpen(), longestWait);
@@ -389,7 +389,7 @@ private Q_SLOTS:
         connectLessonAutosave(program.document, left);
         show(program);
         QVERIFY(notice(program).contains(QStringLiteral("unsaved lesson was kept")));
-        auto* lessons = part<QComboBox>(program, "lessonShelf");
+        auto* lessons = part<QComboBox>(program, "lessonLibrary");
         QCOMPARE(lessons->itemText(0), QStringLiteral("Not saved: Mine"));
         QCOMPARE(lessons->count(), 5);
         lessons->setCurrentIndex(0);

@@ -163,7 +163,7 @@ void TestViewArea::mask_isTheAreas()
     const Eigen::Vector2d center(0.35, 0.1);
     const auto mesh = document({icosphere(4, 1)});
     ViewArea area =
-        areaOf(circle(radius, center, ViewArea::mostCorners), isPerspective ? std::optional(height) : std::nullopt);
+        areaOf(circle(radius, center, ViewArea::maxCorners), isPerspective ? std::optional(height) : std::nullopt);
     area.side = isOutside ? ViewArea::Side::Outside : ViewArea::Side::Inside;
     area.symmetry = isSymmetric ? Symmetry::X : Symmetry::None;
     QVERIFY(applied(*mesh, MaskArea{area}).changes);

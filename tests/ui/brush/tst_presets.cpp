@@ -1,4 +1,4 @@
-// Brush presets of the program and of the user, faulty files, and the shelf that shows presets.
+// Brush presets of the program and of the user, faulty files, and the list that shows presets.
 #include "tests/support/test_main.h"
 #include "tests/ui/ui_test.h"
 
@@ -6,7 +6,7 @@
 #include "ui/brush/brush_shapes.h"
 #include "ui/brush/preset_choice.h"
 #include "ui/brush/preset_library.h"
-#include "ui/brush/preset_shelf.h"
+#include "ui/brush/preset_list.h"
 #include "ui/widgets/side_panel.h"
 #include "ui/window/main_window.h"
 
@@ -65,7 +65,7 @@ QListWidgetItem* itemNamed(const ui::MainWindow& window, const QString& name)
     return found.isEmpty() ? nullptr : found.constFirst();
 }
 
-void showShelf(ui::MainWindow& window)
+void showPresets(ui::MainWindow& window)
 {
     window.show();
     auto* panel = window.findChild<ui::SidePanel*>(QStringLiteral("presetPanel"));
@@ -288,10 +288,10 @@ private Q_SLOTS:
         QVERIFY(QFile::remove(ui::PresetLibrary::folder()));
     }
 
-    void theShelf_showsAndGivesPresets()
+    void theList_showsAndGivesPresets()
     {
         ui::MainWindow window;
-        showShelf(window);
+        showPresets(window);
         QTRY_COMPARE(listOf(window)->count(), static_cast<int>(oursCount));
         click(itemNamed(window, QStringLiteral("Scales")));
         QCOMPARE(window.brush()->tool(), Tool::Pull);
@@ -307,10 +307,10 @@ private Q_SLOTS:
             QTRY_VERIFY_WITH_TIMEOUT(hasPicture(i), longestWait);
     }
 
-    void theShelf_offersWhatTheToolsAre()
+    void theList_offersWhatTheToolsAre()
     {
         ui::MainWindow window;
-        showShelf(window);
+        showPresets(window);
         QTRY_COMPARE(listOf(window)->count(), static_cast<int>(oursCount));
         window.brush()->offerTools({Tool::Grab, Tool::Smooth});
         int shown = 0;
@@ -324,10 +324,10 @@ private Q_SLOTS:
         QVERIFY(!itemNamed(window, QStringLiteral("Carve"))->isHidden());
     }
 
-    void theShelf_keepsRenamesAndDeletes()
+    void theList_keepsRenamesAndDeletes()
     {
         ui::MainWindow window;
-        showShelf(window);
+        showPresets(window);
         QTRY_COMPARE(listOf(window)->count(), static_cast<int>(oursCount));
         const auto button = [&](const char* name) { return window.findChild<QToolButton*>(QString::fromLatin1(name)); };
         listOf(window)->setCurrentItem(itemNamed(window, QStringLiteral("Carve")));

@@ -80,7 +80,7 @@ private Q_SLOTS:
     void drag_givesTheSize();
     void numbers_areTyped();
     void capsule_isPossibleAtOnce();
-    void solid_isShownAsGlass();
+    void solid_isShownTranslucent();
     void apply_makesASoundPart();
     void escape_makesNothing();
     void busyProgram_getsNoRequest();
@@ -204,7 +204,7 @@ void TestSolidTool::capsule_isPossibleAtOnce()
     QVERIFY(core::makePrimitive(*stage.applied().primitive).mesh);
 }
 
-void TestSolidTool::solid_isShownAsGlass()
+void TestSolidTool::solid_isShownTranslucent()
 {
     SolidStage stage;
     const QImage before = stage.picture();

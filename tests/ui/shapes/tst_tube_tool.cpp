@@ -74,7 +74,7 @@ private Q_SLOTS:
     void tube_isMirrored();
     void curveAtThePlane_isOnIt();
     void curve_ofAShakingHandIsSmooth();
-    void tube_isShownAsGlass();
+    void tube_isShownTranslucent();
     void point_isMovedByItsDot();
     void radius_isChangedByItsCircle();
     void radius_isTyped();
@@ -185,7 +185,7 @@ void TestTubeTool::curve_ofAShakingHandIsSmooth()
     QVERIFY(std::abs(path.back().position.x() - 45) < 0.5);
 }
 
-void TestTubeTool::tube_isShownAsGlass()
+void TestTubeTool::tube_isShownTranslucent()
 {
     TubeStage stage;
     const QImage before = stage.picture();

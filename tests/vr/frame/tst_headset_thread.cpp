@@ -119,10 +119,10 @@ private Q_SLOTS:
     void faults();
     void refusals_data();
     void refusals();
-    void wishesMayBeRefused_data();
-    void wishesMayBeRefused();
+    void requestsMayBeRefused_data();
+    void requestsMayBeRefused();
     void aClientThatCannotDraw();
-    void aRuntimeThatDoesNotLetGo();
+    void aRuntimeThatDoesNotReturn();
     void aRuntimeThatTakesItsTime();
     void aFrozenRuntimeIsGivenUp_data();
     void aFrozenRuntimeIsGivenUp();
@@ -446,7 +446,7 @@ void TestHeadsetThread::refusals()
     QVERIFY(visitor.leave());
 }
 
-void TestHeadsetThread::wishesMayBeRefused_data()
+void TestHeadsetThread::requestsMayBeRefused_data()
 {
     QTest::addColumn<QString>("call");
     for (const char* call :
@@ -455,7 +455,7 @@ void TestHeadsetThread::wishesMayBeRefused_data()
 }
 
 /// Checks that VR is entered even if these optional calls are refused.
-void TestHeadsetThread::wishesMayBeRefused()
+void TestHeadsetThread::requestsMayBeRefused()
 {
     QFETCH(QString, call);
     m_headset->step(qPrintable(
@@ -481,7 +481,7 @@ void TestHeadsetThread::aClientThatCannotDraw()
 }
 
 /// Tests a runtime that accepts the request to exit but continues the session.
-void TestHeadsetThread::aRuntimeThatDoesNotLetGo()
+void TestHeadsetThread::aRuntimeThatDoesNotReturn()
 {
     m_headset->step("{'fail': {'call': 'xrRequestExitSession', 'result': 'XR_SUCCESS'}}");
     Visitor visitor(*m_headset);

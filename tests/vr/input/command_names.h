@@ -51,7 +51,7 @@ struct CommandNames
     }
     QString operator()(const vr::UseTip&) const { return QStringLiteral("use tip"); }
     QString operator()(const vr::MovePart&) const { return QStringLiteral("move part"); }
-    QString operator()(const vr::LetGoOfPart&) const { return QStringLiteral("let go of part"); }
+    QString operator()(const vr::ReleasePart&) const { return QStringLiteral("release part"); }
     QString operator()(const vr::PressPanel&) const { return QStringLiteral("press panel"); }
     QString operator()(const vr::ReleasePanel& release) const
     {

@@ -187,7 +187,7 @@ std::set<QString> commandNames(WandFunction function, const Move& move, bool isO
     case WandFunction::UseTip:
         return {QStringLiteral("use tip")};
     case WandFunction::MovePart:
-        return {QStringLiteral("move part"), QStringLiteral("let go of part")};
+        return {QStringLiteral("move part"), QStringLiteral("release part")};
     case WandFunction::TurnClockwise:
         return {QStringLiteral("turn -")};
     case WandFunction::TurnAnticlockwise:
@@ -377,7 +377,7 @@ private Q_SLOTS:
     void channelsComeRoundAndOpenAndCloseWithThePanel();
     void thePadsHeightIsHalfAChannel();
     void whatGoesOnEndsWhenHandsAreChosenAnew();
-    void whatIsPressedMeanwhileMustBeLetGo();
+    void whatIsPressedMeanwhileMustBeReleased();
     void aTaskTakesTheTrigger();
     void theGripMovesThePartOfATask();
     void bareHandsSculptAndGrab();
@@ -831,7 +831,7 @@ void TestWandMapping::whatGoesOnEndsWhenHandsAreChosenAnew()
 }
 
 /// Checks that buttons held when everything was ended have no effect until they are released.
-void TestWandMapping::whatIsPressedMeanwhileMustBeLetGo()
+void TestWandMapping::whatIsPressedMeanwhileMustBeReleased()
 {
     for (const ButtonPreset preset : everyPreset)
         for (const Side side : sides)
@@ -889,7 +889,7 @@ void TestWandMapping::aTaskTakesTheTrigger()
 /// long. A hand that is lost lets go once.
 void TestWandMapping::theGripMovesThePartOfATask()
 {
-    const QString move = QStringLiteral("move part"), letGo = QStringLiteral("let go of part");
+    const QString move = QStringLiteral("move part"), release = QStringLiteral("release part");
     for (const ButtonPreset preset : everyPreset) {
         Player player({preset, Side::Right});
         player.hands().setTask(vr::HandTask::ChoosePart);
@@ -905,13 +905,13 @@ void TestWandMapping::theGripMovesThePartOfATask()
         }
         QVERIFY((way - Vec3(0.2, 0, 0)).norm() < 1e-9 && !player.hands().hold(Side::Right));
         player.wand(Side::Right).isTracked = false;
-        QCOMPARE(words(player.step()), QStringList(letGo));
+        QCOMPARE(words(player.step()), QStringList(release));
         QVERIFY(player.step().empty());
         player.wand(Side::Right).isTracked = true;
         player.step();
         QCOMPARE(words(player.step()), QStringList(move));
         player.hands().setTask(vr::HandTask::Sculpt); // the panel was closed
-        QVERIFY(words(player.step()).contains(letGo));
+        QVERIFY(words(player.step()).contains(release));
     }
 }
 

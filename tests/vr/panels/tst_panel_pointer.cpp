@@ -123,7 +123,7 @@ class TestPanelPointer : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    void aClick_actsWhenItIsLetGo();
+    void aClick_actsWhenReleased();
     void aPressThatLeaves_doesNothing();
     void aPressThatComesBack_acts();
     void aPressThatBeganElsewhere_doesNothing();
@@ -150,7 +150,7 @@ private Q_SLOTS:
     void aTouch_isWhatThePictureShows();
 };
 
-void TestPanelPointer::aClick_actsWhenItIsLetGo()
+void TestPanelPointer::aClick_actsWhenReleased()
 {
     Wand wand = beforeTools();
     QVERIFY(!wand.at(0, paint));

@@ -323,7 +323,7 @@ void TestPartRequests::part_followsTheHand()
         QVERIFY((shown.placeOf(p, 1) - expected).norm() < 1e-6);
     }
     QVERIFY(port.requests.empty());
-    hand.letGo();
+    hand.release();
     QCOMPARE(port.requests.size(), std::size_t(1));
     const auto* change = std::get_if<vr::ChangePart>(&port.requests[0]);
     QVERIFY(change && change->part == 7);
@@ -351,10 +351,10 @@ void TestPartRequests::part_movesWhenTheAnswerComes()
     hand.move({a, b}, 7, placement);
     const int answers = std::exchange(port.answers, 0);
     hand.step();
-    hand.letGo();
+    hand.release();
     hand.step();
     hand.move({b, a}, 3, placement);
-    hand.letGo();
+    hand.release();
     QVERIFY(!hand.shown() && port.requests.empty());
     port.answers = answers;
     hand.step();
@@ -380,14 +380,14 @@ void TestPartRequests::part_staysIfTheHandDoes()
     HoldingPort port;
     vr::PartHand hand(&port);
     hand.move({a, a}, 7, placement);
-    hand.letGo();
+    hand.release();
     hand.step();
     QVERIFY(!hand.shown());
     hand.move({a, a}, 7, placement);
     QCOMPARE(port.queries, 2);
     hand.step();
     QVERIFY(hand.shown());
-    hand.letGo();
+    hand.release();
     QVERIFY(!hand.shown() && port.requests.empty());
 }
 

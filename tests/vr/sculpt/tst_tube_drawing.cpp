@@ -122,7 +122,7 @@ void TestTubeDrawing::shortPaths_makeNoTube()
     for (int i = 0; i < 200; ++i)
         shaking.emplace_back(0.1 * std::cos(i), 0.1 * std::sin(i), 0);
     QVERIFY(!drawn(shaking, 2));
-    const double least = placement().lengthToModel(vr::TubeDrawing::leastLength);
+    const double least = placement().lengthToModel(vr::TubeDrawing::minLength);
     QVERIFY(!drawn({Vec3::Zero(), Vec3(0.9 * least, 0, 0)}, 2));
     const std::optional<core::Primitive> tube = drawn({Vec3::Zero(), Vec3(1.1 * least, 0, 0)}, 2);
     QVERIFY(tube && core::makePrimitive(*tube).mesh);

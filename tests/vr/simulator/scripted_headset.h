@@ -3,6 +3,7 @@
 #include "tests/vr/simulator/scripted_runtime.h"
 
 #include "vr/frame/headset_thread.h"
+#include "vr/util/draw_call_timer.h"
 
 #include <QImage>
 #include <QOpenGLContext>

@@ -19,16 +19,16 @@ class BrushShapes;
 class SideColumn;
 
 /// The brush presets as pictures. A click applies a preset. Presets of tools that are not offered are hidden. Files are
-/// read and pictures drawn when the shelf is first shown. Thread: gui.
-class PresetShelf : public QWidget
+/// read and pictures drawn when the list is first shown. Thread: gui.
+class PresetList : public QWidget
 {
     Q_OBJECT
 
 public:
-    /// Precondition: `brush` and `shapes` outlive the shelf.
-    PresetShelf(BrushSettings* brush, BrushShapes* shapes, QWidget* parent = nullptr);
+    /// Precondition: `brush` and `shapes` outlive the list.
+    PresetList(BrushSettings* brush, BrushShapes* shapes, QWidget* parent = nullptr);
 
-    /// Shows the presets in another view too; a click there applies a preset. Precondition: the shelf outlives the
+    /// Shows the presets in another view too; a click there applies a preset. Precondition: the list outlives the
     /// view.
     void showIn(QListView* view);
 
@@ -65,7 +65,7 @@ private:
     PresetLibrary m_library; ///< last member: destroyed first, which ends its threads
 };
 
-struct PresetShelfContext
+struct PresetListContext
 {
     SideColumn* column;
     const Actions* actions;
@@ -73,6 +73,6 @@ struct PresetShelfContext
     std::function<void(const QString&)> notice;
 };
 
-/// Adds a shelf to the column and returns it.
-PresetShelf* addPresetShelf(const PresetShelfContext& context, BrushSettings* brush, BrushShapes* shapes);
+/// Adds a list to the column and returns it.
+PresetList* addPresetList(const PresetListContext& context, BrushSettings* brush, BrushShapes* shapes);
 } // namespace ui

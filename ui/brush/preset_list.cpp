@@ -1,4 +1,4 @@
-#include "ui/brush/preset_shelf.h"
+#include "ui/brush/preset_list.h"
 
 #include "ui/actions/actions.h"
 #include "ui/brush/brush_shapes.h"
@@ -23,39 +23,39 @@ namespace ui
 {
 namespace
 {
-constexpr int shelfPicture = 64;
-constexpr int drawnPixels = 2 * shelfPicture; ///< pixels, sharp on screens scaled to 200 %
+constexpr int pictureSize = 64;
+constexpr int drawnPixels = 2 * pictureSize; ///< pixels, sharp on screens scaled to 200 %
 constexpr int pathRole = Qt::UserRole;
 } // namespace
 
-PresetShelf::PresetShelf(BrushSettings* brush, BrushShapes* shapes, QWidget* parent)
+PresetList::PresetList(BrushSettings* brush, BrushShapes* shapes, QWidget* parent)
     : QWidget(parent)
     , m_brush(brush)
     , m_shapes(shapes)
     , m_list(named(new QListWidget, "presets", {}, tr("Brush presets")))
 {
     build();
-    connect(&m_library, &PresetLibrary::loaded, this, &PresetShelf::fill);
-    connect(&m_library, &PresetLibrary::pictureMade, this, &PresetShelf::setPicture);
-    connect(&m_library, &PresetLibrary::refused, this, &PresetShelf::noticed);
-    connect(m_list, &QListWidget::itemClicked, this, &PresetShelf::take);
-    connect(m_list, &QListWidget::itemActivated, this, &PresetShelf::take);
+    connect(&m_library, &PresetLibrary::loaded, this, &PresetList::fill);
+    connect(&m_library, &PresetLibrary::pictureMade, this, &PresetList::setPicture);
+    connect(&m_library, &PresetLibrary::refused, this, &PresetList::noticed);
+    connect(m_list, &QListWidget::itemClicked, this, &PresetList::take);
+    connect(m_list, &QListWidget::itemActivated, this, &PresetList::take);
     connect(m_list, &QListWidget::itemChanged, this, [this](const QListWidgetItem* item) {
         if (const PresetLibrary::Entry* entry = entryOf(item); entry && entry->name != item->text())
             m_library.rename(PresetLibrary::Entry(*entry), item->text());
     });
-    connect(m_list, &QListWidget::currentItemChanged, this, &PresetShelf::update);
-    connect(brush, &BrushSettings::changed, this, &PresetShelf::update);
-    connect(shapes, &BrushShapes::changed, this, &PresetShelf::update);
+    connect(m_list, &QListWidget::currentItemChanged, this, &PresetList::update);
+    connect(brush, &BrushSettings::changed, this, &PresetList::update);
+    connect(shapes, &BrushShapes::changed, this, &PresetList::update);
 }
 
-void PresetShelf::build()
+void PresetList::build()
 {
     m_list->setViewMode(QListView::IconMode);
     m_list->setMovement(QListView::Static);
     m_list->setResizeMode(QListView::Adjust);
     m_list->setWordWrap(true);
-    m_list->setIconSize({shelfPicture, shelfPicture});
+    m_list->setIconSize({pictureSize, pictureSize});
     m_list->setEditTriggers(QAbstractItemView::EditKeyPressed);
     m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -89,8 +89,8 @@ void PresetShelf::build()
     layCells();
 }
 
-QToolButton* PresetShelf::button(const QString& name, const QString& icon, const QString& text, const QString& tip,
-                                 const std::function<void()>& what)
+QToolButton* PresetList::button(const QString& name, const QString& icon, const QString& text, const QString& tip,
+                                const std::function<void()>& what)
 {
     QToolButton* made = panelButton(name, icon, text, tip);
     connect(made, &QToolButton::clicked, this, what);
@@ -98,23 +98,23 @@ QToolButton* PresetShelf::button(const QString& name, const QString& icon, const
 }
 
 /// Divides the list's width evenly among the columns; each cell has two lines for the name.
-void PresetShelf::layCells()
+void PresetList::layCells()
 {
     const QFontMetrics metrics = m_list->fontMetrics();
-    const int least = std::max(shelfPicture, metrics.averageCharWidth() * 12) + gap;
+    const int least = std::max(pictureSize, metrics.averageCharWidth() * 12) + gap;
     const int available = m_list->viewport()->width() - 1, columns = std::max(1, available / least);
-    m_list->setGridSize({std::max(least, available / columns), shelfPicture + 2 * metrics.lineSpacing() + 2 * gap});
+    m_list->setGridSize({std::max(least, available / columns), pictureSize + 2 * metrics.lineSpacing() + 2 * gap});
     m_list->setMinimumWidth(least + m_list->verticalScrollBar()->sizeHint().width() + 2 * m_list->frameWidth() + 2);
 }
 
-void PresetShelf::showEvent(QShowEvent* event)
+void PresetList::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
     if (!std::exchange(m_isLoaded, true))
         m_library.load();
 }
 
-void PresetShelf::showIn(QListView* view)
+void PresetList::showIn(QListView* view)
 {
     if (!std::exchange(m_isLoaded, true))
         m_library.load();
@@ -130,14 +130,14 @@ void PresetShelf::showIn(QListView* view)
     connect(view, &QListView::activated, this, takeAt);
 }
 
-bool PresetShelf::eventFilter(QObject* watched, QEvent* event)
+bool PresetList::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::Resize || event->type() == QEvent::FontChange)
         layCells();
     return QWidget::eventFilter(watched, event);
 }
 
-void PresetShelf::fill()
+void PresetList::fill()
 {
     const auto* chosen = m_list->currentItem();
     const QString current = chosen ? chosen->data(pathRole).toString() : QString();
@@ -167,7 +167,7 @@ void PresetShelf::fill()
     m_list->editItem(m_list->currentItem());
 }
 
-void PresetShelf::setPicture(const QString& path, const QImage& picture)
+void PresetList::setPicture(const QString& path, const QImage& picture)
 {
     m_pictures.insert(path, QPixmap::fromImage(picture));
     const QSignalBlocker quiet(m_list); // itemChanged() must be emitted for edited names only
@@ -176,7 +176,7 @@ void PresetShelf::setPicture(const QString& path, const QImage& picture)
             m_list->item(i)->setIcon(m_pictures.value(path));
 }
 
-const PresetLibrary::Entry* PresetShelf::entryOf(const QListWidgetItem* item) const
+const PresetLibrary::Entry* PresetList::entryOf(const QListWidgetItem* item) const
 {
     const auto& entries = m_library.entries();
     const auto found = std::ranges::find_if(
@@ -184,7 +184,7 @@ const PresetLibrary::Entry* PresetShelf::entryOf(const QListWidgetItem* item) co
     return found == entries.end() ? nullptr : &*found;
 }
 
-void PresetShelf::take(const QListWidgetItem* item)
+void PresetList::take(const QListWidgetItem* item)
 {
     const PresetLibrary::Entry* entry = entryOf(item);
     if (!entry || !m_brush->isOffered(entry->file.preset->stroke.tool))
@@ -196,7 +196,7 @@ void PresetShelf::take(const QListWidgetItem* item)
 
 /// Hides presets of tools that are not offered. Clears the selection if the brush no longer has the values of the
 /// selected preset.
-void PresetShelf::update()
+void PresetList::update()
 {
     for (int i = 0; i < m_list->count(); ++i) {
         const PresetLibrary::Entry* entry = entryOf(m_list->item(i));
@@ -214,12 +214,12 @@ void PresetShelf::update()
     m_delete->setEnabled(chosen && !chosen->isOurs);
 }
 
-void PresetShelf::makeNew()
+void PresetList::makeNew()
 {
     m_toEdit = m_library.add(presetOf(*m_brush), tr("My brush"));
 }
 
-void PresetShelf::exportChosen()
+void PresetList::exportChosen()
 {
     const PresetLibrary::Entry* chosen = entryOf(m_list->currentItem());
     if (!chosen)
@@ -229,14 +229,14 @@ void PresetShelf::exportChosen()
     });
 }
 
-PresetShelf* addPresetShelf(const PresetShelfContext& context, BrushSettings* brush, BrushShapes* shapes)
+PresetList* addPresetList(const PresetListContext& context, BrushSettings* brush, BrushShapes* shapes)
 {
-    auto* shelf = new PresetShelf(brush, shapes);
-    QObject::connect(shelf, &PresetShelf::taken, shelf, context.taken);
-    QObject::connect(shelf, &PresetShelf::noticed, shelf, context.notice);
-    SidePanel* panel = context.column->add(QStringLiteral("presetPanel"), PresetShelf::tr("Presets"), shelf);
+    auto* list = new PresetList(brush, shapes);
+    QObject::connect(list, &PresetList::taken, list, context.taken);
+    QObject::connect(list, &PresetList::noticed, list, context.notice);
+    SidePanel* panel = context.column->add(QStringLiteral("presetPanel"), PresetList::tr("Presets"), list);
     QObject::connect(context.actions->get(QStringLiteral("brush.presets")), &QAction::triggered, panel,
                      &SidePanel::bringForward);
-    return shelf;
+    return list;
 }
 } // namespace ui
