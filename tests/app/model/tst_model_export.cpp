@@ -562,7 +562,7 @@ void TestModelExport::dialog_offersToUniteOverlappingParts()
     program.window.action(QStringLiteral("parts.duplicate"))->trigger();
     QTRY_COMPARE_WITH_TIMEOUT(program.document.parts().list().size(), std::size_t(2), longestWait);
     dialog = ask();
-    QTRY_VERIFY(dialog && in<QCheckBox>(dialog, "joins")->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(dialog && in<QCheckBox>(dialog, "joins")->isVisible(), longestWait);
     QVERIFY(in<QLabel>(dialog, "overlap")->isVisible());
     QVERIFY(in<QCheckBox>(dialog, "joins")->isEnabled() && in<QCheckBox>(dialog, "joins")->isChecked());
     const QString picture = qEnvironmentVariable("FETTLE_PICTURE");
