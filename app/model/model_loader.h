@@ -84,7 +84,7 @@ public:
     static LoadedModel starter(core::Starter starter);
     /// Writes a model to a file, at the position given by metadata.frame. Returns an empty string on success. Otherwise
     /// returns one sentence about the error, and no file has changed. `backupCount`: number of backups to keep
-    /// (core/util/numbered_backup.h).
+    /// (core/io/numbered_backup.h).
     static QString save(const QString& path, const core::TriangleMesh& mesh, const core::DocumentMetadata& metadata,
                         int backupCount = 0);
 

@@ -24,7 +24,7 @@ class ModelSaving
 
 public:
     /// Saves to `path`, replacing an existing file. `backupCount`: number of backups to keep
-    /// (core/util/numbered_backup.h).
+    /// (core/io/numbered_backup.h).
     static SavedFile save(const QString& path, const core::TriangleMesh& mesh, const core::DocumentMetadata& metadata,
                           int backupCount = 0);
     /// Saves a GLB and an STL beside `path`, with the base name of `path` and the first number after all numbers in

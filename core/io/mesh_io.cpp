@@ -4,6 +4,7 @@
 #include "core/io/mesh_io.h"
 
 #include "core/io/external_reader.h"
+#include "core/io/large_buffer.h"
 #include "core/io/mesh/format.h"
 #include "core/io/mesh/glb_metadata.h"
 #include "core/io/mesh/gltf_draco.h"
@@ -11,7 +12,6 @@
 #include "core/io/mesh/palette.h"
 #include "core/io/mesh/vertex_welder.h"
 #include "core/parts/part_split.h"
-#include "core/util/large_buffer.h"
 #include "core/util/parallel.h"
 #include "core/util/system_path.h"
 

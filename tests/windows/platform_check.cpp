@@ -6,12 +6,12 @@
 #include "app/platform/process_signals.h"
 #include "app/platform/process_usage.h"
 #include "app/platform/resource_limits.h"
+#include "core/io/large_buffer.h"
 #include "core/io/mesh/input_file.h"
+#include "core/io/numbered_backup.h"
 #include "core/journal/append_file.h"
 #include "core/journal/journal_folder.h"
 #include "core/util/atomic_file.h"
-#include "core/util/large_buffer.h"
-#include "core/util/numbered_backup.h"
 #include "core/util/system_code.h"
 #include "core/util/system_file_windows.h"
 #include "core/util/thread_cpu_time.h"
@@ -258,12 +258,13 @@ void renameFolder_waitsForOthers(const fs::path& folder)
     fs::create_directory(from);
     write(file, "scanned");
     auto reader = std::make_unique<core::io::InputFile>(file);
-    std::thread closing([&reader] {
-        Sleep(200);
-        reader.reset();
-    });
-    CHECK(core::renameFolder(from, to));
-    closing.join();
+    {
+        const std::jthread closing([&reader] {
+            Sleep(200);
+            reader.reset();
+        });
+        CHECK(core::renameFolder(from, to));
+    }
     CHECK(contentOf(to / L"model.stl") == "scanned" && !fs::exists(from));
 }
 

@@ -2,7 +2,7 @@
 
 #include "core/io/mesh/format.h"
 
-#include "core/util/large_buffer.h"
+#include "core/io/large_buffer.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/io/large_buffer.h"
 #include "core/util/atomic_file.h"
-#include "core/util/large_buffer.h"
 #include "core/util/parallel.h"
 
 namespace core::io

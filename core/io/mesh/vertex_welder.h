@@ -3,7 +3,7 @@
 #include "core/io/mesh/format.h"
 
 #include "core/geometry/triangle_mesh.h"
-#include "core/util/large_buffer.h"
+#include "core/io/large_buffer.h"
 
 #include <functional>
 

@@ -10,11 +10,11 @@
 
 #include "core/analysis/mesh_check.h"
 #include "core/io/mesh_io.h"
+#include "core/io/numbered_backup.h"
 #include "core/journal/journal_files.h"
 #include "core/mesh/mesh_builder.h"
 #include "core/sculpt/sculptor.h"
 #include "core/stroke/stroke_edit.h"
-#include "core/util/numbered_backup.h"
 #include "ui/settings/settings.h"
 
 #include <QApplication>

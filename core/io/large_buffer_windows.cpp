@@ -1,5 +1,5 @@
 // Source: Microsoft Learn, "Large-Page Support", VirtualAlloc().
-#include "core/util/large_buffer.h"
+#include "core/io/large_buffer.h"
 
 #include <cstdlib>
 #include <new>

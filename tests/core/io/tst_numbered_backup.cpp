@@ -1,6 +1,6 @@
 #include "core/io/mesh_io.h"
+#include "core/io/numbered_backup.h"
 #include "core/util/atomic_file.h"
-#include "core/util/numbered_backup.h"
 #include "tests/support/test_main.h"
 
 #include <QTemporaryDir>

@@ -1,4 +1,4 @@
-#include "core/util/numbered_backup.h"
+#include "core/io/numbered_backup.h"
 
 #include "core/util/atomic_file.h"
 

@@ -1,4 +1,4 @@
-#include "core/util/large_buffer.h"
+#include "core/io/large_buffer.h"
 
 #include <cstdlib>
 #include <new>
