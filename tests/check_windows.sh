@@ -107,6 +107,7 @@ check_syntax()
         modules+=(-isystem "${modules[1]}/$module")
     done
     # The headers of Windows and Qt take most of the time, so the files of Windows of a library are one unit.
+    # A header that a file needs and does not include is not noticed here.
     for library in core app ui vr; do
         (cd "$root" && find "$library" -name '*_windows.cpp' -o -name '*_wgl.cpp' | sort) |
             sed 's/.*/#include "&"/' >"$build/units/windows_$library.cpp"

@@ -20,7 +20,7 @@ namespace core
 {
 namespace
 {
-constexpr double samplesPerFace = 100, fewestSamples = 20'000, maxSamples = 200'000;
+constexpr double samplesPerFace = 100, minSamples = 20'000, maxSamples = 200'000;
 constexpr std::size_t perChunk = 512;
 
 double areaOf(const std::array<Vec3, 3>& t)
@@ -267,8 +267,7 @@ SurfaceDistance distanceFrom(const TriangleMesh& a, const TriangleMesh& b, const
     const Parts parts(b);
     const Nearest nearest(b);
     control.reportProgress(afterPreparing);
-    const double samples =
-        std::clamp(samplesPerFace * static_cast<double>(a.triangles.size()), fewestSamples, maxSamples);
+    const double samples = std::clamp(samplesPerFace * static_cast<double>(a.triangles.size()), minSamples, maxSamples);
     const DistanceSums inside = measureInside(a, parts, nearest, samples, control.part(afterPreparing, afterInside),
                                               [](const Vec3&, double distance) { return distance; });
     const double largest = farthestCorner(a, parts, nearest, inside.largest, control.part(afterInside, 1));

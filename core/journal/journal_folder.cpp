@@ -129,9 +129,12 @@ fs::path JournalFolder::setAside(const fs::path& root, std::size_t max)
     std::error_code problem;
     fs::create_directories(root, problem);
     const fs::path path = root / m_path.filename();
-    fs::rename(m_path, path, problem);
-    if (problem)
+    try {
+        if (problem || !renameFolder(m_path, path))
+            return {};
+    } catch (const FileError&) {
         return {};
+    }
     m_path = path;
     fs::last_write_time(path, fs::file_time_type::clock::now(), problem);
     std::vector<std::pair<fs::file_time_type, fs::path>> kept;

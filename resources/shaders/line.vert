@@ -11,7 +11,7 @@ uniform vec2 alphas;      // at both ends
 out float side;
 out float alpha;
 
-const float leastPixels = 0.9;
+const float minPixels = 0.9;
 
 void main()
 {
@@ -23,5 +23,5 @@ void main()
     across = length(across) > 1e-9 ? normalize(across) : vec3(0.0);
     side = (gl_VertexID & 1) == 0 ? -1.0 : 1.0;
     alpha = isFirst ? alphas.x : alphas.y;
-    gl_Position = projection * vec4(here + across * side * max(halfWidth, leastPixels * pixel * length(here)), 1.0);
+    gl_Position = projection * vec4(here + across * side * max(halfWidth, minPixels * pixel * length(here)), 1.0);
 }

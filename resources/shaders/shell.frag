@@ -1,5 +1,5 @@
 #version 330 core
-// Thin glass: hardly seen but where it turns away.
+// A translucent shell: hardly seen but where it turns away.
 in vec3 eyeNormal;
 in vec3 toEye;
 

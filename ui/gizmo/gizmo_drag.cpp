@@ -15,7 +15,7 @@ using core::Vec3;
 constexpr double minStep = 8;   ///< pixels of a move with snapping
 constexpr double turnStep = 15; ///< degrees
 constexpr double scaleStep = 0.1;
-constexpr double minScale = 0.01, largestScale = 100;
+constexpr double minScale = 0.01, maxScale = 100;
 constexpr double seenAcross = 0.25; ///< cosine below which a ring counts as seen from its edge
 
 double rounded(double value, double step)
@@ -164,10 +164,10 @@ double GizmoDrag::scaled(const QPointF& pointer) const
     const int axis = axisOf(m_handle);
     if (axis >= 0 && m_handle == m_first) {
         const double from = alongAxis(m_from, m_frame.axis(axis)), to = alongAxis(pointer, m_frame.axis(axis));
-        return std::abs(from) < 1e-9 ? 1 : std::clamp(to / from, minScale, largestScale);
+        return std::abs(from) < 1e-9 ? 1 : std::clamp(to / from, minScale, maxScale);
     }
     const OrbitCamera::Pixel centre = m_camera.project(m_frame.centre);
     const auto away = [&](const QPointF& p) { return std::hypot(p.x() - centre.x(), p.y() - centre.y()); };
-    return std::clamp(std::exp((away(pointer) - away(m_from)) / GizmoShape::length), minScale, largestScale);
+    return std::clamp(std::exp((away(pointer) - away(m_from)) / GizmoShape::length), minScale, maxScale);
 }
 } // namespace ui

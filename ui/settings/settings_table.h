@@ -199,7 +199,7 @@ inline constexpr auto rows<FileBrowserSettings> = std::tuple{
 template <>
 inline constexpr auto rows<ExportSettings> = std::tuple{
     row(&ExportSettings::use, "export/use", exportUses),
-    row(&ExportSettings::maxTriangles, "export/maxTriangles", {minExportTriangles, maxExportTriangles}),
+    row(&ExportSettings::maxTriangles, "export/mostTriangles", {minExportTriangles, maxExportTriangles}),
     row(&ExportSettings::slices, "export/slices"),
     row(&ExportSettings::joinsParts, "export/joinsParts"),
 };

@@ -23,8 +23,8 @@ inline constexpr double maxPalmGap = 0.5;
 ///
 /// A fist brings finger and thumb together too, and a pinch may curl the other fingers. Of the two, the one that began
 /// first counts until both have ended. A palm counts once, until it is turned away: a hand that closes, a glance aside
-/// and a moment without tracking do not press again. A hand whose gestures are lost holds on for maxTrackingGap, as a
-/// wand does, because a hand often hides its own fingers. The only clock is the frames' times.
+/// and a moment without tracking do not press again. A hand whose gestures are lost holds on for maxTrackingGap, as the
+/// stroke of an untracked wand does, because a hand often hides its own fingers. The only clock is the frames' times.
 class BareHandReader
 {
 public:

@@ -20,7 +20,7 @@ ToolPanel toolPanel(const PanelContents::Sources& sources)
     const core::StrokeSettings& stroke = sources.brush.stroke;
     return {stroke.tool,
             stroke.brush,
-            std::round(sources.brush.radius * 1000) / 1000, // whole mm, as shown: each change is a new picture
+            std::round(sources.brush.radius * 1e4) / 1e4, // tenths of a millimetre: each change is a new picture
             stroke.topology,
             stroke.symmetry != core::Symmetry::None,
             stroke.radial,

@@ -92,8 +92,11 @@ FrameInput withBareHands(const FrameInput& received, std::array<BareHandReader, 
                          const Pose& lastHead)
 {
     FrameInput input = received;
-    for (std::size_t i = 0; i < sideCount; ++i)
-        input.wands[i] = readers[i].read(received.wands[i], received.head.value_or(lastHead), received.seconds());
+    for (std::size_t i = 0; i < sideCount; ++i) {
+        const WandState wand = readers[i].read(received.wands[i], received.head.value_or(lastHead), received.seconds());
+        if (received.hasFocus) // otherwise no hand holds anything, not even for a moment
+            input.wands[i] = wand;
+    }
     return input;
 }
 

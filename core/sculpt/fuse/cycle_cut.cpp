@@ -35,7 +35,7 @@ bool leadsInside(const Mesh& mesh, Slot h, const Vec3& direction)
 
 /// Returns the triangles of smallest total area that fill a polygon of three or more corners. Their orientation is that
 /// of the polygon. Cost: the cube of the number of corners.
-std::vector<Triangle> minTriangles(std::span<const Vec3> corners)
+std::vector<Triangle> smallestTriangles(std::span<const Vec3> corners)
 {
     const std::size_t count = corners.size();
     struct Part // the part of the polygon between two corners
@@ -79,7 +79,7 @@ void addCaps(Surgery& surgery)
     std::vector<Vec3> corners;
     for (std::size_t i = 0; i < count; ++i)
         corners.push_back((surgery.vertices[i].point + surgery.vertices[count + i].point).cast<double>());
-    for (const Triangle& t : minTriangles(corners)) {
+    for (const Triangle& t : smallestTriangles(corners)) {
         surgery.faces.push_back({Surgery::newVertex(t[2]), Surgery::newVertex(t[1]), Surgery::newVertex(t[0])});
         surgery.faces.push_back(
             {Surgery::newVertex(count + t[0]), Surgery::newVertex(count + t[1]), Surgery::newVertex(count + t[2])});

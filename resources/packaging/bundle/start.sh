@@ -3,8 +3,9 @@
 # needs.
 #   THIS_FILE [ARGUMENTS]                starts Fettle with these arguments
 #   THIS_FILE --bundle-extract FOLDER    unpacks it into a new folder; FOLDER/fettle starts it then
-# The first start unpacks into the user's cache, later ones start from there. Nothing else is written, and the
-# environment of the program stays as it was.
+# The first start unpacks into the user's cache, later ones start from there; a temporary folder serves where that
+# cannot be written. The environment of the program stays as it was, except for LD_LIBRARY_PATH where the system lacks
+# libraries of a desktop.
 set -u
 sum=@SUM@ # SHA-256 of the archive
 size=@SIZE@ # bytes of this text
@@ -31,7 +32,7 @@ is_used()
 {
     [ -e /proc/self/exe ] || return 0
     # shellcheck disable=SC2010 # one process for all of them
-    ls -l /proc/[0-9]*/exe 2>/dev/null | grep -qF -e " -> $(cd "$1" && pwd -P)/"
+    ls -l /proc/[0-9]*/exe 2>/dev/null | grep -qF -e " -> $(cd "$1" 2>/dev/null && pwd -P)/"
 }
 
 # look FOLDER: asks the loader what the program there needs. Sets `missing`, the libraries that the system lacks, and

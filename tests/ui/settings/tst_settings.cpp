@@ -150,7 +150,7 @@ private Q_SLOTS:
                     ui::Settings().set(choice);
                     QCOMPARE(ui::Settings().get<ui::ExportSettings>(), choice);
                 }
-        QSettings().setValue(QStringLiteral("export/maxTriangles"), 3);
+        QSettings().setValue(QStringLiteral("export/mostTriangles"), 3);
         QSettings().setValue(QStringLiteral("export/use"), QStringLiteral("gcode"));
         QCOMPARE(ui::Settings().get<ui::ExportSettings>(), (ui::ExportSettings{ui::ExportUse::Print, 0, true}));
         ui::Settings().reset();
