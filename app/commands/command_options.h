@@ -40,7 +40,7 @@ public:
     static void addNoClobber(QCommandLineParser& parser);
     /// Fails if --no-clobber is set and the file exists. An empty path and "-" are not files.
     void requireFree(const QString& path) const;
-    /// Adds the option -o. `word`: placeholder for the file in the help.
+    /// Adds the option -o. `word`: name of the file in the help.
     static void addOutput(QCommandLineParser& parser, const QString& word);
     /// Returns the value of -o. Fails if it is not set.
     QString output() const;

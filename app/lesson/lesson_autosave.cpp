@@ -13,7 +13,7 @@ namespace
 {
 constexpr int saveIntervalMs = 2000;
 constexpr char fileName[] = "lesson.zip";
-/// Placeholder for a required text that is still missing: a lesson without it could not be read.
+/// Is written for a required text that the author has not given yet: a lesson without it could not be read.
 constexpr char standIn[] = "\u2026", standInLanguage[] = "en";
 
 core::LessonDraft filled(core::LessonDraft draft)

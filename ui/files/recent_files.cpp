@@ -16,7 +16,7 @@ namespace
 {
 constexpr QSize pictureSize{44, 44};
 
-/// Returns a placeholder, so that names are aligned before the pictures are made.
+/// Returns a transparent picture, so that names are aligned before the pictures are made.
 QIcon emptyPicture()
 {
     QPixmap picture(pictureSize);

@@ -56,14 +56,14 @@ ShellAnswer shell(const QString& line, const QString& folder)
 
 struct OptionRow
 {
-    QString value;    ///< placeholder of its value; empty: it has none
+    QString value;    ///< name of its value; empty: it has none
     QString standard; ///< default; empty: none is given
     QString values;   ///< allowed values; empty: any
 };
 /// Options by all their names, for example "-o, --out".
 using OptionRows = QMap<QString, OptionRow>;
 
-/// Adds an option. Splits the placeholder of its value from the end of its names.
+/// Adds an option. Splits the name of its value from the end of its names.
 void addOption(OptionRows& rows, QString names, OptionRow row)
 {
     const qsizetype space = names.lastIndexOf(u' ');

@@ -125,7 +125,7 @@ private Q_SLOTS:
         QVERIFY(ui::ErrorMessages::sentence(e).contains(qt_error_string(EACCES)));
     }
 
-    /// A % sign in the file's content is not mistaken for a placeholder of the message.
+    /// A % sign in the file's content is not mistaken for a parameter of the message.
     void aPercentSignInTheFileIsHarmless()
     {
         FileError e = error(FileErrorKind::IndexOutOfRange);
