@@ -351,9 +351,11 @@ void connectMetadata(ui::MainWindow& window, Document& document)
     document.setCompleteMetadata([&window](core::DocumentMetadata& metadata) { ui::addMetadata(window, metadata); });
     QObject::connect(&document, &Document::opened, &window,
                      [&window](const ui::ModelInfo& info) { ui::applyMetadata(window, info.metadata); });
-    QObject::connect(window.findChild<ui::ReferenceImages*>(), &ui::ReferenceImages::changed, &document.journaling(),
-                     &DocumentJournal::describe);
-    QObject::connect(window.findChild<ui::ReferenceImages*>(), &ui::ReferenceImages::edited, &window, [&document] {
+    const auto* references = window.findChild<ui::ReferenceImages*>();
+    if (!references) // there is no OpenGL to draw them
+        return;
+    QObject::connect(references, &ui::ReferenceImages::changed, &document.journaling(), &DocumentJournal::describe);
+    QObject::connect(references, &ui::ReferenceImages::edited, &window, [&document] {
         document.savedState().setModifiedBeyondHistory(true);
         document.savedState().emitIfChanged();
     });

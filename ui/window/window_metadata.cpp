@@ -13,12 +13,14 @@ void addMetadata(const MainWindow& window, core::DocumentMetadata& metadata)
 {
     metadata.view = window.viewport()->camera().saved();
     metadata.brush = window.brush()->stroke();
-    metadata.references = window.findChild<ReferenceImages*>()->saved();
+    if (const auto* references = window.findChild<ReferenceImages*>()) // none without OpenGL
+        metadata.references = references->saved();
 }
 
 void applyMetadata(MainWindow& window, const core::DocumentMetadata& metadata)
 {
-    window.findChild<ReferenceImages*>()->setSaved(metadata.references);
+    if (auto* references = window.findChild<ReferenceImages*>())
+        references->setSaved(metadata.references);
     if (metadata.brush)
         window.brush()->apply(*metadata.brush);
     if (!metadata.view)
