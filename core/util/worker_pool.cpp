@@ -54,8 +54,7 @@ void WorkerPool::run(const std::function<void()>& work, std::size_t helpers)
     insideOfWork = false;
     m_wanted = 0;
     waitAwake([this] { return m_running == 0; });
-    for (std::uint32_t running = m_running; running > 0; running = m_running)
-        m_running.wait(running);
+    sleepUntil(m_workEnds, [this] { return m_running == 0; });
     m_work = nullptr;
 }
 
@@ -68,14 +67,14 @@ void WorkerPool::start(const std::function<void()>& work, std::size_t helpers)
         m_threads.emplace_back([this] { serve(); });
     m_work = &work;
     m_wanted = static_cast<std::uint32_t>(std::min(helpers, m_threads.size()));
-    m_wanted.notify_all();
+    wake(m_workBegins);
 }
 
 void WorkerPool::stop()
 {
     m_stopping = true;
     m_wanted = 1;
-    m_wanted.notify_all();
+    wake(m_workBegins);
     for (std::thread& thread : m_threads)
         thread.join();
     m_threads.clear();
@@ -88,12 +87,12 @@ void WorkerPool::serve()
     insideOfWork = true;
     while (!m_stopping) {
         waitAwake([this] { return m_wanted > 0; });
-        m_wanted.wait(0);
+        sleepUntil(m_workBegins, [this] { return m_wanted > 0; });
         ++m_running; // counted before m_wanted is checked, so that run() never misses a helper that is about to begin
         if (!m_stopping && claim())
             (*m_work)();
-        --m_running;
-        m_running.notify_one();
+        if (--m_running == 0)
+            wake(m_workEnds);
     }
 }
 
@@ -104,5 +103,26 @@ bool WorkerPool::claim()
     while (wanted > 0 && !m_wanted.compare_exchange_weak(wanted, wanted - 1)) {
     }
     return wanted > 0;
+}
+
+/// Sleeps until the condition is true. Whoever makes it true calls wake() afterwards.
+template <typename Condition> void WorkerPool::sleepUntil(std::condition_variable& event, Condition isSo)
+{
+    if (isSo())
+        return;
+    std::unique_lock sleep(m_sleep);
+    ++m_sleepers; // counted before the condition is checked, so that wake() never misses a thread that will sleep
+    event.wait(sleep, isSo);
+    --m_sleepers;
+}
+
+void WorkerPool::wake(std::condition_variable& event)
+{
+    if (m_sleepers == 0)
+        return;
+    {
+        const std::lock_guard sleep(m_sleep); // a thread that has just checked its condition holds it until it sleeps
+    }
+    event.notify_all();
 }
 } // namespace core

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <condition_variable>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -38,6 +39,8 @@ private:
     void stop();
     void serve();
     bool claim();
+    template <typename Condition> void sleepUntil(std::condition_variable& event, Condition isSo);
+    void wake(std::condition_variable& event);
 
     /// Locked by the caller that uses the pool. Only that caller writes the members below, except m_wanted and
     /// m_running.
@@ -48,5 +51,10 @@ private:
     std::atomic<std::uint32_t> m_wanted{0};  ///< number of helpers that may still begin
     std::atomic<std::uint32_t> m_running{0}; ///< number of helpers that have begun, or are about to check m_wanted
     std::atomic<bool> m_stopping{false};
+    /// Locked to sleep and to wake. Not std::atomic::wait(), which GCC 12 lets miss a notification where the system has
+    /// no futexes, as on Windows.
+    std::mutex m_sleep;
+    std::atomic<std::uint32_t> m_sleepers{0}; ///< number of threads that sleep, or are about to check whether to
+    std::condition_variable m_workBegins, m_workEnds; ///< m_wanted is above 0; m_running is 0
 };
 } // namespace core

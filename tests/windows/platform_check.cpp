@@ -16,6 +16,7 @@
 #include "core/util/system_file_windows.h"
 #include "core/util/thread_cpu_time.h"
 #include "core/util/thread_priority.h"
+#include "core/util/worker_pool.h"
 
 #include <atomic>
 #include <chrono>
@@ -433,6 +434,30 @@ void usage_grows(const fs::path&)
     CHECK(app::peakRssMb() > 1 && app::peakRssMb() < 4096);
 }
 
+void busyFor(std::chrono::microseconds time)
+{
+    const auto end = std::chrono::steady_clock::now() + time;
+    while (std::chrono::steady_clock::now() < end) {
+    }
+}
+
+/// The caller sleeps if a helper works for 300 microseconds longer than it. A helper that ends just then wakes it.
+void workers_areWoken(const fs::path&)
+{
+    core::WorkerPool pool;
+    const auto caller = std::this_thread::get_id();
+    std::atomic<unsigned> calls{0};
+    constexpr unsigned runs = 10000;
+    for (unsigned i = 0; i < runs; ++i)
+        pool.run(
+            [&] {
+                ++calls;
+                busyFor(std::chrono::microseconds(std::this_thread::get_id() == caller ? 30 : 280 + i % 100));
+            },
+            1);
+    CHECK(calls >= runs && calls <= 2 * runs);
+}
+
 void child_getsItsArguments(const fs::path&)
 {
     const std::vector<std::string> odd{
@@ -578,6 +603,7 @@ constexpr Check checks[] = {
     NAMED(largeBuffer_isUsable),
     NAMED(threadPriority_isLowered),
     NAMED(usage_grows),
+    NAMED(workers_areWoken),
     NAMED(child_getsItsArguments),
     NAMED(child_isEnded),
     NAMED(child_givesMuch),
