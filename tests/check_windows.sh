@@ -112,6 +112,9 @@ check_syntax()
         (cd "$root" && find "$library" -name '*_windows.cpp' -o -name '*_wgl.cpp' | sort) |
             sed 's/.*/#include "&"/' >"$build/units/windows_$library.cpp"
     done
+    # Elsewhere core's headers come after those of Windows, which define words such as near and far.
+    (cd "$root" && echo '#include <windows.h>' && find core -name '*.h' | sort | sed 's/.*/#include "&"/') \
+        >"$build/units/headers_of_core.cpp"
     export -f compile
     export build
     printf '%s\n' "${flags[@]}" >"$build/units/core.flags"

@@ -274,7 +274,7 @@ SurfaceDistance distanceFrom(const TriangleMesh& a, const TriangleMesh& b, const
     return {largest, inside.count > 0 ? inside.sum / static_cast<double>(inside.count) : 0};
 }
 
-double meanDistanceOutside(const TriangleMesh& a, const TriangleMesh& b, double near, const JobControl& control)
+double meanDistanceOutside(const TriangleMesh& a, const TriangleMesh& b, double reach, const JobControl& control)
 {
     constexpr double fewerSamples = 25'000;
     std::vector<Vec3> points;
@@ -283,7 +283,7 @@ double meanDistanceOutside(const TriangleMesh& a, const TriangleMesh& b, double 
         points.push_back(p.cast<double>());
     const WindingNumber winding(points, b.triangles);
     const auto outside = [&](const Vec3& sample, double distance) {
-        return distance > near && winding.at(sample) > 0.5 ? 0 : distance;
+        return distance > reach && winding.at(sample) > 0.5 ? 0 : distance;
     };
     const DistanceSums sums = measureInside(a, Parts(b), Nearest(b), fewerSamples, control, outside);
     return sums.count > 0 ? sums.sum / static_cast<double>(sums.count) : 0;

@@ -110,16 +110,16 @@ template <typename Visit> void BoxTree::visitPairs(std::size_t level, std::size_
 {
     const std::vector<FaceBox>& below = m_levels[level - 1];
     const FaceBox &boxA = m_levels[level][a], &boxB = m_levels[level][b];
-    std::array<std::size_t, nodeSize> near; // children of b that meet a
+    std::array<std::size_t, nodeSize> meeting; // children of b that meet a
     std::size_t count = 0;
     for (std::size_t j = b * nodeSize; j < std::min((b + 1) * nodeSize, below.size()); ++j)
         if (a == b || below[j].meets(boxA))
-            near[count++] = j;
+            meeting[count++] = j;
     for (std::size_t i = a * nodeSize; i < std::min((a + 1) * nodeSize, below.size()); ++i) {
         if (a != b && !below[i].meets(boxB))
             continue;
         for (std::size_t n = 0; n < count; ++n) {
-            const std::size_t j = near[n];
+            const std::size_t j = meeting[n];
             if (j < i || !below[i].meets(below[j]))
                 continue;
             if (level > 1)

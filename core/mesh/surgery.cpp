@@ -139,10 +139,10 @@ bool sidesPair(const Mesh& mesh, const Surgery& surgery, const std::vector<Slot>
 }
 } // namespace
 
-Surgery additionOf(const TriangleMesh& shell, Slot near)
+Surgery additionOf(const TriangleMesh& shell, Slot nearby)
 {
     Surgery surgery;
-    surgery.near = near;
+    surgery.nearby = nearby;
     for (std::size_t i = 0; i < shell.points.size(); ++i)
         surgery.vertices.push_back({shell.points[i], shell.colors.empty() ? Rgb() : shell.colors[i], noSlot,
                                     shell.masks.empty() ? std::uint8_t(0) : shell.masks[i]});
@@ -210,7 +210,7 @@ std::vector<Slot> Mesh::replaceFaces(const Surgery& surgery)
         Slot halfedge;
         bool taken;
     };
-    const Slot hintEdge = outgoing(surgery.near) / 2, hintFace = face(outgoing(surgery.near));
+    const Slot hintEdge = outgoing(surgery.nearby) / 2, hintFace = face(outgoing(surgery.nearby));
     std::vector<Open> open;
     std::vector<Slot> corners;
     for (Slot f : surgery.removed) {
@@ -224,7 +224,7 @@ std::vector<Slot> Mesh::replaceFaces(const Surgery& surgery)
     std::ranges::sort(open, {}, &Open::side);
     std::vector<Slot> created;
     for (const Surgery::Vertex& v : surgery.vertices)
-        created.push_back(newVertex(surgery.near, v.point, {v.color.r, v.color.g, v.color.b, v.mask}));
+        created.push_back(newVertex(surgery.nearby, v.point, {v.color.r, v.color.g, v.color.b, v.mask}));
 
     UnpairedHalfedges waiting;
     const auto claim = [&](Slot from, Slot to) {

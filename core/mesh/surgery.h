@@ -24,7 +24,7 @@ struct Surgery
     std::vector<Slot> removed;    ///< live faces to remove, each once
     std::vector<Vertex> vertices; ///< new vertices; vertices that lose all their faces are removed
     std::vector<Triangle> faces;  ///< new faces; a corner is the slot of a live vertex or newVertex(i)
-    Slot near = 0;                ///< a live vertex; new elements get slots near it
+    Slot nearby = 0;              ///< a live vertex; new elements get slots near it
 
     static constexpr Slot newVertex(std::size_t i) { return firstNew + static_cast<Slot>(i); }
     static constexpr bool isNew(Slot corner) { return corner >= firstNew; }
@@ -36,7 +36,7 @@ private:
 
 /// Returns the surgery that adds a shell. Precondition: the shell is closed, manifold and consistently oriented, and
 /// its points are on the lattice.
-Surgery additionOf(const TriangleMesh& shell, Slot near);
+Surgery additionOf(const TriangleMesh& shell, Slot nearby);
 
 /// Returns whether the mesh after the surgery is a closed 2-manifold, consistently oriented: each half-edge has its
 /// opposite, no two faces share a half-edge, and the faces around each vertex form one umbrella. Cost: a sort of the

@@ -128,7 +128,7 @@ Surgery surgeryTo(const TriangleMesh& result, const Mesh& mesh)
 {
     KnownElements known(mesh);
     Surgery surgery;
-    surgery.near = *mesh.vertices().begin();
+    surgery.nearby = *mesh.vertices().begin();
     std::vector<Slot> corners;
     for (std::size_t i = 0; i < result.points.size(); ++i) {
         const std::optional<Slot> vertex = known.vertexAt(result.points[i]);

@@ -219,7 +219,7 @@ TriangleMesh CutPieces::boundaryOf(Slot piece) const
 void CutPieces::joinVoids()
 {
     std::vector<double> volumes(m_count); // 6 times
-    const Vec3 from = m_mesh.point(m_whole.near).cast<double>();
+    const Vec3 from = m_mesh.point(m_whole.nearby).cast<double>();
     const auto at = [&](Slot corner) -> Vec3 {
         const Vec3f& p =
             Surgery::isNew(corner) ? m_whole.vertices[Surgery::newIndex(corner)].point : m_mesh.point(corner);
@@ -272,7 +272,7 @@ Surgery CutPieces::taking(const std::vector<bool>& pieces) const
 {
     const auto isTaken = [&](Slot corner) { return pieces[m_pieceOf[keyOf(corner)]]; };
     Surgery part;
-    part.near = m_whole.near;
+    part.nearby = m_whole.nearby;
     std::ranges::copy_if(m_whole.removed, std::back_inserter(part.removed),
                          [&](Slot f) { return isTaken(m_mesh.corners(f)[0]); });
     std::vector<Slot> index(m_whole.vertices.size(), noSlot);

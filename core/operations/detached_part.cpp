@@ -160,7 +160,7 @@ void replacePart(Mesh& mesh, PartId part, const TriangleMesh& surface)
     Surgery surgery;
     if (!surface.triangles.empty())
         surgery = additionOf(inMortonOrder(surface, mesh.lattice()), 0);
-    surgery.near = before.empty() ? *mesh.vertices().begin() : before.front();
+    surgery.nearby = before.empty() ? *mesh.vertices().begin() : before.front();
     surgery.removed = facesOf(mesh, part);
     for (const Slot v : mesh.replaceFaces(surgery)) {
         if (mesh.part(v) != part)

@@ -116,7 +116,7 @@ bool BaseCutter::cap()
     if (!filling)
         return false;
     Surgery surgery;
-    surgery.near = vertices[0];
+    surgery.nearby = vertices[0];
     for (const auto& [a, b, c] : *filling)
         surgery.faces.push_back({vertices[a], vertices[b], vertices[c]});
     std::ranges::copy_if(m_mesh.faces(), std::back_inserter(surgery.removed),

@@ -46,7 +46,7 @@ Surgery exchangeWith(const TriangleMesh& after, std::span<const LatticePoint> pl
 {
     const SurfaceIndex index(mesh);
     Surgery surgery;
-    surgery.near = *mesh.vertices().begin();
+    surgery.nearby = *mesh.vertices().begin();
     std::vector<Slot> corners;
     for (std::size_t i = 0; i < places.size(); ++i) {
         const SurfaceIndex::Place place = SurfaceIndex::placeOf(places[i]);

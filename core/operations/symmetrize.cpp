@@ -93,7 +93,7 @@ Surgery Symmetrizer::halfAndImage() const
         }
         images[v] = Surgery::newVertex(surgery.vertices.size());
         surgery.vertices.push_back({m_mirror.imageOf(m_mesh.point(v)), m_mesh.color(v), noSlot, m_mesh.mask(v)});
-        surgery.near = v;
+        surgery.nearby = v;
     }
     for (const Slot f : m_mesh.faces()) {
         const Triangle& t = m_mesh.corners(f);

@@ -19,7 +19,7 @@ const Vec3 growth(3, 5, 7);
 Surgery imageOf(const Surgery& surgery, MirrorMap& mirror)
 {
     Surgery image;
-    image.near = mirror.imageOf(surgery.near);
+    image.nearby = mirror.imageOf(surgery.nearby);
     for (Slot f : surgery.removed)
         image.removed.push_back(mirror.imageOfFace(f));
     for (Surgery::Vertex vertex : surgery.vertices) {

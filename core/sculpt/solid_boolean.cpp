@@ -175,7 +175,7 @@ Surgery SolidBoolean::surgeryOf(const Pieces& pieces, const std::vector<bool>& i
     const repair::Arrangement& arrangement = pieces.arrangement;
     const Lattice& lattice = m_surface.mesh().lattice();
     Surgery surgery;
-    surgery.near = m_vertices.front();
+    surgery.nearby = m_vertices.front();
     // new points that round to the same lattice point become one vertex
     std::map<std::tuple<int, int, int>, Slot> corners;
     const auto cornerAt = [&](Slot point) {

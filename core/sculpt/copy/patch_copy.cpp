@@ -146,7 +146,7 @@ bool PatchCopy::claim(std::span<const Slot> vertices)
 Surgery PatchCopy::exchange(const Mesh& mesh, const Turn& turn) const
 {
     Surgery surgery;
-    surgery.near = m_patch.changedCount() > 0 ? m_images[0] : m_patch.come()[0][0];
+    surgery.nearby = m_patch.changedCount() > 0 ? m_images[0] : m_patch.come()[0][0];
     const auto imageOf = [&](Slot v) { return m_images[m_patch.vertices().position(v)]; };
     for (const Triangle& t : m_patch.gone())
         surgery.removed.push_back(mesh.face(mesh.findHalfedge(imageOf(t[0]), imageOf(t[1]))));

@@ -118,7 +118,7 @@ std::optional<Surgery> cutCycle(const Mesh& mesh, std::span<const Slot> cycle, D
     if (axisOf(mesh, cycle).isZero())
         return std::nullopt;
     Surgery surgery;
-    surgery.near = cycle[0];
+    surgery.nearby = cycle[0];
     // The left side of the cycle gets the first copies, the right side the others.
     const std::vector<Vec3> back = drawnBack(mesh, cycle, along, 0.5 * gap);
     for (const double side : {1.0, -1.0}) {

@@ -157,21 +157,22 @@ void FusionCandidates::findPairs(const Mesh& mesh, const Region& region, const M
             if (minCosine(m_normals[turned], normals[cell]) > facingCosine)
                 return; // no vertex in the cell faces this one
             m_visits += grid.pointsIn(cell).size();
-            for (Slot near : grid.pointsIn(cell))
-                addPair(mesh, region, limits, input, turned, near);
+            for (Slot candidate : grid.pointsIn(cell))
+                addPair(mesh, region, limits, input, turned, candidate);
         });
     }
 }
 
 /// Adds the pair of a turned vertex and another vertex, if they are about to meet.
 void FusionCandidates::addPair(const Mesh& mesh, const Region& region, const MotionLimits& limits,
-                               const FusionInput& input, Slot turned, Slot near)
+                               const FusionInput& input, Slot turned, Slot candidate)
 {
-    const double distance2 = (m_points[near] - m_points[turned]).squaredNorm(), thickness = input.bounds.thickness();
-    if (distance2 >= thickness * thickness || near == turned ||
-        (m_isTurned[near] && near < turned)) // a pair of two turned vertices is examined only once
+    const double distance2 = (m_points[candidate] - m_points[turned]).squaredNorm(),
+                 thickness = input.bounds.thickness();
+    if (distance2 >= thickness * thickness || candidate == turned ||
+        (m_isTurned[candidate] && candidate < turned)) // a pair of two turned vertices is examined only once
         return;
-    const Slot lower = std::min(near, turned), upper = std::max(near, turned);
+    const Slot lower = std::min(candidate, turned), upper = std::max(candidate, turned);
     const bool fromLower = region.contains(m_vertices.slots()[lower]);
     const Slot i = fromLower ? lower : upper, j = fromLower ? upper : lower;
     const Slot v = m_vertices.slots()[i], other = m_vertices.slots()[j];

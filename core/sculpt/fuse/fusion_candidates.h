@@ -60,7 +60,7 @@ private:
     void findTurned(const Mesh& mesh, const Region& region);
     void findPairs(const Mesh& mesh, const Region& region, const MotionLimits& limits, const FusionInput& input);
     void addPair(const Mesh& mesh, const Region& region, const MotionLimits& limits, const FusionInput& input,
-                 Slot turned, Slot near);
+                 Slot turned, Slot candidate);
     Box partnersBox(Slot i, double maxMotion, const FusionInput& input) const;
     bool mayPair(Slot v, Slot other) const;
     bool areFacing(const Mesh& mesh, Slot i, Slot j) const;

@@ -66,7 +66,7 @@ void stripArcToPlane(const Mesh& mesh, const MirrorMap& mirror, const Ring& arc,
 std::optional<Surgery> joinAcross(const Mesh& mesh, const MirrorMap& mirror, Slot v)
 {
     Surgery surgery;
-    surgery.near = v;
+    surgery.nearby = v;
     Ring ring;
     std::vector<std::size_t> onPlane;
     mesh.forEachOutgoing(v, [&](Slot h) {
@@ -87,7 +87,7 @@ std::optional<Surgery> joinAcross(const Mesh& mesh, const MirrorMap& mirror, Slo
 std::optional<Surgery> joinOnPlane(const Mesh& mesh, const MirrorMap& mirror, Slot p, Slot q)
 {
     Surgery surgery;
-    surgery.near = p;
+    surgery.nearby = p;
     const Ring a = halfRing(mesh, mirror, p, surgery.removed);
     Ring b = halfRing(mesh, mirror, q, surgery.removed);
     std::ranges::reverse(b); // the two half rings then run in the same direction

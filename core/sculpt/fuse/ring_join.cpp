@@ -137,7 +137,7 @@ std::optional<Surgery> joinStars(const Mesh& mesh, Slot p, Slot q, Stepping step
         return std::nullopt;
     std::ranges::reverse(b);
     Surgery surgery;
-    surgery.near = p;
+    surgery.nearby = p;
     addStar(mesh, p, surgery.removed);
     addStar(mesh, q, surgery.removed);
     if (commonPositions(a, b).empty())

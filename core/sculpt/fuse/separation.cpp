@@ -210,7 +210,7 @@ bool Separation::removeSpeck(VerifiedMesh& surface, Region& region, Slot vertex,
         return false;
     Surgery surgery;
     surgery.removed = found.slots();
-    surgery.near = vertex;
+    surgery.nearby = vertex;
     const std::optional<Surgery> removal = m_surgery.withItsImage(surface, surgery);
     return removal && removal->removed.size() < mesh.live().faces &&
            m_surgery.operate(surface, region, *removal).has_value();

@@ -226,7 +226,7 @@ void TestSurgery::twoUmbrellas_areNotOkAndSplit()
         sculptable(shapes::together(core::icosphere(1, 1), shapes::moved(core::icosphere(1, 1), {3, 0, 0})));
     const Slot p = nearestVertex(*mesh, {1, 0, 0}), q = nearestVertex(*mesh, {2, 0, 0});
     Surgery surgery;
-    surgery.near = p;
+    surgery.nearby = p;
     mesh->forEachOutgoing(q, [&](Slot h) {
         surgery.removed.push_back(mesh->face(h));
         surgery.faces.push_back({p, mesh->to(h), mesh->to(mesh->next(h))});
