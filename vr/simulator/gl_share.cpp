@@ -1,12 +1,6 @@
-#include "vr/simulator/gl_share_glx.h"
+#include "vr/simulator/gl_share.h"
 
-#include <GL/gl.h>
-#include <GL/glext.h>
-#include <GL/glx.h>
-
-#define XR_USE_PLATFORM_XLIB
-#define XR_USE_GRAPHICS_API_OPENGL
-#include <openxr/openxr_platform.h>
+#include <qopengl.h>
 
 #include <array>
 #include <cmath>
@@ -38,7 +32,7 @@ GLenum targetOf(const TextureForm& form)
 /// Returns an OpenGL function found at run time. Linking by name is impossible: clients have variables of that name.
 template <class Function> Function glFunction(const char* name)
 {
-    return reinterpret_cast<Function>(glXGetProcAddressARB(reinterpret_cast<const GLubyte*>(name)));
+    return reinterpret_cast<Function>(glFunctionAddress(name));
 }
 
 /// Allocates the memory of the bound texture.
@@ -81,60 +75,11 @@ Picture cut(const TexturePart& part, const std::uint8_t* layer)
 }
 } // namespace
 
-class ShareContext::Scope
-{
-public:
-    explicit Scope(const ShareContext& share)
-        : m_ours(share.m_client.display)
-        , m_display(glXGetCurrentDisplay())
-        , m_context(glXGetCurrentContext())
-        , m_draw(glXGetCurrentDrawable())
-        , m_read(glXGetCurrentReadDrawable())
-    {
-        if (m_context)
-            glFinish(); // the client's drawing must be complete before it is read
-        if (!glXMakeContextCurrent(m_ours, None, None, share.m_context))
-            throw std::runtime_error("the runtime's own OpenGL context cannot be made current");
-    }
-    ~Scope() { glXMakeContextCurrent(m_context ? m_display : m_ours, m_draw, m_read, m_context); }
-    Scope(const Scope&) = delete;
-    Scope& operator=(const Scope&) = delete;
-
-private:
-    Display* m_ours;
-    Display* m_display;
-    GLXContext m_context;
-    GLXDrawable m_draw, m_read;
-};
-
-std::optional<ShareContext::Client> ShareContext::find(const void* chain)
-{
-    for (auto* it = static_cast<const XrBaseInStructure*>(chain); it; it = it->next) {
-        if (it->type != XR_TYPE_GRAPHICS_BINDING_OPENGL_XLIB_KHR)
-            continue;
-        const auto& binding = *reinterpret_cast<const XrGraphicsBindingOpenGLXlibKHR*>(it);
-        return Client{binding.xDisplay, binding.glxFBConfig, binding.glxContext};
-    }
-    return {};
-}
-
-ShareContext::ShareContext(const Client& client) : m_client(client)
-{
-    if (!client.display || !client.config || !client.context)
-        throw std::runtime_error("the client's binding is not complete");
-    m_context = glXCreateNewContext(client.display, client.config, GLX_RGBA_TYPE, client.context, True);
-    if (!m_context)
-        throw std::runtime_error("no OpenGL context shares with the client's");
-}
+ShareContext::ShareContext(const GlClient& client) : m_client(client), m_context(createSharingContext(client)) {}
 
 ShareContext::~ShareContext()
 {
-    glXDestroyContext(m_client.display, m_context);
-}
-
-bool ShareContext::isClientCurrent() const
-{
-    return glXGetCurrentContext() == m_client.context;
+    destroyContext(m_client, m_context);
 }
 
 const std::vector<std::int64_t>& ShareContext::formats()
@@ -151,7 +96,7 @@ bool ShareContext::isDepth(std::int64_t format)
 
 std::vector<unsigned int> ShareContext::createTextures(const TextureForm& form, std::size_t count) const
 {
-    const Scope scope(*this);
+    const CurrentContext current(m_client, m_context);
     std::vector<unsigned int> textures(count);
     glGenTextures(static_cast<GLsizei>(count), textures.data());
     for (const unsigned int texture : textures) {
@@ -166,7 +111,7 @@ std::vector<unsigned int> ShareContext::createTextures(const TextureForm& form, 
 
 void ShareContext::destroyTextures(const std::vector<unsigned int>& textures) const
 {
-    const Scope scope(*this);
+    const CurrentContext current(m_client, m_context);
     glDeleteTextures(static_cast<GLsizei>(textures.size()), textures.data());
 }
 
@@ -184,7 +129,7 @@ bool ShareContext::isDone(__GLsync* mark)
 
 Picture ShareContext::read(const TexturePart& part) const
 {
-    const Scope scope(*this);
+    const CurrentContext current(m_client, m_context);
     const std::size_t layerSize =
         static_cast<std::size_t>(part.form.width) * static_cast<std::size_t>(part.form.height) * 4;
     std::vector<std::uint8_t> pixels(layerSize * static_cast<std::size_t>(part.form.layers));

@@ -1,17 +1,12 @@
 #pragma once
 
+#include "vr/simulator/gl_client.h"
 #include "vr/simulator/picture.h"
 
-#include <openxr/openxr.h>
-
+#include <cstddef>
 #include <cstdint>
-#include <memory>
-#include <optional>
 #include <vector>
 
-struct _XDisplay; // types behind Display, GLXFBConfig and GLXContext, declared here to avoid X's many macros
-struct __GLXFBConfigRec;
-struct __GLXcontextRec;
 struct __GLsync;
 
 namespace simulator
@@ -39,24 +34,13 @@ struct TexturePart
 class ShareContext
 {
 public:
-    struct Client
-    {
-        _XDisplay* display = nullptr;
-        __GLXFBConfigRec* config = nullptr;
-        __GLXcontextRec* context = nullptr;
-    };
-
-    /// Returns the client's OpenGL binding in a structure's next chain; none if there is no such binding.
-    static std::optional<Client> find(const void* chain);
-
     /// Throws std::runtime_error if no context can share textures with the client's.
-    explicit ShareContext(const Client& client);
+    explicit ShareContext(const GlClient& client);
     ~ShareContext();
     ShareContext(const ShareContext&) = delete;
     ShareContext& operator=(const ShareContext&) = delete;
 
-    /// Returns whether the client's context is current on this thread.
-    bool isClientCurrent() const;
+    bool isClientCurrent() const { return isCurrent(m_client); } ///< on this thread
 
     static const std::vector<std::int64_t>& formats(); ///< supported formats of images, the preferred first
     static bool isDepth(std::int64_t format);
@@ -74,9 +58,7 @@ public:
     Picture read(const TexturePart& part) const;
 
 private:
-    class Scope;
-
-    Client m_client;
-    __GLXcontextRec* m_context = nullptr;
+    GlClient m_client;
+    void* m_context; ///< the simulator's own
 };
 } // namespace simulator

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "vr/simulator/gl_share_glx.h"
+#include "vr/simulator/gl_share.h"
 #include "vr/simulator/instance.h"
 #include "vr/simulator/session_input.h"
 

@@ -5,7 +5,7 @@ namespace simulator
 {
 namespace
 {
-std::shared_ptr<ShareContext> shareWith(const ShareContext::Client& client)
+std::shared_ptr<ShareContext> shareWith(const GlClient& client)
 {
     try {
         return std::make_shared<ShareContext>(client);
@@ -23,9 +23,9 @@ XrResult createSession(Call& call, XrInstance handle, const XrSessionCreateInfo*
     validated(out);
     require(info->createFlags == 0, XR_ERROR_VALIDATION_FAILURE, "there are no flags");
     requireSystem(info->systemId);
-    const auto client = ShareContext::find(info->next);
+    const auto client = glClientIn(info->next);
     require(instance.extensions.contains(XR_KHR_OPENGL_ENABLE_EXTENSION_NAME) && client,
-            XR_ERROR_GRAPHICS_DEVICE_INVALID, "no OpenGL binding for Xlib");
+            XR_ERROR_GRAPHICS_DEVICE_INVALID, "no OpenGL binding for this system");
     require(instance.requirementsAsked, XR_ERROR_GRAPHICS_REQUIREMENTS_CALL_MISSING,
             "xrGetOpenGLGraphicsRequirementsKHR was not called");
     require(!runtime.session, XR_ERROR_LIMIT_REACHED, "one session at a time");
