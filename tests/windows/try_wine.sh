@@ -1,0 +1,193 @@
+#!/usr/bin/env bash
+# Tries the program for Windows under Wine: whether it writes what the program of this system writes, bit for bit, and
+# whether its window sculpts, saves, recovers and enters VR.
+#   tests/windows/try_wine.sh [ZIP [PROGRAM]]
+# ZIP is by default what resources/packaging/windows/build.sh made; PROGRAM is build/release/fettle. One line for each
+# trial. Status 1: one of them failed.
+set -euo pipefail
+root=$(cd "$(dirname "$(readlink -f "$0")")/../.." && pwd)
+if [ "${1-}" != --shown ]; then
+    exec "$root/tests/support/with_display.sh" "$0" --shown "$@"
+fi
+shift
+. "$root/tests/support/expect.sh"
+trap 'rm -rf "$scratch"' EXIT
+wine=$(command -v wine64 || echo /usr/lib/wine/wine64)
+server=$(command -v wineserver || echo /usr/lib/wine/wineserver)
+[ -x "$wine" ] || { echo "SKIP: Wine is not installed (Debian package wine64)"; exit 77; }
+zip=${1:-$(ls "$root"/build/windows/package/fettle-*-windows-x86_64.zip)}
+program=${2:-$root/build/release/fettle}
+export WINEPREFIX=$scratch/wine WINEDEBUG=-all WINEDLLOVERRIDES='mscoree,mshtml,winemenubuilder.exe=' LC_ALL=C.UTF-8
+unset LANGUAGE
+trap '"$server" -k 2>/dev/null || true; rm -rf "$scratch"' EXIT
+
+"$wine" wineboot -i >/dev/null 2>&1
+unzip -q "$zip" -d "$scratch/unpacked"
+folder=$(echo "$scratch"/unpacked/*)
+# A name with a space and Chinese
+mv "$folder" "$scratch/ein Ordner 文件夹"
+folder="$scratch/ein Ordner 文件夹"
+here() { "$program" "$@"; }
+there() { "$wine" "$folder/fettle.com" "$@"; }
+
+done=0
+told() { printf '%-8s %s\n' "$1" "$2"; done=$((done + 1)); }
+# tried WHAT COMMAND: one line, whether the command succeeds.
+tried()
+{
+    local what=$1
+    shift
+    if "$@" >"$scratch/said" 2>&1; then
+        told ok "$what"
+    else
+        told FAIL "$what"
+        head -n 8 "$scratch/said"
+        failed=1
+    fi
+}
+
+# same WHAT ARGUMENTS: both programs end with one status, print the same, and leave the same files. Only the separators of
+# paths may differ.
+for side in here there; do
+    mkdir -p "$scratch/$side/class"
+    cp -r "$root"/resources/lessons "$root"/resources/brushes "$root"/tests/app/tetrahedron.dae "$scratch/$side/class"
+    cat >"$scratch/$side/class/strokes.json" <<'END'
+{"format": "fettle-strokes", "version": 1, "strokes": [
+  {"tool": "pull", "radius": 8, "samples": [{"position": [25, 0, 0]}, {"position": [26, 1, 0]}]},
+  {"tool": "snake", "radius": 6,
+   "samples": [{"position": [0, 25, 0]}, {"position": [0, 35, 5]}, {"position": [0, 45, 0]}]},
+  {"tool": "smooth", "radius": 9, "samples": [{"position": [0, 25, 3]}, {"position": [3, 25, 0]}]}]}
+END
+    printf 'solid broken\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n' >"$scratch/$side/class/broken.stl"
+done
+same()
+{
+    local what=$1 side
+    shift
+    for side in here there; do
+        local status=0
+        (cd "$scratch/$side/class" && "$side" "$@" >"$scratch/$side.out" 2>"$scratch/$side.err") || status=$?
+        sed -i 's#\\#/#g' "$scratch/$side.out" "$scratch/$side.err"
+        echo "$status" >"$scratch/$side.status"
+    done
+    local part
+    for part in status out err; do
+        if ! cmp -s "$scratch/here.$part" "$scratch/there.$part"; then
+            told FAIL "$what: $part differs"
+            diff -a "$scratch/here.$part" "$scratch/there.$part" | head -n 8 || true
+            failed=1
+            return 0
+        fi
+    done
+    if ! diff -r "$scratch/here" "$scratch/there" >"$scratch/difference"; then
+        told FAIL "$what: files differ"
+        head -n 8 "$scratch/difference"
+        failed=1
+        return 0
+    fi
+    told ok "$what (status $(cat "$scratch/here.status"))"
+}
+
+same "help" --help
+same "help of a command" help convert
+for shape in ball cube torus vase head tablet; do
+    same "new $shape" new "$shape" "$shape.stl"
+done
+same "check" check ball.stl head.stl
+same "check --print --json" check --print --json vase.stl
+same "check of a folder" check --csv .
+for format in obj ply off glb 3mf; do
+    same "convert to $format" convert head.stl "head.$format"
+    same "convert from $format" convert "head.$format" "head-$format.stl"
+done
+same "convert with fewer triangles" convert head.stl small.glb --triangles 500
+same "a foreign format, read by a process of its own" convert tetrahedron.dae tetrahedron.stl
+same "a file that is not whole" check broken.stl
+same "a file that is not there" check nowhere.stl
+same "a name in Chinese" convert ball.stl 球.obj
+same "a repaired file" convert broken.stl repaired.stl --repair
+same "replay" replay --strokes strokes.json --in ball.stl --out sculpted.stl --stats stats.json
+same "replay with pictures" replay --strokes strokes.json --out unit.ply
+same "boolean union" boolean union ball.stl cube.stl -o both.glb
+same "boolean subtract" boolean subtract cube.stl ball.stl -o rest.obj
+for lesson in first-clay mug creature toy-car; do
+    same "lesson $lesson" lesson "$lesson" --json -o "$lesson.glb"
+done
+same "lesson of a folder, packed" lesson lessons/mug --pack mug.zip
+same "lesson, its pages" lesson mug --texts --language de
+same "brush" brush scales
+same "brush --picture" brush scales --picture scales.png
+same "report" report . -o class.html
+for side in here there; do
+    (cd "$scratch/$side/class" && "$side" sheet head.stl vase.stl -o sheet.pdf >/dev/null 2>&1) || true
+done
+tried "sheet writes a PDF" test "$(head -c 5 "$scratch/there/class/sheet.pdf")" = %PDF-
+
+# --- the window, on a display of its own
+for tool in Xvfb openbox xdotool import; do
+    command -v "$tool" >/dev/null || {
+        told SKIP "the window: $tool is not installed"
+        echo "$done trials"
+        exit $failed
+    }
+done
+pictures=$root/build/windows/screenshots
+mkdir -p "$pictures"
+# wait_for SECONDS COMMAND
+wait_for()
+{
+    local end=$((SECONDS + $1))
+    shift
+    until "$@" >/dev/null 2>&1; do
+        [ $SECONDS -lt $end ] || return 1
+        sleep 0.5
+    done
+}
+titled() { xdotool search --onlyvisible --name "$1"; }
+opened() { "$wine" "$folder/fettle.exe" "$@" & }
+killed()
+{
+    pkill -9 -f "${scratch##*/}.*fettle[.]exe"
+    "$server" -k9
+    wait_for 20 bash -c '! xdotool search --onlyvisible --name Fettle'
+}
+# A picture, after the window has come to rest
+picture() { sleep 8; import -window root "$pictures/$1.png"; }
+drag()
+{
+    xdotool mousemove 800 480 mousedown 1 mousemove_relative --sync 40 -40 mousemove_relative --sync 40 -40 mouseup 1
+}
+cd "$scratch/there/class"
+cp ball.stl clay.stl
+opened clay.stl
+tried "the window opens" wait_for 60 titled '^clay.stl – Fettle$'
+picture window
+drag
+tried "a drag sculpts" wait_for 20 titled '^clay.stl\* – Fettle$'
+picture sculpted
+xdotool key ctrl+s
+tried "Ctrl+S saves" wait_for 20 titled '^clay.stl – Fettle$'
+tried "the file is not what it was" bash -c '! cmp -s ball.stl clay.stl'
+tried "it is print-ready" here check clay.stl
+cp clay.stl saved.stl
+drag
+tried "another drag" wait_for 20 titled '^clay.stl\* – Fettle$'
+sleep 3 # the journal is written once a second
+tried "a kill ends it" killed
+opened clay.stl
+tried "after a kill it opens again" wait_for 60 titled '^clay.stl – Fettle$'
+picture recovery
+xdotool key alt+o
+tried "Recover brings the stroke back" wait_for 20 titled '^clay.stl\* – Fettle$'
+picture recovered
+tried "the file is as it was saved" cmp saved.stl clay.stl
+killed
+# Wine's user is an administrator, for whom OpenXR's loader does not use XR_RUNTIME_JSON.
+"$wine" reg add 'HKLM\SOFTWARE\Khronos\OpenXR\1' /v ActiveRuntime /f \
+    /d "$("$wine" winepath -w "$folder/lib/fettle/fettle_simulator.json")" >/dev/null
+opened --vr-simulator clay.stl
+tried "the simulator's window opens" wait_for 60 titled '^VR Simulator$'
+picture simulator
+killed
+echo "$done trials; pictures: $pictures"
+exit $failed
