@@ -1,5 +1,5 @@
 # shellcheck shell=bash disable=SC2034 # the tables are read by the scripts that source this
-# Sourced by run.sh, test.sh and bundle/bundle.sh: installs what is missing, configures, builds.
+# Sourced by run.sh, test.sh, bundle/bundle.sh and windows/build.sh: installs what is missing, configures, builds.
 # Everything said here goes to stderr; stdout belongs to the program.
 
 fettle_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)

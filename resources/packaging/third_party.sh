@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Writes which software of others a package of Fettle contains or uses, under which licences, and where its source is.
-#   third_party.sh VERSION OUT FILE...            the files of Debian packages that are inside
+#   third_party.sh VERSION OUT FILE...            the files of Debian packages that are inside; a folder is an unpacked
+#                                                 source package that was built
 #   third_party.sh --linked VERSION OUT FILE...   the libraries that these programs of ours name
 # The texts are those of /usr/share/doc/PACKAGE/copyright, and the common licences that these refer to. Libraries of
 # which only headers are used are compiled into the program, so they are always listed.
@@ -35,6 +36,20 @@ if [ "$linked" ]; then
     about="Fettle uses the libraries below, which are installed beside it, or contains code from their headers."
 fi
 files+=("${headers[@]}")
+table=
+declare -A package_of brings text_of
+for i in "${!files[@]}"; do
+    folder=${files[i]}
+    [ -d "$folder" ] || continue
+    unset "files[i]"
+    for file in copyright changelog; do
+        [ -r "$folder/debian/$file" ] || fail "$folder/debian/$file: there is no such file, so the licence is not known"
+    done
+    read -r source source_version < <(sed -n '1s/^\([^ ]*\) (\([^)]*\)).*/\1 \2/p' "$folder/debian/changelog")
+    table+="$source $source_version $source"$'\n'
+    text_of[$source]=$folder/debian/copyright
+    brings[$source]=" built from its source"
+done
 mapfile -t files < <(printf '%s\n' "${files[@]}" | LC_ALL=C sort -u)
 
 # A package lists its files by /lib or by /usr/lib, which are the same folder.
@@ -42,7 +57,7 @@ for file in "${files[@]}"; do
     [ -e "$file" ] || fail "$file: there is no such file"
 done
 mapfile -t real < <(realpath -- "${files[@]}")
-declare -A package_of brings
+binaries=()
 while read -r package file; do
     package_of[$file]=${package%%[,:]*}
 done < <(dpkg-query -S "${real[@]}" "${real[@]#/usr}" 2>/dev/null | sed 's/, [^ ]*//g; s/: / /')
@@ -53,10 +68,13 @@ for i in "${!files[@]}"; do
     [ -r "/usr/share/doc/$package/copyright" ] ||
         fail "/usr/share/doc/$package/copyright: it is missing, so the licence of $file is not known"
     [[ "${brings[$package]-} " = *" ${file##*/} "* ]] || brings[$package]+=" ${file##*/}"
+    binaries+=("$package")
+    text_of[$package]=$(realpath "/usr/share/doc/$package/copyright")
 done
 
 # source, its version, package; by source
-table=$(dpkg-query -W -f='${source:Package} ${source:Version} ${Package}\n' "${!brings[@]}" | LC_ALL=C sort -u)
+table+=$(dpkg-query -W -f='${source:Package} ${source:Version} ${Package}\n' "${binaries[@]}")
+table=$(LC_ALL=C sort -u <<<"$table")
 texts=()
 rule=$(printf '=%.0s' {1..80})
 {
@@ -68,7 +86,7 @@ rule=$(printf '=%.0s' {1..80})
     awk '{print "    " $1 " " $2}' <<<"$table" | uniq
     last=
     while read -r source source_version package; do
-        text=$(realpath "/usr/share/doc/$package/copyright")
+        text=${text_of[$package]}
         if [ "$source $source_version" != "$last" ]; then
             last="$source $source_version"
             printf '\n%s\n%s\n%s\n' "$rule" "$last" "$rule"
