@@ -73,23 +73,22 @@ void WorkerPool::start(const std::function<void()>& work, std::size_t helpers)
 void WorkerPool::stop()
 {
     m_stopping = true;
-    m_wanted = 1;
     wake(m_workBegins);
     for (std::thread& thread : m_threads)
         thread.join();
     m_threads.clear();
-    m_wanted = 0;
     m_stopping = false;
 }
 
 void WorkerPool::serve()
 {
     insideOfWork = true;
+    const auto isCalled = [this] { return m_wanted > 0 || m_stopping; };
     while (!m_stopping) {
-        waitAwake([this] { return m_wanted > 0; });
-        sleepUntil(m_workBegins, [this] { return m_wanted > 0; });
+        waitAwake(isCalled);
+        sleepUntil(m_workBegins, isCalled);
         ++m_running; // counted before m_wanted is checked, so that run() never misses a helper that is about to begin
-        if (!m_stopping && claim())
+        if (claim())
             (*m_work)();
         if (--m_running == 0)
             wake(m_workEnds);

@@ -42,8 +42,8 @@ private:
     template <typename Condition> void sleepUntil(std::condition_variable& event, Condition isSo);
     void wake(std::condition_variable& event);
 
-    /// Locked by the caller that uses the pool. Only that caller writes the members below, except m_wanted and
-    /// m_running.
+    /// Locked by the caller that uses the pool. Only that caller writes the members below, except m_wanted, m_running
+    /// and m_sleepers.
     std::mutex m_caller;
     const std::function<void()>* m_work = nullptr; ///< read by helpers while they run
     std::size_t m_threadCount = 0;
@@ -55,6 +55,6 @@ private:
     /// no futexes, as on Windows.
     std::mutex m_sleep;
     std::atomic<std::uint32_t> m_sleepers{0}; ///< number of threads that sleep, or are about to check whether to
-    std::condition_variable m_workBegins, m_workEnds; ///< m_wanted is above 0; m_running is 0
+    std::condition_variable m_workBegins, m_workEnds; ///< m_wanted is above 0, or m_stopping; m_running is 0
 };
 } // namespace core
