@@ -36,7 +36,7 @@ if [ "$linked" ]; then
     about="Fettle uses the libraries below, which are installed beside it, or contains code from their headers."
 fi
 files+=("${headers[@]}")
-table=
+table= built=
 declare -A package_of brings text_of
 for i in "${!files[@]}"; do
     folder=${files[i]}
@@ -49,6 +49,7 @@ for i in "${!files[@]}"; do
     table+="$source $source_version $source"$'\n'
     text_of[$source]=$folder/debian/copyright
     brings[$source]=" built from its source"
+    built=1
 done
 mapfile -t files < <(printf '%s\n' "${files[@]}" | LC_ALL=C sort -u)
 
@@ -81,6 +82,9 @@ rule=$(printf '=%.0s' {1..80})
     printf 'Third-party software in Fettle %s\n%s\n\n%s\n' "$version" "$rule" "$about"
     printf 'Each heading is a source package of Debian and its version. Its source, as it was built:\n\n'
     printf '    https://snapshot.debian.org/package/NAME/VERSION/\n    apt-get source NAME=VERSION\n\n'
+    if [ "$built" ]; then
+        printf 'What is built from its source has the changes of resources/packaging/windows in the source of Fettle.\n'
+    fi
     printf 'Under it are the packages and files, then what Debian says of its copyright and licences.\n'
     printf 'Libraries under the LGPL are files of their own: they may be replaced by other builds of them.\n\n'
     awk '{print "    " $1 " " $2}' <<<"$table" | uniq

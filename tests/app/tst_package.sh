@@ -25,7 +25,8 @@ expect "the desktop entry begins in the simulator, too" grep -q '^Exec=fettle --
 expect "the shell scripts parse" bash -c 'for script; do bash -n "$script" || exit 1; done' scripts \
     "$source/run.sh" "$source/test.sh" "$source/tests/support/with_display.sh" "$source/tests/support/expect.sh" \
     "$source/tests/check_windows.sh" "$packaging/prepare.sh" "$packaging/man_page.sh" "$packaging/third_party.sh" \
-    "$packaging/bundle/bundle.sh" "$packaging/bundle/start.sh" "$packaging/fettle.bash"
+    "$packaging/bundle/bundle.sh" "$packaging/bundle/start.sh" "$packaging/fettle.bash" "$packaging"/windows/*.sh \
+    "$source"/tests/windows/*.sh
 
 cpack --config "$2/CPackConfig.cmake" -B "$scratch/package" >"$scratch/cpack.log" 2>&1 ||
     { cat "$scratch/cpack.log"; exit 1; }

@@ -1,24 +1,30 @@
 #!/usr/bin/env bash
-# Tries the program for Windows under Wine: whether it writes what the program of this system writes, bit for bit, and
-# whether its window sculpts, saves, recovers and enters VR.
+# Tries the program for Windows under Wine: whether it writes what the program of this system writes, bit for bit,
+# whether its window sculpts, saves, recovers and enters VR, and whether it is installed and removed.
 #   tests/windows/try_wine.sh [ZIP [PROGRAM]]
 # ZIP is by default what resources/packaging/windows/build.sh made; PROGRAM is build/release/fettle. One line for each
 # trial. Status 1: one of them failed.
 set -euo pipefail
 root=$(cd "$(dirname "$(readlink -f "$0")")/../.." && pwd)
+skip() { echo "SKIP: $*"; exit 77; }
+wine=$(command -v wine64 || echo /usr/lib/wine/wine64)
+server=$(command -v wineserver || echo /usr/lib/wine/wineserver)
+[ -x "$wine" ] || skip "Wine is not installed (Debian package wine64)"
+for tool in Xvfb openbox xdotool import unzip; do
+    command -v "$tool" >/dev/null || skip "$tool is not installed"
+done
 if [ "${1-}" != --shown ]; then
     exec "$root/tests/support/with_display.sh" "$0" --shown "$@"
 fi
 shift
 . "$root/tests/support/expect.sh"
 trap 'rm -rf "$scratch"' EXIT
-wine=$(command -v wine64 || echo /usr/lib/wine/wine64)
-server=$(command -v wineserver || echo /usr/lib/wine/wineserver)
-[ -x "$wine" ] || { echo "SKIP: Wine is not installed (Debian package wine64)"; exit 77; }
-zip=${1:-$(ls "$root"/build/windows/package/fettle-*-windows-x86_64.zip)}
-program=${2:-$root/build/release/fettle}
+zip=$(readlink -f "${1:-$(ls -t "$root"/build/windows/package/fettle-*-windows-x86_64.zip | head -n 1)}")
+program=$(readlink -f "${2:-$root/build/release/fettle}")
 export WINEPREFIX=$scratch/wine WINEDEBUG=-all WINEDLLOVERRIDES='mscoree,mshtml,winemenubuilder.exe=' LC_ALL=C.UTF-8
-unset LANGUAGE
+export HOME=$scratch/home
+unset LANGUAGE XDG_CONFIG_HOME XDG_DATA_HOME XDG_STATE_HOME XDG_CACHE_HOME
+mkdir "$HOME"
 trap '"$server" -k 2>/dev/null || true; rm -rf "$scratch"' EXIT
 
 "$wine" wineboot -i >/dev/null 2>&1
@@ -28,7 +34,7 @@ folder=$(echo "$scratch"/unpacked/*)
 mv "$folder" "$scratch/ein Ordner 文件夹"
 folder="$scratch/ein Ordner 文件夹"
 here() { "$program" "$@"; }
-there() { "$wine" "$folder/fettle.com" "$@"; }
+there() { timeout 300 "$wine" "$folder/fettle.com" "$@"; }
 
 done=0
 told() { printf '%-8s %s\n' "$1" "$2"; done=$((done + 1)); }
@@ -46,11 +52,11 @@ tried()
     fi
 }
 
-# same WHAT ARGUMENTS: both programs end with one status, print the same, and leave the same files. Only the separators of
-# paths may differ.
+# same [STATUS] WHAT ARGUMENTS: both programs end with the status, which is 0 if it is not given, print the same, and
+# leave the same files. Only the separators of paths may differ.
 for side in here there; do
     mkdir -p "$scratch/$side/class"
-    cp -r "$root"/resources/lessons "$root"/resources/brushes "$root"/tests/app/tetrahedron.dae "$scratch/$side/class"
+    cp -r "$root"/resources/{lessons,brushes} "$root"/tests/app/tetrahedron.dae "$scratch/$side/class"
     cat >"$scratch/$side/class/strokes.json" <<'END'
 {"format": "fettle-strokes", "version": 1, "strokes": [
   {"tool": "pull", "radius": 8, "samples": [{"position": [25, 0, 0]}, {"position": [26, 1, 0]}]},
@@ -58,11 +64,17 @@ for side in here there; do
    "samples": [{"position": [0, 25, 0]}, {"position": [0, 35, 5]}, {"position": [0, 45, 0]}]},
   {"tool": "smooth", "radius": 9, "samples": [{"position": [0, 25, 3]}, {"position": [3, 25, 0]}]}]}
 END
-    printf 'solid broken\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n' >"$scratch/$side/class/broken.stl"
+    printf '%s\n' 'solid broken' 'facet normal 0 0 1' 'outer loop' 'vertex 0 0 0' 'vertex 1 0 0' \
+        >"$scratch/$side/class/broken.stl"
 done
 same()
 {
-    local what=$1 side
+    local expected=0 what side
+    if [[ $1 = [0-9] ]]; then
+        expected=$1
+        shift
+    fi
+    what=$1
     shift
     for side in here there; do
         local status=0
@@ -71,6 +83,12 @@ same()
         echo "$status" >"$scratch/$side.status"
     done
     local part
+    if [ "$(cat "$scratch/here.status")" != "$expected" ]; then
+        told FAIL "$what: status $(cat "$scratch/here.status") on this system"
+        head -n 8 "$scratch/here.err"
+        failed=1
+        return 0
+    fi
     for part in status out err; do
         if ! cmp -s "$scratch/here.$part" "$scratch/there.$part"; then
             told FAIL "$what: $part differs"
@@ -95,17 +113,17 @@ for shape in ball cube torus vase head tablet; do
 done
 same "check" check ball.stl head.stl
 same "check --print --json" check --print --json vase.stl
-same "check of a folder" check --csv .
+same 2 "check of a folder" check --csv .
 for format in obj ply off glb 3mf; do
     same "convert to $format" convert head.stl "head.$format"
     same "convert from $format" convert "head.$format" "head-$format.stl"
 done
 same "convert with fewer triangles" convert head.stl small.glb --triangles 500
 same "a foreign format, read by a process of its own" convert tetrahedron.dae tetrahedron.stl
-same "a file that is not whole" check broken.stl
-same "a file that is not there" check nowhere.stl
+same 2 "a file that is not whole" check broken.stl
+same 2 "a file that is not there" check nowhere.stl
 same "a name in Chinese" convert ball.stl 球.obj
-same "a repaired file" convert broken.stl repaired.stl --repair
+same 2 "a file that cannot be repaired" convert broken.stl repaired.stl --repair
 same "replay" replay --strokes strokes.json --in ball.stl --out sculpted.stl --stats stats.json
 same "replay with pictures" replay --strokes strokes.json --out unit.ply
 same "boolean union" boolean union ball.stl cube.stl -o both.glb
@@ -117,20 +135,13 @@ same "lesson of a folder, packed" lesson lessons/mug --pack mug.zip
 same "lesson, its pages" lesson mug --texts --language de
 same "brush" brush scales
 same "brush --picture" brush scales --picture scales.png
-same "report" report . -o class.html
+same 1 "report" report . -o class.html
 for side in here there; do
     (cd "$scratch/$side/class" && "$side" sheet head.stl vase.stl -o sheet.pdf >/dev/null 2>&1) || true
 done
 tried "sheet writes a PDF" test "$(head -c 5 "$scratch/there/class/sheet.pdf")" = %PDF-
 
-# --- the window, on a display of its own
-for tool in Xvfb openbox xdotool import; do
-    command -v "$tool" >/dev/null || {
-        told SKIP "the window: $tool is not installed"
-        echo "$done trials"
-        exit $failed
-    }
-done
+# --- the window
 pictures=$root/build/windows/screenshots
 mkdir -p "$pictures"
 # wait_for SECONDS COMMAND
@@ -147,8 +158,8 @@ titled() { xdotool search --onlyvisible --name "$1"; }
 opened() { "$wine" "$folder/fettle.exe" "$@" & }
 killed()
 {
-    pkill -9 -f "${scratch##*/}.*fettle[.]exe"
-    "$server" -k9
+    pkill -9 -f "${scratch##*/}.*fettle[.]exe" || true
+    "$server" -k9 || true
     wait_for 20 bash -c '! xdotool search --onlyvisible --name Fettle'
 }
 # A picture, after the window has come to rest
@@ -173,7 +184,7 @@ cp clay.stl saved.stl
 drag
 tried "another drag" wait_for 20 titled '^clay.stl\* – Fettle$'
 sleep 3 # the journal is written once a second
-tried "a kill ends it" killed
+killed
 opened clay.stl
 tried "after a kill it opens again" wait_for 60 titled '^clay.stl – Fettle$'
 picture recovery
@@ -182,12 +193,34 @@ tried "Recover brings the stroke back" wait_for 20 titled '^clay.stl\* – Fettl
 picture recovered
 tried "the file is as it was saved" cmp saved.stl clay.stl
 killed
-# Wine's user is an administrator, for whom OpenXR's loader does not use XR_RUNTIME_JSON.
+# Wine starts programs as administrator, and then OpenXR's loader does not use XR_RUNTIME_JSON.
 "$wine" reg add 'HKLM\SOFTWARE\Khronos\OpenXR\1' /v ActiveRuntime /f \
     /d "$("$wine" winepath -w "$folder/lib/fettle/fettle_simulator.json")" >/dev/null
 opened --vr-simulator clay.stl
 tried "the simulator's window opens" wait_for 60 titled '^VR Simulator$'
 picture simulator
 killed
+
+# --- the installer, which lies beside the zip
+setup=${zip%.zip}.exe
+place=$("$wine" winepath -u 'C:\users\'"$(id -un)"'\AppData\Local\Programs\Fettle')
+key='HKCU\Software\Microsoft\Windows\CurrentVersion\Uninstall\Fettle'
+knows() { "$wine" reg query "$key" /v UninstallString; }
+ends_with() { local status=0; timeout 120 "${@:2}" || status=$?; [ $status = "$1" ]; }
+tried "it installs without questions" ends_with 0 "$wine" "$setup" /S
+tried "what it installs runs" "$wine" "$place/fettle.com" check "$scratch/there/class/ball.stl"
+tried "Windows knows how to remove it" knows
+tried "models are offered to be opened with it" \
+    "$wine" reg query 'HKCU\Software\Classes\.stl\OpenWithProgids' /v Fettle.Model
+cp "$scratch/there/class/ball.stl" "$place" || true
+tried "it installs over itself" ends_with 0 "$wine" "$setup" /S
+"$wine" "$place/fettle.exe" &
+tried "it opens a window" wait_for 60 titled 'Fettle$'
+tried "nothing is installed while it runs" ends_with 2 "$wine" "$setup" /S
+tried "all of it is still there" test -e "$place/fettle.exe" -a -e "$place/fettle.com" -a -e "$place/Qt6Core.dll"
+killed
+"$wine" "$place/uninstall.exe" /S || true
+tried "Windows knows it no more" wait_for 20 bash -c '! "$@"' - "$wine" reg query "$key"
+tried "a model in its folder is all that stays" test "$(ls "$place")" = ball.stl
 echo "$done trials; pictures: $pictures"
 exit $failed

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds the program for Windows on Debian, by MinGW-w64, and makes an installer and a zip. ../README.md says more.
+# Builds the program for Windows on Debian 12, by MinGW-w64, and makes an installer and a zip. See ../README.md.
 #   resources/packaging/windows/build.sh [--libraries]
 #   --libraries   only the libraries
 # It can be stopped at any time, and goes on where it was. The libraries are kept outside the tree, in
@@ -51,10 +51,11 @@ build_libraries
 build=$fettle_root/build/windows
 fettle_lock
 # The files of a library that was built long ago are older than what was built with another.
-if [ "$(cat "$build/keys" 2>/dev/null)" != "${key_of[*]}" ]; then
+keys="$libraries ${key_of[*]}"
+if [ "$(cat "$build/keys" 2>/dev/null)" != "$keys" ]; then
     rm -rf "$build"
     mkdir -p "$build"
-    echo "${key_of[*]}" >"$build/keys"
+    echo "$keys" >"$build/keys"
 fi
 fettle_is_configured windows || fettle_configure windows "-DFETTLE_WINDOWS_PREFIX=$libraries" -DQT_HOST_PATH=/usr \
     "-DQT_HOST_PATH_CMAKE_DIR=$qt_host_cmake"

@@ -19,10 +19,9 @@ source_apt()
         apt-get indextargets --format '$(CODENAME) deb-src $(REPO_URI) $(RELEASE) $(COMPONENT)' \
             'Created-By: Packages' 'Origin: Debian' 'Component: main' |
             sed -n "s/^$codename[^ ]* //p" | sort -u -k3 >"$lists/sources.list"
-        if apt-get "${options[@]}" update >&2; then
+        # apt-get succeeds without a network, too, and without a list
+        if apt-get "${options[@]}" update >&2 && compgen -G "$lists/lists/*_Sources*" >/dev/null; then
             touch "$lists/fetched"
-        elif [ ! -e "$lists/fetched" ]; then
-            fettle_fail "the lists of source packages cannot be fetched (is there a network?)"
         fi
     fi
     "$command" "${options[@]}" "$@"
@@ -33,7 +32,8 @@ source_apt()
 fetch_source()
 {
     local source=$1 folder part=$cache/sources/part versions
-    versions=$(source_apt apt-cache showsrc "$source" | sed -n 's/^Version: //p' | sort -ruV) || true
+    versions=$({ source_apt apt-cache showsrc "$source" | sed -n 's/^Version: //p'
+        find "$cache/sources" -maxdepth 1 -name "$source-[0-9]*" -printf '%f\n' | sed "s/^$source-//"; } | sort -ruV)
     for version in $versions; do
         folder=$cache/sources/$source-$version
         [ ! -d "$folder" ] || return 0
@@ -48,8 +48,8 @@ fetch_source()
         rm -rf "$part"
         return 0
     done
-    fettle_fail "the source package $source cannot be fetched. Unpack it as $cache/sources/$source-VERSION, in one of" \
-        "these versions, and start again: ${versions:-none is known}"
+    fettle_fail "the source package $source cannot be fetched (is there a network?). Unpack it yourself as" \
+        "$cache/sources/$source-VERSION, and start again. Versions of this release: ${versions:-unknown}"
 }
 
 # prepared_source NAME SOURCE VERSION TREE: makes a copy of the source as TREE, with our patches.
