@@ -107,16 +107,6 @@ on_display=("${as_user[@]}" DISPLAY=:77 LIBGL_ALWAYS_SOFTWARE=1)
 shown() { "${on_display[@]}" "$@"; }
 shown openbox >/dev/null 2>&1 &
 picture() { shown sh -c 'xwd -silent -root | xwdtopnm 2>&- | pnmtopng 2>&-' >"$build/screenshots/$1.png"; }
-# wait_for SECONDS COMMAND
-wait_for()
-{
-    local end=$((SECONDS + $1))
-    shift
-    until "$@" >/dev/null 2>&1; do
-        [ $SECONDS -lt $end ] || return 1
-        sleep 0.2
-    done
-}
 windows() { shown xdotool search --onlyvisible --class fettle | wc -l; }
 has_windows() { [ "$(windows)" -ge "$1" ]; }
 

@@ -20,3 +20,14 @@ expect()
     fail "$what"
     cat "$scratch/said"
 }
+
+# wait_for SECONDS COMMAND: waits until the command succeeds, and fails if it does not within the time.
+wait_for()
+{
+    local end=$((SECONDS + $1))
+    shift
+    until "$@" >/dev/null 2>&1; do
+        [ $SECONDS -lt $end ] || return 1
+        sleep 0.2
+    done
+}

@@ -147,16 +147,6 @@ tried "sheet writes a PDF" test "$(head -c 5 "$scratch/there/class/sheet.pdf")" 
 # --- the window
 pictures=$root/build/windows/screenshots
 mkdir -p "$pictures"
-# wait_for SECONDS COMMAND
-wait_for()
-{
-    local end=$((SECONDS + $1))
-    shift
-    until "$@" >/dev/null 2>&1; do
-        [ $SECONDS -lt $end ] || return 1
-        sleep 0.5
-    done
-}
 titled() { xdotool search --onlyvisible --name "$1"; }
 opened() { "$wine" "$folder/fettle.exe" "$@" & disown; }
 killed()
