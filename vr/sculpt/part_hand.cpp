@@ -16,7 +16,7 @@ void PartHand::step()
 
 void PartHand::move(const MovePart& move, core::PartId part, const ModelPlacement& placement)
 {
-    if (m_state == State::Waiting || m_state == State::Changing)
+    if (m_state != State::Free && m_state != State::Held)
         return;
     if (m_state == State::Free) {
         m_state = State::Held;
@@ -36,12 +36,23 @@ void PartHand::move(const MovePart& move, core::PartId part, const ModelPlacemen
 
 void PartHand::release()
 {
+    if (m_state == State::Dropped)
+        m_state = State::Free;
     if (m_state != State::Held)
         return;
     if (m_movable)
         change();
     else
         m_state = State::Waiting;
+}
+
+void PartHand::drop()
+{
+    if (m_state == State::Held)
+        m_state = State::Dropped;
+    else if (m_state == State::Waiting)
+        m_state = State::Free;
+    m_movable.reset();
 }
 
 /// Requests the change. Precondition: the document has said what moves, and about which place.

@@ -24,6 +24,9 @@ public:
     void move(const MovePart& move, core::PartId part, const ModelPlacement& placement);
     /// Ends the hold, and requests the change of the part: now, or in the step() that takes the document's answer.
     void release();
+    /// Ends the hold without a change, because another model is there now. The hand has to let go before it can hold
+    /// the new model's part.
+    void drop();
 
     /// Returns the transform to be shown; none if nothing is held, or if it is not known yet what moves.
     std::optional<core::Transform> shown() const;
@@ -34,8 +37,9 @@ private:
     enum class State {
         Free,
         Held,
-        Waiting, ///< for the answer of a hold that has ended
-        Changing ///< until the document has changed the part
+        Dropped,  ///< until the hand lets go
+        Waiting,  ///< for the answer of a hold that has ended
+        Changing, ///< until the document has changed the part
     };
 
     core::Transform transform() const;

@@ -238,6 +238,8 @@ void SculptClient::takeUpdate()
     m_placement.setModel(m_update.box);
     m_brush.take(m_update, m_placement);
     m_isPlaced = m_isPlaced && !isAnother;
+    if (isAnother)
+        m_partHand.drop();
 }
 
 void SculptClient::handleRoomChange(const FrameInput& input)

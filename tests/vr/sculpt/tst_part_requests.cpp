@@ -92,6 +92,7 @@ private Q_SLOTS:
     void part_followsTheHand();
     void part_movesWhenTheAnswerComes();
     void part_staysIfTheHandDoes();
+    void part_isDroppedWithItsModel();
 };
 
 void TestPartRequests::parts_areShownAndHiddenOneByOne()
@@ -389,6 +390,38 @@ void TestPartRequests::part_staysIfTheHandDoes()
     QVERIFY(hand.shown());
     hand.release();
     QVERIFY(!hand.shown() && port.requests.empty());
+}
+
+/// Checks that a hold ends without a change when another model comes, before and after the hand has let go, and that
+/// the hand has to let go before it holds the new model's part.
+void TestPartRequests::part_isDroppedWithItsModel()
+{
+    const vr::ModelPlacement placement = turnedPlacement();
+    const vr::Pose a{Eigen::Quaterniond::Identity(), {0.2, 1.2, -0.4}}, b{a.rotation, {0.3, 1.2, -0.4}};
+    HoldingPort port;
+    vr::PartHand hand(&port);
+    hand.move({a, b}, 7, placement);
+    hand.step();
+    QVERIFY(hand.shown());
+    hand.drop();
+    QVERIFY(!hand.shown() && !hand.vertices());
+    hand.move({a, b}, 7, placement);
+    hand.step();
+    hand.release();
+    hand.step();
+    QVERIFY(!hand.shown() && port.requests.empty());
+    QCOMPARE(port.queries, 1);
+
+    hand.move({a, b}, 7, placement);
+    hand.release();
+    hand.drop();
+    hand.step();
+    QVERIFY(!hand.shown() && port.requests.empty());
+
+    hand.move({a, b}, 7, placement);
+    hand.step();
+    hand.release();
+    QCOMPARE(port.requests.size(), std::size_t(1));
 }
 
 FETTLE_TEST(TestPartRequests, QCoreApplication)
