@@ -2093,6 +2093,10 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>replay: %1 ist keine Option; das Modell wird mit --in angegeben.</translation>
     </message>
     <message>
+        <source>--parts keeps its objects apart, which may overlap then.</source>
+        <translation>--parts hält seine Objekte getrennt, die sich dann überschneiden dürfen.</translation>
+    </message>
+    <message>
         <source>replay: --strokes is missing.</source>
         <translation>replay: --strokes fehlt.</translation>
     </message>

@@ -2079,6 +2079,10 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>replay：%1 不是选项；请用 --in 指定模型。</translation>
     </message>
     <message>
+        <source>--parts keeps its objects apart, which may overlap then.</source>
+        <translation>--parts 使其对象保持分开，此时可以重叠。</translation>
+    </message>
+    <message>
         <source>replay: --strokes is missing.</source>
         <translation>replay：缺少 --strokes。</translation>
     </message>

@@ -332,6 +332,24 @@ void writeModel(const QString& out, const core::TriangleMesh& whole, const core:
         CommandLine::fail(problem);
 }
 
+/// Reads the model to be sculpted, or fails.
+LoadedModel loadStart(const ReplayOptions& options)
+{
+    using Objects = ModelLoader::Objects;
+    if (options.in.isEmpty())
+        return ModelLoader::sphere(paperRadius);
+    LoadedModel model =
+        ModelLoader::loadInPlace(options.in, options.keepsObjects ? Objects::AsParts : Objects::AsOnePart);
+    if (model.sculptor)
+        return model;
+    if (!options.keepsObjects) {
+        const LoadedModel other = ModelLoader::loadInPlace(options.in, Objects::AsParts);
+        if (other.sculptor && other.parts.size() > 1)
+            model.problem += u' ' + ReplayMessages::tr("--parts keeps its objects apart, which may overlap then.");
+    }
+    CommandLine::fail(model.problem);
+}
+
 void run(const ReplayOptions& options, Entries& entries)
 {
     readInserted(entries, options.strokes);
@@ -349,11 +367,7 @@ void run(const ReplayOptions& options, Entries& entries)
             CommandLine::fail(obstacle);
     }
 
-    const auto objects = options.keepsObjects ? ModelLoader::Objects::AsParts : ModelLoader::Objects::AsOnePart;
-    const LoadedModel model =
-        options.in.isEmpty() ? ModelLoader::sphere(paperRadius) : ModelLoader::loadInPlace(options.in, objects);
-    if (!model.sculptor)
-        CommandLine::fail(model.problem);
+    const LoadedModel model = loadStart(options);
     setStart(entries, model.start);
     core::StrokeCoordinates coordinates(model.metadata.place());
     if (core::ModelChange alignment = coordinates.aligned(model.sculptor->mesh()); alignment.changes)

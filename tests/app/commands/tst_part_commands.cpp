@@ -221,8 +221,13 @@ void TestPartCommands::hiddenParts_areInGlbOnly()
 void TestPartCommands::replay_paintsOneObject()
 {
     writeStrokes("paint.json", R"({"command":"fill","color":[255,0,0],"part":1})");
-    QCOMPARE(run(QStringLiteral("replay --strokes paint.json --in two.3mf --out out.glb")).status, 2); // not sound
-    QCOMPARE(run(QStringLiteral("replay --strokes paint.json --parts --out out.glb")).status, 2);      // without --in
+    const Answer refused = run(QStringLiteral("replay --strokes paint.json --in two.3mf --out out.glb"));
+    QCOMPARE(refused.status, 2); // not sound
+    QVERIFY2(refused.err.contains(QStringLiteral("--parts")), qPrintable(refused.err));
+    core::writeMesh(at("surface.stl"), core::readMesh(at("two.3mf")));
+    const Answer alone = run(QStringLiteral("replay --strokes paint.json --in surface.stl --out out.glb"));
+    QVERIFY2(alone.status == 2 && !alone.err.contains(QStringLiteral("--parts")), qPrintable(alone.err));
+    QCOMPARE(run(QStringLiteral("replay --strokes paint.json --parts --out out.glb")).status, 2); // without --in
     const Answer done = run(QStringLiteral("replay --strokes paint.json --in two.3mf --parts --out out.glb"));
     QVERIFY2(done.status == 0, qPrintable(done.err));
     const ReadResult read = core::readModel(at("out.glb"), {.keepsObjects = true});
