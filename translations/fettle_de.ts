@@ -10511,6 +10511,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Zum Löschen halten</translation>
     </message>
     <message>
+        <source>Apply</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
         <source>Join</source>
         <translation>Vereinigen</translation>
     </message>
@@ -10549,6 +10557,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Trigger: chooses the part that you point at. Side button: moves the chosen part. Mark others to combine them with it.</source>
         <translation>Abzug: wählt das Teil, auf das Sie zeigen. Seitentaste: bewegt das gewählte Teil. Markieren Sie andere, um sie mit ihm zu verknüpfen.</translation>
+    </message>
+    <message>
+        <source>This is a preview. What the operation takes away is shown as glass.</source>
+        <translation>Dies ist eine Vorschau. Was die Operation entfernt, ist als Glas zu sehen.</translation>
     </message>
     <message>
         <source>Join with the part</source>

@@ -10474,6 +10474,14 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>按住以删除</translation>
     </message>
     <message>
+        <source>Apply</source>
+        <translation>应用</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
         <source>Join</source>
         <translation>合并</translation>
     </message>
@@ -10512,6 +10520,10 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     <message>
         <source>Trigger: chooses the part that you point at. Side button: moves the chosen part. Mark others to combine them with it.</source>
         <translation>扳机：选择所指的部件。侧键：移动所选的部件。标记其他部件，可与它组合。</translation>
+    </message>
+    <message>
+        <source>This is a preview. What the operation takes away is shown as glass.</source>
+        <translation>这是预览。该操作去除的部分显示为玻璃。</translation>
     </message>
     <message>
         <source>Join with the part</source>

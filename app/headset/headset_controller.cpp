@@ -61,6 +61,17 @@ void HeadsetController::connectDocument()
     connect(m_document, &Document::historyChanged, this, &HeadsetController::scheduleUpdate);
     connect(&m_document->savedState(), &SavedState::modifiedChanged, this, &HeadsetController::scheduleUpdate);
     connect(&m_document->parts(), &DocumentParts::changed, this, &HeadsetController::scheduleUpdate);
+    const ModelChanger* changer = &m_document->changer();
+    connect(changer, &ModelChanger::previewed, this, [this](core::SetOperation operation, const auto& translucent) {
+        m_update.preview = operation;
+        m_update.translucent = translucent;
+        scheduleUpdate();
+    });
+    connect(changer, &ModelChanger::previewEnded, this, [this] {
+        m_update.preview.reset();
+        m_update.translucent.reset();
+        onBusyChanged();
+    });
     connect(m_document, &Document::noticed, this, &HeadsetController::showNotice);
     connect(m_document, &Document::refused, this, &HeadsetController::showNotice);
     connect(&m_document->opener(), &ModelOpener::repairable, this, [this](const QString&, const QString& problem) {
@@ -163,7 +174,7 @@ void HeadsetController::updateFolder()
 void HeadsetController::onBusyChanged()
 {
     if (m_port)
-        m_port->setRefusing(m_document->opener().isOpening());
+        m_port->setRefusing(m_document->opener().isOpening() || m_document->changer().isPreviewing());
     scheduleUpdate();
 }
 

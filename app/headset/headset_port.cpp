@@ -15,6 +15,11 @@ bool isRefusal(core::Shortfall shortfall)
 {
     return shortfall != core::Shortfall::None && shortfall != core::Shortfall::TooClose;
 }
+
+template <class... Kinds> bool isOneOf(const vr::DocumentRequest& request)
+{
+    return (std::holds_alternative<Kinds>(request) || ...);
+}
 } // namespace
 
 HeadsetPort::HeadsetPort(SculptWorker* worker) : m_worker(worker) {}
@@ -80,8 +85,8 @@ void HeadsetPort::requestDone()
 
 bool HeadsetPort::holdsStrokes(const vr::DocumentRequest& request)
 {
-    return !std::holds_alternative<vr::ChooseBrush>(request) && !std::holds_alternative<vr::HeadsetSettings>(request) &&
-           !std::holds_alternative<vr::LessonRequest>(request);
+    return !isOneOf<vr::ChooseBrush, vr::HeadsetSettings, vr::LessonRequest, vr::PreviewInstead, vr::EndPreview>(
+        request);
 }
 
 void HeadsetPort::setRefusing(bool refuses)

@@ -47,7 +47,7 @@ public:
     void requestDone();
     /// Returns whether strokes that begin later are held until the request is done.
     static bool holdsStrokes(const vr::DocumentRequest& request);
-    /// Sets whether strokes are refused, because another model is being opened.
+    /// Sets whether strokes are refused, because another model is being opened, or a change is only previewed.
     void setRefusing(bool refuses);
     /// Sets whether the desktop user has taken over. No stroke then begins, and an open stroke ends, keeping its dabs.
     /// Strokes held earlier are still done.

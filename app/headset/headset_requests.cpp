@@ -157,6 +157,25 @@ void HeadsetRequests::handle(const vr::ChangePart& request)
         m_document->changer().applyTo(request.part, request.command);
 }
 
+void HeadsetRequests::handle(const vr::PreviewParts& request)
+{
+    if (!isBusyForParts())
+        m_document->changer().preview(request.part, request.command);
+}
+
+void HeadsetRequests::handle(const vr::PreviewInstead& request)
+{
+    m_document->changer().previewInstead(request.operation);
+}
+
+void HeadsetRequests::handle(const vr::EndPreview& request)
+{
+    if (request.isApplied)
+        m_document->changer().applyPreview();
+    else
+        m_document->changer().dropPreview();
+}
+
 void HeadsetRequests::handle(const vr::SaveModel&)
 {
     if (m_window->classroom())

@@ -66,6 +66,9 @@ private:
     void handle(const vr::PickPart& request);
     void handle(const vr::IsolatePart&);
     void handle(const vr::ChangePart& request);
+    void handle(const vr::PreviewParts& request);
+    void handle(const vr::PreviewInstead& request);
+    void handle(const vr::EndPreview& request);
     bool isBusyForParts();
 
     Document* m_document;

@@ -232,20 +232,17 @@ void connectParts(ui::MainWindow& window, Document& document)
 }
 
 /// Shows the result of combining parts before it becomes a step.
-void connectCombinations(ui::MainWindow& window, Document& document, Headset* headset)
+void connectCombinations(ui::MainWindow& window, Document& document)
 {
     using ui::CombinationCard;
     ModelChanger* changer = &document.changer();
     ui::Viewport* view = window.viewport();
     auto* card = view->findChild<CombinationCard*>();
     QObject::connect(window.findChild<ui::PartsPanel*>(), &ui::PartsPanel::combinationRequested, changer,
-                     [changer, view, headset](core::PartId part, const core::CombineParts& command) {
-                         if (headset->isActive()) // nobody there could end a preview
-                             return changer->applyTo(part, command);
+                     [changer, view](core::PartId part, const core::CombineParts& command) {
                          view->input()->setMode(ui::PointerMode::Sculpt); // ends tools that show something in the view
                          changer->preview(part, command);
                      });
-    QObject::connect(window.headset(), &ui::HeadsetActions::enterRequested, changer, &ModelChanger::dropPreview);
     QObject::connect(changer, &ModelChanger::previewed, card,
                      [card, view](core::SetOperation operation, const auto& translucent) {
                          view->showTranslucent(translucent);
@@ -485,7 +482,7 @@ void connectAll(ui::MainWindow& window, Document& document, SculptWorker& worker
     connectHistory(window, document);
     connectHistoryPanel(window, document);
     connectParts(window, document);
-    connectCombinations(window, document, headset);
+    connectCombinations(window, document);
     connectTransform(window, document);
     for (ui::ViewTool* tool : window.viewport()->findChildren<ui::ViewTool*>())
         connectViewTool(tool, document);

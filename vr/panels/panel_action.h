@@ -34,7 +34,9 @@ enum class PanelCommand {
     IsolatePart, ///< shows only the active part, or again those that were shown before
     ShowAllParts,
     DuplicatePart,
-    DeletePart
+    DeletePart,
+    ApplyPreview, ///< keeps the combination of parts that is shown, as one step
+    CancelPreview ///< leaves the parts as they were
 };
 
 struct ShowPanel
@@ -167,7 +169,7 @@ struct MakePart
     bool operator==(const MakePart&) const = default;
 };
 
-/// Combines the active part with the marked ones.
+/// Shows the active part combined with the marked ones. During a preview: shows the result of this operation instead.
 struct CombineMarked
 {
     core::SetOperation operation = core::SetOperation::Union;

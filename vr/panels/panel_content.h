@@ -132,6 +132,8 @@ public:
     int page = 0;
     bool canUndo = false, canRedo = false;
     bool isBusy = false; ///< the model is being opened, saved or changed as a whole
+    /// How parts are combined in the result that is shown before it becomes a step; none: no preview.
+    std::optional<core::SetOperation> preview;
     PartsPage shown = PartsPage::List;
     core::Primitive::Kind shape = core::Primitive::Kind::Cuboid; ///< shape that the trigger places
     bool makesPart = false; ///< a shape, or what the blade cuts off, becomes a part of its own
@@ -162,6 +164,7 @@ private:
     void addRow(PanelBuilder& builder, const PartRow* row) const;
     void addListButtons(PanelBuilder& builder) const;
     void addPartButtons(PanelBuilder& builder) const;
+    void addCombinations(PanelBuilder& builder) const;
 };
 
 struct SettingsPanel

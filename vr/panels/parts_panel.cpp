@@ -131,28 +131,37 @@ void PartsPanel::addListButtons(PanelBuilder& builder) const
                             !isBusy && parts.size() > 1});
 }
 
-/// Adds the buttons that copy, delete and combine.
+/// Adds the buttons that copy and delete; during a preview, those that end it.
 void PartsPanel::addPartButtons(PanelBuilder& builder) const
 {
-    using core::SetOperation;
-    const std::vector<QRectF> upper = evenCells(builder.nextRow(buttonHeight), 2);
-    builder.add(upper[0],
+    const std::vector<QRectF> places = evenCells(builder.nextRow(buttonHeight), 2);
+    if (preview) {
+        builder.add(places[0], {{.text = tr("Apply")}, PanelCommand::ApplyPreview});
+        builder.add(places[1], {{.text = tr("Cancel")}, PanelCommand::CancelPreview});
+        return;
+    }
+    builder.add(places[0],
                 {{.text = tr("Duplicate"), .icon = QStringLiteral("duplicate")}, PanelCommand::DuplicatePart, !isBusy});
-    builder.add(upper[1], {{.text = tr("Hold to delete"), .icon = QStringLiteral("trash")},
-                           PanelCommand::DeletePart,
-                           !isBusy && parts.size() > 1,
-                           true});
-    const bool canCombine = !isBusy && !others().empty();
-    const std::vector<QRectF> lower = evenCells(builder.nextRow(buttonHeight), 3);
-    builder.add(
-        lower[0],
-        {{.text = tr("Join"), .icon = QStringLiteral("part-union")}, CombineMarked{SetOperation::Union}, canCombine});
-    builder.add(lower[1], {{.text = tr("Subtract"), .icon = QStringLiteral("part-subtract")},
-                           CombineMarked{SetOperation::Difference},
-                           canCombine});
-    builder.add(lower[2], {{.text = tr("Intersect"), .icon = QStringLiteral("part-intersect")},
-                           CombineMarked{SetOperation::Intersection},
-                           canCombine});
+    builder.add(places[1], {{.text = tr("Hold to delete"), .icon = QStringLiteral("trash")},
+                            PanelCommand::DeletePart,
+                            !isBusy && parts.size() > 1,
+                            true});
+}
+
+/// Adds the buttons that combine; during a preview, the choice of what it shows.
+void PartsPanel::addCombinations(PanelBuilder& builder) const
+{
+    using core::SetOperation;
+    const bool isEnabled = preview || (!isBusy && !others().empty());
+    const std::vector<QRectF> places = evenCells(builder.nextRow(buttonHeight), 3);
+    const auto add = [&](const QRectF& place, const QString& text, const QString& icon, SetOperation operation) {
+        builder.add(
+            place,
+            {{.text = text, .icon = icon, .isChosen = preview == operation}, CombineMarked{operation}, isEnabled});
+    };
+    add(places[0], tr("Join"), QStringLiteral("part-union"), SetOperation::Union);
+    add(places[1], tr("Subtract"), QStringLiteral("part-subtract"), SetOperation::Difference);
+    add(places[2], tr("Intersect"), QStringLiteral("part-intersect"), SetOperation::Intersection);
 }
 
 QString PartsPanel::nameOf(core::Primitive::Kind kind)
@@ -188,8 +197,10 @@ void PartsPanel::addList(PanelBuilder& builder) const
     builder.skip(groupGap);
     addListButtons(builder);
     addPartButtons(builder);
-    const QString hint = tr("Trigger: chooses the part that you point at. Side button: moves the chosen part. Mark "
-                            "others to combine them with it.");
+    addCombinations(builder);
+    const QString hint = preview ? tr("This is a preview. What the operation takes away is shown as glass.")
+                                 : tr("Trigger: chooses the part that you point at. Side button: moves the chosen "
+                                      "part. Mark others to combine them with it.");
     builder.add(builder.nextRow(hintHeight), TextLook{.text = hint, .role = TextRole::Faint, .lines = 3});
 }
 

@@ -1,5 +1,5 @@
 // Order of drawing: the area that the lens hides, then wands and mesh, then the dome behind them unless the real room
-// is seen there, then the translucent floor, panels and other shapes, the last two from far to near.
+// is seen there, then the translucent floor and mesh, panels and other shapes, the last two from far to near.
 #include "vr/scene/scene.h"
 
 #include "vr/scene/hidden_renderer.h"
@@ -9,6 +9,7 @@
 #include "vr/scene/mesh_stream.h"
 #include "vr/scene/room_renderer.h"
 #include "vr/scene/translucent_list.h"
+#include "vr/scene/translucent_mesh.h"
 #include "vr/scene/translucent_renderer.h"
 #include "vr/scene/wand_renderer.h"
 
@@ -107,6 +108,7 @@ struct Scene::State
     WandRenderer wandRenderer;
     HiddenRenderer hiddenRenderer;
     RoomRenderer roomRenderer;
+    TranslucentMesh translucentMesh;
     TranslucentRenderer translucentRenderer;
     LabelTextures labels;
 
@@ -168,6 +170,7 @@ void Scene::State::drawTranslucent(const EyeUniforms& eye)
     gl->glDepthMask(GL_FALSE);
     if (hasFloor)
         roomRenderer.drawFloor(eye, shade);
+    translucentMesh.draw(eye, look.toRoom);
     translucentRenderer.draw(eye, translucent.panels, TranslucentRenderer::DepthWrite::On);
     translucentRenderer.draw(eye, translucent.others, TranslucentRenderer::DepthWrite::Off);
     gl->glDepthMask(GL_TRUE);
@@ -188,8 +191,9 @@ bool Scene::create(QOpenGLExtraFunctions* gl)
     const bool mesh = s.meshProgram.create(gl);
     const bool hidden = s.hiddenRenderer.create(gl, &s.clock);
     const bool room = s.roomRenderer.create(gl, &s.clock);
+    const bool translucentMesh = s.translucentMesh.create(gl, &s.clock);
     const bool translucent = s.translucentRenderer.create(gl, &s.clock);
-    return mesh && hidden && room && translucent;
+    return mesh && hidden && room && translucentMesh && translucent;
 }
 
 void Scene::destroy()
@@ -200,6 +204,7 @@ void Scene::destroy()
     s.wandRenderer.destroy();
     s.hiddenRenderer.destroy();
     s.roomRenderer.destroy();
+    s.translucentMesh.destroy();
     s.translucentRenderer.destroy();
     s.labels.destroy();
 }
@@ -224,6 +229,7 @@ void Scene::prepare(const SceneState& state)
     assert(state.model.linear().determinant() > 0);
     State& s = *m_state;
     s.mesh.step();
+    s.translucentMesh.prepare(state.translucent);
     s.look = meshAppearance(state);
     s.lights = lightAxes(state);
     s.shade = floorShade(state);

@@ -38,8 +38,7 @@ public:
     /// Returns whether the last model is still shown because a new one is being uploaded.
     bool isLoading() const;
     /// Marks the vertices of a ray brush's footprint, or those that SceneState::move moves, in place of earlier marks;
-    /// null: no marks. A whole patch removes
-    /// the marks, and a model that is being uploaded has none.
+    /// null: no marks. A whole patch removes the marks, and a model that is being uploaded has none.
     void tint(const core::Footprint* footprint);
 
     /// Prepares a frame: does the work that both eyes share.

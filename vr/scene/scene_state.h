@@ -5,6 +5,7 @@
 #include "vr/scene/wand_model.h"
 #include "vr/util/pose.h"
 
+#include "core/mesh/draw_arrays.h"
 #include "core/parts/part_transform.h"
 #include "core/render/shading.h"
 #include "core/stroke/tool.h"
@@ -12,6 +13,7 @@
 #include <QString>
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -126,7 +128,8 @@ struct SceneState
     std::optional<Blade> blade;
     /// Transform of the mesh that is shown before it is made, of the vertices that Scene::tint() marks. Units: mm.
     std::optional<core::Transform> move;
-    std::array<ShownWand, sideCount> wands; ///< indexed by Side
+    std::shared_ptr<const core::DrawArrays> translucent; ///< a translucent mesh in document space, mm; null: none
+    std::array<ShownWand, sideCount> wands;              ///< indexed by Side
     std::optional<Spotlight> spotlight;
     std::optional<core::Sphere> teacher; ///< brush of a lesson's teacher
     std::vector<Panel> panels;

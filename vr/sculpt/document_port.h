@@ -5,6 +5,7 @@
 #include "vr/panels/panel_placement.h"
 #include "vr/util/pose.h"
 
+#include "core/mesh/draw_arrays.h"
 #include "core/mesh/footprint.h"
 #include "core/mesh/mesh_patch.h"
 #include "core/mesh/surface_hit.h"
@@ -56,7 +57,11 @@ struct DocumentUpdate
     QList<core::Rgb> swatches;
     QList<PartRow> parts;
     core::PartId activePart = 0;
-    QString folder; ///< name of the folder of `files`, for display
+    /// How parts are combined in the result that is shown before it becomes a step; none: no preview. No stroke can
+    /// begin meanwhile.
+    std::optional<core::SetOperation> preview;
+    std::shared_ptr<const core::DrawArrays> translucent; ///< the parts that the preview has taken away, mm; null: none
+    QString folder;                                      ///< name of the folder of `files`, for display
     QList<FileTile> files;
     QString saved;                       ///< name that the last save of this visit used, for display
     QString notice;                      ///< sentence to be shown in the headset too
@@ -144,9 +149,29 @@ struct ChangePart
     core::ModelCommand command;
 };
 
+/// Shows the result of combining a part with others, until EndPreview.
+struct PreviewParts
+{
+    core::PartId part = 0;
+    core::CombineParts command;
+};
+
+/// Shows the result of another operation on the parts of the preview.
+struct PreviewInstead
+{
+    core::SetOperation operation = core::SetOperation::Union;
+};
+
+/// Makes the preview a step, or takes it back.
+struct EndPreview
+{
+    bool isApplied = false;
+};
+
 /// A request to the gui thread. Requests and strokes are executed in the order in which they were made.
 using DocumentRequest = std::variant<ChooseBrush, Undo, Redo, SaveModel, RestoreModel, OpenModel, core::MaskOperation,
-                                     HeadsetSettings, LessonRequest, ActivatePart, PickPart, IsolatePart, ChangePart>;
+                                     HeadsetSettings, LessonRequest, ActivatePart, PickPart, IsolatePart, ChangePart,
+                                     PreviewParts, PreviewInstead, EndPreview>;
 
 /// The document as the headset's thread sees it. Thread: the headset's; no function waits for another thread, or
 /// allocates more than it passes on. Units: mm in document space.

@@ -46,6 +46,9 @@ void PanelContents::update(const DocumentUpdate& before, const DocumentUpdate& n
     m_parts.canUndo = now.canUndo;
     m_parts.canRedo = now.canRedo;
     m_parts.isBusy = now.isBusy;
+    m_parts.preview = now.preview;
+    if (now.preview && !before.preview)
+        m_parts.shown = PartsPage::List; // with the buttons that end the preview
 }
 
 void PanelContents::apply(const PanelAction& action)

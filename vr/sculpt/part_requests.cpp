@@ -70,6 +70,10 @@ std::optional<DocumentRequest> requestOf(const PartsPanel& panel, PanelCommand c
         return ChangePart{panel.active, core::DuplicatePart{panel.nameOfCopy().toStdString()}};
     case PanelCommand::DeletePart:
         return ChangePart{panel.active, core::DeletePart{}};
+    case PanelCommand::ApplyPreview:
+        return EndPreview{true};
+    case PanelCommand::CancelPreview:
+        return EndPreview{false};
     default:
         return std::nullopt;
     }
@@ -102,7 +106,9 @@ std::optional<DocumentRequest> requestOf(const PartsPanel& panel, const PanelAct
             return edited(panel, panel.active, [&](core::Part& part) { part.tag = chosen.tag; });
         },
         [&](const CombineMarked& chosen) {
-            return Request(ChangePart{panel.active, core::CombineParts{chosen.operation, panel.others()}});
+            if (panel.preview)
+                return Request(PreviewInstead{chosen.operation});
+            return Request(PreviewParts{panel.active, core::CombineParts{chosen.operation, panel.others()}});
         },
         [](const auto&) { return Request(); },
     };

@@ -37,14 +37,15 @@ bool isStep(const WandAction& action)
            isOneOf<OpenToolMenu, OpenColorPanel, Undo, Redo, SaveModel, RestoreModel, UseTip>(action);
 }
 
-/// Returns the request to the document for a panel's command; none if the command concerns only the headset.
-std::optional<DocumentRequest> requestOf(PanelCommand command)
+/// Returns the request to the document for a command; none if the command concerns only the headset. A preview has to
+/// end before the document goes on: undo takes it back, and redo does nothing.
+std::optional<DocumentRequest> requestOf(PanelCommand command, bool isPreviewing)
 {
     switch (command) {
     case PanelCommand::Undo:
-        return Undo{};
+        return isPreviewing ? DocumentRequest(EndPreview{}) : DocumentRequest(Undo{});
     case PanelCommand::Redo:
-        return Redo{};
+        return isPreviewing ? std::nullopt : std::optional<DocumentRequest>(Redo{});
     case PanelCommand::RestoreModel:
         return RestoreModel{};
     case PanelCommand::InvertMask:
@@ -53,16 +54,9 @@ std::optional<DocumentRequest> requestOf(PanelCommand command)
         return core::MaskOperation{core::MaskOperation::Kind::Clear};
     case PanelCommand::SaveModel:
         return SaveModel{};
-    case PanelCommand::Recentre:
-    case PanelCommand::LevelModel:
-    case PanelCommand::LeaveVr:
-    case PanelCommand::IsolatePart:
-    case PanelCommand::ShowAllParts:
-    case PanelCommand::DuplicatePart:
-    case PanelCommand::DeletePart:
+    default:
         return std::nullopt;
     }
-    return std::nullopt;
 }
 
 WandPart partOf(Sector sector)
@@ -231,6 +225,7 @@ void SculptClient::takeUpdate()
         return;
     const bool isAnother = update->model != m_update.model;
     const bool isFirst = m_update.brushChange == 0;
+    const bool isPreviewNew = update->preview && !m_update.preview;
     const bool isChosen = update->brushChange != m_update.brushChange || update->radiusChange != m_update.radiusChange;
     hapticInput(m_settings.wands.sculpting).stepped = isChosen && !isFirst;
     m_contents.update(m_update, *update);
@@ -240,6 +235,8 @@ void SculptClient::takeUpdate()
     m_isPlaced = m_isPlaced && !isAnother;
     if (isAnother)
         m_partHand.drop();
+    if (isPreviewNew)
+        handle(m_settings.wands.sculpting, ShowPanel{PanelKind::Parts}); // where it can be ended
 }
 
 void SculptClient::handleRoomChange(const FrameInput& input)
@@ -337,7 +334,7 @@ void SculptClient::handle(const WandCommand& command)
     };
     const core::Overloaded handler{
         [&](const BeginStroke& begin) {
-            if (m_mapping.task() == HandTask::DrawTube)
+            if (m_mapping.task() == HandTask::DrawTube && !m_update.preview)
                 m_tube.begin();
             else if (!m_brush.begin(begin, m_placement))
                 refuse();
@@ -364,15 +361,20 @@ void SculptClient::handle(const WandCommand& command)
         [&](const OpenToolMenu& menu) { m_panels.open(PanelKind::Tools, menu.isOpen); },
         [&](const OpenColorPanel& panel) { m_panels.open(PanelKind::Color, panel.isOpen); },
         [&](const UseTip& use) {
+            if (m_update.preview)
+                return refuse();
             m_port->request(
                 requestAt({use.tip, m_mapping.task(), m_update.box}, m_contents.parts(), m_brush.state(), m_placement));
         },
-        [&](const MovePart& move) { m_partHand.move(move, m_update.activePart, m_placement); },
+        [&](const MovePart& move) {
+            if (!m_update.preview)
+                m_partHand.move(move, m_update.activePart, m_placement);
+        },
         [&](const ReleasePart&) { m_partHand.release(); },
         [&](const PressPanel&) { act(m_panels.press(side)); },
         [&](const ReleasePanel& release) { act(m_panels.release(side, release.isClick)); },
-        [&](const Undo& undo) { m_port->request(undo); },
-        [&](const Redo& redo) { m_port->request(redo); },
+        [&](const Undo&) { handle(side, PanelCommand::Undo); },
+        [&](const Redo&) { handle(side, PanelCommand::Redo); },
         [&](const SaveModel& save) { m_port->request(save); },
         [&](const RestoreModel& restore) { m_port->request(restore); },
         [&](const auto& ofBrush) { m_brush.change(changed(m_brush.state(), ofBrush)); },
@@ -385,7 +387,7 @@ void SculptClient::handle(Side side, const PanelAction& action)
 {
     const core::Overloaded handler{
         [&](PanelCommand command) {
-            if (const std::optional<DocumentRequest> request = requestOf(command))
+            if (const auto request = requestOf(command, m_update.preview.has_value()))
                 m_port->request(*request);
             m_output.recentre = m_output.recentre || command == PanelCommand::Recentre;
             if (command == PanelCommand::LevelModel)
@@ -456,6 +458,7 @@ void SculptClient::updateScene(const FrameInput& input)
         m_state.blade = Blade{m_tip->position, m_tip->forward(), bladeRadius, m_update.parts.size() == 1,
                               imageOfCut({*m_tip, HandTask::Cut, m_update.box}, brush, m_placement)};
     m_state.move = m_partHand.shown();
+    m_state.translucent = m_update.translucent;
     const bool paints = brush.stroke.tool == core::Tool::Paint;
     m_state.brushColor = paints ? brush.stroke.color : SceneState().brushColor;
     for (const Side side : {Side::Left, Side::Right}) {

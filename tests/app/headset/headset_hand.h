@@ -102,11 +102,13 @@ public:
     /// Stops the window from processing events between frames, as if it were blocked.
     void setStalled(bool isStalled) { m_isStalled = isStalled; }
     void frame() { frames(1); }
-    /// Waits until all requested actions are done.
+    /// Waits until all requested actions are done, or wait for the end of a preview.
     void settle()
     {
+        Document& document = m_program.document;
         frames(isIn() ? 2 : 0);
-        QTRY_VERIFY_WITH_TIMEOUT(m_program.document.queue().isSettled() && !m_program.document.job().isBusy(),
+        QTRY_VERIFY_WITH_TIMEOUT((document.queue().isSettled() && !document.job().isBusy()) ||
+                                     document.changer().isPreviewing(),
                                  longestWait);
         frames(isIn() ? 2 : 0);
     }
@@ -228,8 +230,7 @@ public:
         settle();
     }
 
-    /// Returns the pose of a panel in the room. Panels in front of the user keep their opening pose until
-    /// forgetPanels().
+    /// Returns the pose of a panel in the room. Panels in front of the user keep their opening pose.
     vr::Pose placeOf(const vr::PanelLayout& layout)
     {
         const vr::Side carrier = layout.kind == vr::PanelKind::Tools ? other(sculpting()) : sculpting();
@@ -245,7 +246,6 @@ public:
                                                             replacesTools ? m_tools : std::nullopt);
         return m_ahead.emplace(layout.kind, place).first->second;
     }
-    void forgetPanels() { m_ahead.clear(); }
     /// Opens a panel by its button on the tool panel. The panel replaces the tool panel.
     void openFromTools(const vr::ToolPanel& tools, vr::PanelKind kind)
     {

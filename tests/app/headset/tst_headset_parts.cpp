@@ -1,5 +1,5 @@
 // Tests the parts of a model in the headset: the parts panel, pointing at parts, and strokes on one of several parts.
-// FETTLE_HEADSET_PICTURES=<folder> saves a picture of a tube that is being drawn.
+// FETTLE_HEADSET_PICTURES=<folder> saves pictures of a tube that is being drawn and of a preview.
 #include "tests/app/headset/headset_visit.h"
 #include "tests/support/mirror_asserts.h"
 #include "tests/support/test_main.h"
@@ -47,7 +47,34 @@ struct AtParts : Alone
         panel.shown = shown;
         panel.canUndo = program.document.history().canUndo();
         panel.canRedo = program.document.history().canRedo();
+        panel.preview = preview;
+        panel.isBusy = preview.has_value();
         return panel;
+    }
+    /// Combines the active part with the marked ones as a preview, or shows another operation in its place. Waits until
+    /// it is shown.
+    bool showCombined(core::SetOperation operation)
+    {
+        ModelChanger& changer = program.document.changer();
+        std::optional<core::SetOperation> shown;
+        const auto connection = QObject::connect(&changer, &ModelChanger::previewed, &program.window,
+                                                 [&](core::SetOperation what, const auto&) { shown = what; });
+        const bool isAsked = choose(vr::CombineMarked{operation}, [&] {
+            return changer.isPreviewing() && QTest::qWaitFor([&] { return shown == operation; }, waitForPreview);
+        });
+        QObject::disconnect(connection);
+        preview = shown;
+        hand.waitForPanels();
+        return isAsked;
+    }
+    /// Ends the preview by the panel.
+    bool endPreview(PanelCommand command)
+    {
+        const bool hasEnded = choose(command, [&] { return !program.document.changer().isPreviewing(); });
+        preview.reset();
+        hand.settle();
+        hand.waitForPanels();
+        return hasEnded;
     }
     template <class Happened> bool choose(const vr::PanelAction& item, const Happened& happened, int count = 2)
     {
@@ -93,7 +120,9 @@ struct AtParts : Alone
     }
     QString complaints() { return hand.headset().complaints(); }
 
+    static constexpr int waitForPreview = 5000; // ms; then the item is pressed again
     QList<PartId> marked;
+    std::optional<core::SetOperation> preview;
     vr::PartsPage shown = vr::PartsPage::List;
 };
 } // namespace
@@ -111,6 +140,8 @@ private Q_SLOTS:
     void isolate_andBack();
     void stroke_changesTheActivePart();
     void combine_joinsTheMarked();
+    void combine_isShownBefore();
+    void combine_isEndedByUndo();
     void delete_isHeld();
     void window_showsInTheHeadset();
     void takenOver_partsStay();
@@ -230,14 +261,86 @@ void TestHeadsetParts::combine_joinsTheMarked()
     v.addCopy({60, 0, 0});
     v.addCopy({-60, 0, 0});
     v.mark(2);
-    QVERIFY(v.choose(vr::CombineMarked{core::SetOperation::Difference}, [&] { return v.parts().list().size() == 2; }));
-    QVERIFY(v.parts().list().find(0) && v.parts().list().find(1));
+    QVERIFY(v.showCombined(core::SetOperation::Difference) && v.endPreview(PanelCommand::ApplyPreview));
+    QVERIFY(v.parts().list().find(0) && v.parts().list().find(1) && !v.parts().list().find(2));
     const core::Box cut = v.box();
     QVERIFY(cut.min().x() > -40 && cut.max().x() > 109); // the left side is gone
     QVERIFY(v.choose(PanelCommand::Undo, [&] { return v.parts().list().size() == 3; }));
     v.mark(1);
-    QVERIFY(v.choose(vr::CombineMarked{core::SetOperation::Union}, [&] { return v.parts().list().size() == 1; }));
+    QVERIFY(v.showCombined(core::SetOperation::Union) && v.endPreview(PanelCommand::ApplyPreview));
+    QCOMPARE(v.parts().list().size(), std::size_t(1));
     QVERIFY(v.box().sizes().x() > 219);
+    QCOMPARE(v.complaints(), QString());
+}
+
+/// Shows a combination, another one in its place, and takes it back. What it takes away is seen as glass, and no stroke
+/// changes the preview. Applied it is one step.
+void TestHeadsetParts::combine_isShownBefore()
+{
+    const QString folder = qEnvironmentVariable("FETTLE_HEADSET_PICTURES");
+    AtParts v(folder.isEmpty() ? HeadsetHand::enough : QSize(540, 600));
+    v.addCopy({60, 0, 0});
+    v.mark(1);
+    const int changes = v.changes();
+    const std::uint64_t before = v.hash();
+    QVERIFY(v.showCombined(core::SetOperation::Difference));
+    const std::uint64_t shown = v.hash();
+    QVERIFY(shown != before);
+    QCOMPARE(v.changes(), changes);
+    v.hand.put(Side::Right, {0.5, 1.1, -0.1});
+    v.hand.frames(4);
+    const QImage picture = v.hand.picture();
+    if (!folder.isEmpty())
+        QVERIFY(picture.save(folder + QStringLiteral("/preview.png")));
+    const Look look{picture, *v.hand.seen().head};
+    const auto blueness = [&](const Vec3& place) {
+        const QColor color = picture.pixelColor(look.at(v.hand.place(place)));
+        return 2 * color.blue() - color.red() - color.green();
+    };
+    const int glass = blueness({108, 0, 0}), clay = blueness({-30, 0, 40}), nothing = blueness({60, -80, 0});
+    QVERIFY2(glass > clay + 10 && glass > nothing + 10,
+             qPrintable(QStringLiteral("%1 %2 %3").arg(glass).arg(clay).arg(nothing)));
+    v.pointAt({-30, 0, 40}, 0);
+    QCOMPARE(v.hash(), shown);
+
+    QVERIFY(v.showCombined(core::SetOperation::Intersection));
+    QVERIFY(v.box().min().x() > 9 && v.box().max().x() < 51);
+    QVERIFY(v.endPreview(PanelCommand::CancelPreview));
+    QCOMPARE(v.hash(), before);
+    QCOMPARE(v.changes(), changes);
+    QCOMPARE(v.parts().list().size(), std::size_t(2));
+
+    QVERIFY(v.showCombined(core::SetOperation::Difference) && v.endPreview(PanelCommand::ApplyPreview));
+    QCOMPARE(v.hash(), shown);
+    QCOMPARE(v.changes(), changes + 1);
+    QCOMPARE(v.complaints(), QString());
+}
+
+/// Undoes while a preview is shown: it is taken back, and the step before it stays. One that the window begins opens
+/// the panel in the headset.
+void TestHeadsetParts::combine_isEndedByUndo()
+{
+    AtParts v;
+    v.addCopy({60, 0, 0});
+    v.mark(1);
+    const int changes = v.changes();
+    const std::uint64_t before = v.hash();
+    QVERIFY(v.showCombined(core::SetOperation::Difference));
+    QVERIFY(v.endPreview(PanelCommand::Undo));
+    QCOMPARE(v.hash(), before);
+    QCOMPARE(v.changes(), changes);
+
+    const auto isPanelOpen = [&] {
+        v.hand.frames(2);
+        return std::ranges::any_of(v.hand.seen().panels,
+                                   [](const vr::PanelTarget& panel) { return panel.kind == PanelKind::Parts; });
+    };
+    QVERIFY(v.choose(vr::ShowPanel{PanelKind::Parts, false}, [&] { return !isPanelOpen(); }));
+    v.program.document.changer().preview(0, core::CombineParts{core::SetOperation::Difference, {1}});
+    QTRY_VERIFY(isPanelOpen());
+    v.program.document.changer().dropPreview();
+    v.hand.settle();
+    QCOMPARE(v.hash(), before);
     QCOMPARE(v.complaints(), QString());
 }
 

@@ -126,6 +126,8 @@ std::vector<ExamplePanel> partsPanels()
     last.page = 1;
     last.active = 6;
     busy.isBusy = true;
+    vr::PartsPanel preview = busy;
+    preview.preview = core::SetOperation::Difference;
     vr::PartsPanel shapes = panel;
     shapes.shown = vr::PartsPage::Shapes;
     shapes.shape = core::Primitive::Kind::Capsule;
@@ -136,9 +138,9 @@ std::vector<ExamplePanel> partsPanels()
     names.shown = vr::PartsPage::Name;
     vr::PartsPanel cut = panel;
     cut.shown = vr::PartsPage::Cut;
-    return {{"parts-shapes", shapes}, {"parts-cut", cut},    {"parts", panel},
-            {"parts-one", one},       {"parts-name", names}, {"parts-marked", marked},
-            {"parts-last", last},     {"parts-busy", busy},  {"parts-tube", tube}};
+    return {{"parts-shapes", shapes}, {"parts-cut", cut},        {"parts", panel},     {"parts-one", one},
+            {"parts-name", names},    {"parts-marked", marked},  {"parts-last", last}, {"parts-busy", busy},
+            {"parts-tube", tube},     {"parts-preview", preview}};
 }
 
 std::vector<ExamplePanel> lessonPanels()

@@ -74,6 +74,8 @@ std::vector<PanelAction> wanted()
                                  PanelCommand::ShowAllParts,
                                  PanelCommand::DuplicatePart,
                                  PanelCommand::DeletePart,
+                                 PanelCommand::ApplyPreview,
+                                 PanelCommand::CancelPreview,
                                  vr::PartsPage::List,
                                  vr::PartsPage::Name,
                                  vr::NamePart{QStringLiteral("Wheel")},
@@ -404,6 +406,11 @@ void TestPanelLayout::partsAreCombined_ifOthersAreMarked()
     QVERIFY((panel.others() == std::vector<core::PartId>{2, 7}));
     panel = panel.after(vr::MarkPart{7, false}).after(vr::MarkPart{2, false});
     QVERIFY(panel.others().empty() && !canCombine());
+    panel.isBusy = true;
+    panel.preview = core::SetOperation::Difference;
+    QVERIFY(canCombine());
+    QVERIFY(panel.layout().itemFor(PanelCommand::ApplyPreview) && panel.layout().itemFor(PanelCommand::CancelPreview));
+    QVERIFY(!panel.layout().itemFor(PanelCommand::DuplicatePart));
 }
 
 void TestPanelLayout::aNotice_isReadBeforeItFades()

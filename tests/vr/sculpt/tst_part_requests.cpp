@@ -150,10 +150,19 @@ void TestPartRequests::combine_takesTheMarked()
     vr::PartsPanel panel = threeParts();
     panel.marked = {7, 0, 3, 8}; // the active part and one that is gone do not count
     const auto request = vr::requestOf(panel, vr::CombineMarked{core::SetOperation::Intersection});
-    const auto* change = request ? std::get_if<vr::ChangePart>(&*request) : nullptr;
-    const auto* combine = change ? std::get_if<core::CombineParts>(&change->command) : nullptr;
-    QVERIFY(combine && change->part == 7 && combine->operation == core::SetOperation::Intersection);
-    QCOMPARE(combine->others, (std::vector<PartId>{3, 0}));
+    const auto* shown = request ? std::get_if<vr::PreviewParts>(&*request) : nullptr;
+    QVERIFY(shown && shown->part == 7 && shown->command.operation == core::SetOperation::Intersection);
+    QCOMPARE(shown->command.others, (std::vector<PartId>{3, 0}));
+    panel.preview = core::SetOperation::Intersection;
+    const auto next = vr::requestOf(panel, vr::CombineMarked{core::SetOperation::Union});
+    const auto* instead = next ? std::get_if<vr::PreviewInstead>(&*next) : nullptr;
+    QVERIFY(instead && instead->operation == core::SetOperation::Union);
+    for (const auto& [command, isApplied] :
+         {std::pair(PanelCommand::ApplyPreview, true), {PanelCommand::CancelPreview, false}}) {
+        const auto last = vr::requestOf(panel, command);
+        const auto* end = last ? std::get_if<vr::EndPreview>(&*last) : nullptr;
+        QVERIFY(end && end->isApplied == isApplied);
+    }
     const auto copy = requested<core::DuplicatePart>(PanelCommand::DuplicatePart, 7);
     QVERIFY(copy && copy->name == "row 7 copy");
     QVERIFY(requested<core::DeletePart>(PanelCommand::DeletePart, 7));
