@@ -2,7 +2,7 @@
 // check, files, booleans, the journal and memory. Run by hand, on a release build:
 //   fettle_bench
 //   [--benchmark_filter=table1|peersStroke|largeDab|strength|tools|drags|drawing|print|files|memory|boolean|parts]
-//   [--benchmark_filter=journal]
+//   [--benchmark_filter=strongPulls|journal]
 //   FETTLE_AGED_DABS=100000 fettle_bench --benchmark_filter=agedStroke
 // Each row is run five times, interleaved; the smallest value of each counter is printed. A quick estimate:
 // --benchmark_repetitions=1.
@@ -54,6 +54,15 @@ std::vector<bench::Table> tables()
           {"wall", "wall", 0},
           {"per_vertex", "a vertex", 3},
           {"whole", "whole", 3}}},
+        {"strongPulls",
+         "2,000 pulls by 0.4 to 1 radii: % that reach 95 % of it, % that end early, milliseconds a dab, what is left",
+         {{"whole", "whole", 2},
+          {"early", "early", 2},
+          {"cpu", "median", 1},
+          {"cpu_p99", "p99", 1},
+          {"cpu_most", "most", 1},
+          {"genus", "genus", 0},
+          {"parts", "parts", 0}}},
         {"tools",
          "Tools, 40,962 vertices, radius 0.2, strength 1: microseconds a dab",
          {{"touched", "touched", 0},

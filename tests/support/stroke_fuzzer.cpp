@@ -43,6 +43,18 @@ Slot StrokeFuzzer::liveVertex(const core::Mesh& mesh)
     }
 }
 
+core::Stroke StrokeFuzzer::strongPull(const core::Mesh& mesh)
+{
+    const Slot at = liveVertex(mesh);
+    core::Stroke pull;
+    pull.settings.radius = uniform(0.08, 0.3);
+    pull.settings.strength = uniform(4, 10);
+    core::StrokeSample sample;
+    sample.position = mesh.point(at).cast<double>();
+    pull.samples = {sample};
+    return pull;
+}
+
 core::Stroke StrokeFuzzer::stroke(const core::Mesh& mesh)
 {
     const auto point = [&](Slot v) { return mesh.point(v).cast<double>(); };

@@ -21,6 +21,8 @@ public:
     /// airbrush, falloff and detail (0.3 to 3). One in three is mirrored, one in five has an alpha. The radius is
     /// between three edges and half the model's size, the strength up to 10.
     core::Stroke stroke(const core::Mesh& mesh);
+    /// Returns a pull by 0.4 to 1 radii at a vertex of a mesh about as large as the ball of radius 1.
+    core::Stroke strongPull(const core::Mesh& mesh);
 
 private:
     core::Slot liveVertex(const core::Mesh& mesh);

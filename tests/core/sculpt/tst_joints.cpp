@@ -5,12 +5,12 @@
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/mirror_asserts.h"
 #include "tests/support/shapes.h"
+#include "tests/support/stroke_fuzzer.h"
 #include "tests/support/test_main.h"
 
 #include <QTest>
 
 #include <cmath>
-#include <random>
 
 using core::Sculptor;
 using core::StrokeSettings;
@@ -450,22 +450,11 @@ void TestJoints::endsOfARing_joinInOneSeam()
 void TestJoints::strongDabs_leaveFewHandles()
 {
     Sculptor sculptor(mesh_asserts::sculptable(core::icosphere(4, 1)));
-    std::mt19937_64 random(3);
-    const auto between = [&](double low, double high) {
-        return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
-    };
+    StrokeFuzzer random(3);
     for (int i = 0; i < 400; ++i) {
-        core::Slot v;
-        do
-            v = static_cast<core::Slot>(random() % sculptor.mesh().slots().vertices);
-        while (!sculptor.mesh().isVertex(v));
-        StrokeSettings settings;
-        settings.radius = between(0.08, 0.3);
-        settings.strength = between(4, 10);
-        core::StrokeSample sample;
-        sample.position = sculptor.mesh().point(v).cast<double>();
-        sculptor.beginStroke(settings);
-        sculptor.addSample(sample);
+        const core::Stroke pull = random.strongPull(sculptor.mesh());
+        sculptor.beginStroke(pull.settings);
+        sculptor.addSample(pull.samples.front());
         sculptor.endStroke();
     }
     const core::MeshReport report = judged(sculptor);
