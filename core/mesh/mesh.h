@@ -81,8 +81,14 @@ public:
     }
     /// Returns whether the mask allows removing the edge: both of its ends are unmasked.
     bool mayGo(Slot e) const { return !isMasked(to(2 * e)) && !isMasked(to(2 * e + 1)); }
-    /// Returns whether the mask allows splitting the edge. One unmasked end is enough, because a split keeps the shape.
-    bool mayBeSplit(Slot e) const { return !isMasked(to(2 * e)) || !isMasked(to(2 * e + 1)); }
+    /// Returns whether the edge may be split: no end is hidden, and one end is unmasked. One is enough, because a split
+    /// keeps the shape. At a hidden edge that is too long, splitting would not end: a vertex that is joined to both of
+    /// its ends is joined to one of them by an edge too long.
+    bool mayBeSplit(Slot e) const
+    {
+        const Slot a = to(2 * e), b = to(2 * e + 1);
+        return !isHidden(a) && !isHidden(b) && !(isMasked(a) && isMasked(b));
+    }
     const Triangle& corners(Slot f) const { return m_corners[f]; }
     /// Returns the part of a live vertex, or of a live face, whose corners all belong to one part.
     PartId part(Slot v) const { return m_parts[v] & maxPartId; }

@@ -151,6 +151,8 @@ private Q_SLOTS:
     void snapshot_restoresParts();
     void check_allowsPartsToOverlap();
     void hidden_clayIsNeitherDrawnNorChanged();
+    void hidden_clayMayBeCoarserThanTheBrush_data();
+    void hidden_clayMayBeCoarserThanTheBrush();
     void randomWork_staysSound();
 };
 
@@ -582,6 +584,59 @@ void TestParts::hidden_clayIsNeitherDrawnNorChanged()
     shown.apply(sculptor.wholePatch());
     for (const Slot f : sculptor.mesh().faces())
         QVERIFY(!shown.isFree(f));
+}
+
+void TestParts::hidden_clayMayBeCoarserThanTheBrush_data()
+{
+    QTest::addColumn<core::Topology>("topology");
+    QTest::newRow("refine") << core::Topology::Refine;
+    QTest::newRow("adaptive") << core::Topology::Adaptive;
+    QTest::newRow("keep") << core::Topology::Keep;
+    QTest::newRow("uniform") << core::Topology::Uniform;
+}
+
+/// Sculpts over the border of a hidden half, whose edges are many times longer than those that the brush wants: the
+/// stroke ends, makes about as many vertices as where nothing is hidden, and leaves the hidden half as it is.
+void TestParts::hidden_clayMayBeCoarserThanTheBrush()
+{
+    QFETCH(const core::Topology, topology);
+    const auto hiddenFaces = [](const Mesh& mesh) {
+        std::vector<std::array<Vec3f, 3>> faces;
+        for (const Slot f : mesh.faces())
+            if (const auto& [a, b, c] = mesh.corners(f); mesh.isFaceHidden(f))
+                faces.push_back({mesh.point(a), mesh.point(b), mesh.point(c)});
+        return faces;
+    };
+    const auto sculpt = [&](Sculptor& sculptor, core::Tool tool) {
+        core::StrokeSettings settings;
+        settings.tool = tool;
+        settings.topology = topology;
+        settings.radius = 1.5;
+        settings.detail = 0.3;
+        sculptor.beginStroke(settings);
+        for (const double x : {0.0, 0.4, 0.8}) {
+            core::StrokeSample sample;
+            sample.position = {x, 0.3, 15};
+            sculptor.addSample(sample);
+        }
+        sculptor.endStroke();
+    };
+    for (std::size_t i = 0; i < core::toolNames().size(); ++i) {
+        const auto tool = static_cast<core::Tool>(i);
+        const std::string name(core::toolNames()[i]);
+        std::unique_ptr<Mesh> mesh = document({core::icosphere(4, 15)});
+        mesh->beginStroke();
+        for (const Slot v : mesh->vertices())
+            mesh->setHidden(v, mesh->point(v).y() < 0.001F);
+        mesh->endStroke();
+        const auto before = hiddenFaces(*mesh);
+        Sculptor sculptor(std::move(mesh)), whole(document({core::icosphere(4, 15)}));
+        sculpt(sculptor, tool);
+        sculpt(whole, tool);
+        QVERIFY2(sculptor.mesh().live().vertices < 2 * whole.mesh().live().vertices, name.c_str());
+        QVERIFY2(hiddenFaces(sculptor.mesh()) == before, name.c_str());
+        QVERIFY2(isEveryPartSound(sculptor.mesh()), name.c_str());
+    }
 }
 
 /// Random strokes and part commands, undone at the end.
