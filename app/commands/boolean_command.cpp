@@ -8,6 +8,7 @@
 
 #include "core/boolean/mesh_boolean.h"
 #include "core/io/mesh_io.h"
+#include "core/operations/part_union.h"
 #include "ui/util/error_messages.h"
 #include "ui/util/number_format.h"
 
@@ -109,9 +110,11 @@ std::optional<BooleanOptions> parseBooleanOptions(const QStringList& arguments)
 TriangleMesh operand(const BooleanOptions& options, const QString& file)
 {
     auto [mesh, remarks, parts] = core::readModel(toPath(file), {options.up});
-    mesh.parts.clear(); // all parts are one solid
     if (options.unit != 1)
         CommandUnit::scale(file, mesh, options.unit);
+    if (core::checkMesh(mesh).printReady())
+        core::uniteParts(mesh, {}); // if they overlap
+    mesh.parts.clear();
     const core::MeshReport report = core::checkMesh(mesh);
     if (!report.printReady())
         CommandLine::fail(BooleanMessages::tr("%1 cannot be combined with others, because its surface does not bound a "

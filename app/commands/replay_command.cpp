@@ -16,6 +16,7 @@
 #include "core/io/mesh_io.h"
 #include "core/io/stroke/stroke_file.h"
 #include "core/mesh/mesh_builder.h"
+#include "core/operations/part_operations.h"
 #include "core/operations/stroke_coordinates.h"
 #include "core/util/system_path.h"
 #include "core/util/thread_cpu_time.h"
@@ -229,6 +230,14 @@ void requireDone(const core::ModelChange& change, const core::FileCommand& entry
                              AnswerIsNo};
 }
 
+/// Fails if the part of a stroke is missing, hidden or locked: the stroke would change nothing.
+void requireEditable(const core::Mesh& mesh, core::PartId part, std::size_t index)
+{
+    core::ModelChange change;
+    change.refusal = core::refusalOf(mesh, part);
+    requireDone(change, {}, index);
+}
+
 /// Applies a command as the Model menu does, with planes and axes in the file's coordinates.
 core::MeshDelta play(core::Sculptor& sculptor, core::StrokeCoordinates& coordinates, const core::FileCommand& entry,
                      std::size_t index)
@@ -267,6 +276,7 @@ Replayed play(core::Sculptor& sculptor, core::StrokeCoordinates& coordinates, En
     takeStrokes(sculptor.mesh(), coordinates, entries, 0, options.strokes);
     for (std::size_t i = 0; i < entries.size(); ++i) {
         if (const auto* stroke = std::get_if<core::Stroke>(&entries[i])) {
+            requireEditable(sculptor.mesh(), stroke->settings.part, i);
             addChange(play(sculptor, *stroke, dabStart));
             continue;
         }

@@ -45,9 +45,11 @@ private Q_SLOTS:
     void overlappingParts_areUnited_data();
     void overlappingParts_areUnited();
     void overlappingParts_areKeptIfWished();
+    void boolean_unitesOverlappingParts();
     void check_measuresTheUnion();
     void hiddenParts_areInGlbOnly();
     void replay_paintsOneObject();
+    void replay_refusesStrokesThatChangeNothing();
     void replay_insertsParts();
     void replay_unitesOverlappingParts();
 
@@ -203,6 +205,15 @@ void TestPartCommands::check_measuresTheUnion()
     QVERIFY(thinnest(11, 11.5F, false) > 9);
 }
 
+void TestPartCommands::boolean_unitesOverlappingParts()
+{
+    core::writeMesh(at("box.stl"), shapes::moved(shapes::cube(4), Vec3f(-1, -1, -1)));
+    const Answer done = run(QStringLiteral("boolean intersect parts.glb box.stl -o out.stl"));
+    QVERIFY2(done.status == 0, qPrintable(done.err));
+    const core::MeshReport report = core::checkMesh(core::readMesh(at("out.stl")));
+    QVERIFY(report.printReady() && std::abs(*report.volume - 15) < 1e-4);
+}
+
 void TestPartCommands::hiddenParts_areInGlbOnly()
 {
     QCOMPARE(run(QStringLiteral("convert parts.glb out.glb")).status, 0);
@@ -235,6 +246,23 @@ void TestPartCommands::replay_paintsOneObject()
         const auto red = std::ranges::count(piece.mesh.colors, core::Rgb{255, 0, 0});
         QCOMPARE(std::size_t(red), read.parts.find(piece.part)->name == "High" ? piece.mesh.points.size() : 0);
     }
+}
+
+/// Strokes on a locked, a hidden and a missing part are refused as commands are.
+void TestPartCommands::replay_refusesStrokesThatChangeNothing()
+{
+    const QByteArray stroke = R"({"tool":"pull","radius":1,"part":%,"samples":[{"position":[1,1,2]}]})";
+    const QByteArray locked = R"({"command":"edit_part","name":"Low","locked":true,"part":0},)";
+    for (const auto& [before, part] : {std::pair<QByteArray, const char*>{locked, "0"}, {{}, "2"}, {{}, "9"}}) {
+        writeStrokes("stroke.json", before + QByteArray(stroke).replace('%', part));
+        const Answer refused = run(QStringLiteral("replay --strokes stroke.json --in parts.glb --out out.glb"));
+        QCOMPARE(refused.status, 1);
+        QVERIFY2(refused.err.contains(QStringLiteral("strokes[%1]").arg(before.isEmpty() ? 0 : 1)),
+                 qPrintable(refused.err));
+        QVERIFY(!QFile::exists(QString::fromStdString(at("out.glb"))));
+    }
+    writeStrokes("stroke.json", QByteArray(stroke).replace('%', "1"));
+    QCOMPARE(run(QStringLiteral("replay --strokes stroke.json --in parts.glb --out out.glb")).status, 0);
 }
 
 void TestPartCommands::replay_insertsParts()
