@@ -2635,8 +2635,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>S&amp;piegeln …</translation>
     </message>
     <message>
-        <source>Turns the whole model into its mirror image.</source>
-        <translation>Ersetzt das ganze Modell durch sein Spiegelbild.</translation>
+        <source>Turns the active part into its mirror image.</source>
+        <translation>Ersetzt das aktive Teil durch sein Spiegelbild.</translation>
     </message>
     <message>
         <source>S&amp;ymmetrize…</source>
@@ -2983,8 +2983,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Mit &amp;Farbe füllen</translation>
     </message>
     <message>
-        <source>Fills the whole model with the paint colour.</source>
-        <translation>Füllt das ganze Modell mit der Malfarbe.</translation>
+        <source>Fills the active part with the paint colour.</source>
+        <translation>Füllt das aktive Teil mit der Malfarbe.</translation>
     </message>
     <message>
         <source>&amp;Preferences…</source>
@@ -3391,8 +3391,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Maske &amp;löschen</translation>
     </message>
     <message>
-        <source>Removes the mask from the whole model.</source>
-        <translation>Entfernt die Maske vom ganzen Modell.</translation>
+        <source>Removes the mask from the active part.</source>
+        <translation>Entfernt die Maske vom aktiven Teil.</translation>
     </message>
     <message>
         <source>&amp;Blur Mask</source>
@@ -6772,7 +6772,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Intersect</source>
-        <translation>Schneiden</translation>
+        <translation>Schnittmenge</translation>
     </message>
     <message>
         <source>%1: where does it go, and how is it combined with the present model?</source>
@@ -10528,7 +10528,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Intersect</source>
-        <translation>Schnitt</translation>
+        <translation>Schnittmenge</translation>
     </message>
     <message>
         <source>Box</source>
@@ -10690,7 +10690,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Intersect</source>
-        <translation>Schneiden</translation>
+        <translation>Schnittmenge</translation>
     </message>
     <message>
         <source>&amp;Apply</source>

@@ -2619,8 +2619,8 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>镜像(&amp;I)…</translation>
     </message>
     <message>
-        <source>Turns the whole model into its mirror image.</source>
-        <translation>将整个模型变为其镜像。</translation>
+        <source>Turns the active part into its mirror image.</source>
+        <translation>将当前部件变为其镜像。</translation>
     </message>
     <message>
         <source>S&amp;ymmetrize…</source>
@@ -2967,8 +2967,8 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>填充颜色(&amp;F)</translation>
     </message>
     <message>
-        <source>Fills the whole model with the paint colour.</source>
-        <translation>用笔刷颜色填充整个模型。</translation>
+        <source>Fills the active part with the paint colour.</source>
+        <translation>用笔刷颜色填充当前部件。</translation>
     </message>
     <message>
         <source>&amp;Preferences…</source>
@@ -3375,8 +3375,8 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>清除遮罩(&amp;C)</translation>
     </message>
     <message>
-        <source>Removes the mask from the whole model.</source>
-        <translation>移除整个模型的遮罩。</translation>
+        <source>Removes the mask from the active part.</source>
+        <translation>移除当前部件的遮罩。</translation>
     </message>
     <message>
         <source>&amp;Blur Mask</source>

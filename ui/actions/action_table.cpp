@@ -148,7 +148,7 @@ public:
 
         {MenuId::Mask, "mask.invert", QT_TR_NOOP("&Invert Mask"),
          QT_TR_NOOP("Swaps protected and unprotected areas."), "Ctrl+I", "mask-invert"},
-        {MenuId::Mask, "mask.clear", QT_TR_NOOP("&Clear Mask"), QT_TR_NOOP("Removes the mask from the whole model."),
+        {MenuId::Mask, "mask.clear", QT_TR_NOOP("&Clear Mask"), QT_TR_NOOP("Removes the mask from the active part."),
          "Alt+M", "mask-clear"},
         {MenuId::Mask, "mask.blur", QT_TR_NOOP("&Blur Mask"), QT_TR_NOOP("Makes the mask's edge softer."), "",
          "mask-blur", true},
@@ -236,7 +236,7 @@ public:
         {MenuId::Model, "model.scale", QT_TR_NOOP("&Scale…"), QT_TR_NOOP("Makes the whole model larger or smaller."),
          "", "scale"},
         {MenuId::Model, "model.mirror", QT_TR_NOOP("M&irror…"),
-         QT_TR_NOOP("Turns the whole model into its mirror image."), "", "mirror"},
+         QT_TR_NOOP("Turns the active part into its mirror image."), "", "mirror"},
         {MenuId::Model, "model.symmetrize", QT_TR_NOOP("S&ymmetrize…"),
          QT_TR_NOOP("Replaces one half of the model by the mirror image of the other."), "", "symmetrize"},
         {MenuId::Model, "model.recentre", QT_TR_NOOP("Re&centre"),
@@ -256,7 +256,7 @@ public:
          QT_TR_NOOP("Makes a tube along a curve that you draw over the view; each of its points gets a radius."), "",
          "tube", false, Bar::None, true},
         {MenuId::Model, "model.fill", QT_TR_NOOP("&Fill with Colour"),
-         QT_TR_NOOP("Fills the whole model with the paint colour."), "", "fill", true},
+         QT_TR_NOOP("Fills the active part with the paint colour."), "", "fill", true},
         {MenuId::Model, "model.remesh", QT_TR_NOOP("Remesh &Uniformly…"),
          QT_TR_NOOP("Makes all triangles of the model about the same size."), "", "remesh"},
 
