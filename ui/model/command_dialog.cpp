@@ -93,6 +93,13 @@ core::Vec3 Coordinates::value() const
     return {x->value(), y->value(), z->value()};
 }
 
+void Coordinates::setValue(const core::Vec3& value) const
+{
+    x->setValue(value.x());
+    y->setValue(value.y());
+    z->setValue(value.z());
+}
+
 void Coordinates::setEnabled(bool enabled) const
 {
     for (QDoubleSpinBox* box : {x, y, z})

@@ -67,6 +67,7 @@ struct Coordinates
     QDoubleSpinBox *x, *y, *z;
 
     core::Vec3 value() const;
+    void setValue(const core::Vec3& value) const;
     void setEnabled(bool enabled) const;
 };
 

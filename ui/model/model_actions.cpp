@@ -42,7 +42,8 @@ void connectModel(const Actions& actions, QWidget* window, const std::function<c
     on("mask.hideMasked", [=] { request(core::Hide{core::Hide::What::Masked}); });
     on("mask.hideUnmasked", [=] { request(core::Hide{core::Hide::What::Unmasked}); });
     on("mask.showHidden", [=] { request(core::Hide{core::Hide::What::Nothing}); });
-    on("model.insertPrimitive", [=] { askForPrimitive(window, modelInfo(), request); });
+    on("model.insertPrimitive",
+       [=, memory = std::make_shared<PrimitiveMemory>()] { askForPrimitive(window, modelInfo(), memory, request); });
     on("model.remesh", [=] { askForRemesh(window, modelInfo(), request); });
 }
 } // namespace ui

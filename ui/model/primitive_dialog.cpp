@@ -41,20 +41,59 @@ QLocale plainLocale()
     return locale;
 }
 
+/// Returns a point as a line of text.
+template <class Text> QString lineOf(const std::vector<double>& point, const Text& textOf)
+{
+    QStringList words;
+    for (const double number : point)
+        words << textOf(number);
+    return words.join(u' ');
+}
+
+/// Reads a number of the user's language, or one with a decimal point.
+double numberOf(const QString& word, bool& isNumber)
+{
+    const double number = plainLocale().toDouble(word, &isNumber);
+    return isNumber ? number : QLocale::c().toDouble(word, &isNumber);
+}
+
+/// Returns the points that were typed, of `size` numbers each. A line of anything else becomes a point of numbers
+/// that no measure may be.
+std::vector<std::vector<double>> pointsIn(const QPlainTextEdit& field, qsizetype size)
+{
+    static const QRegularExpression space(QStringLiteral("[\\s;]+"));
+    std::vector<std::vector<double>> points;
+    for (const QString& line : field.toPlainText().split(u'\n', Qt::SkipEmptyParts)) {
+        const QStringList words = line.split(space, Qt::SkipEmptyParts);
+        if (words.isEmpty())
+            continue;
+        std::vector<double>& point = points.emplace_back(static_cast<std::size_t>(size), -1);
+        bool isRead = words.size() == size;
+        for (qsizetype i = 0; i < size && isRead; ++i)
+            point[static_cast<std::size_t>(i)] = numberOf(words[i], isRead);
+        if (!isRead)
+            point.assign(point.size(), -1);
+    }
+    return points;
+}
+
 class PrimitiveDialog : public CommandDialog
 {
     Q_DECLARE_TR_FUNCTIONS(ui::PrimitiveDialog)
 
 public:
-    PrimitiveDialog(QWidget* parent, double size)
+    PrimitiveDialog(QWidget* parent, double size, const std::shared_ptr<PrimitiveMemory>& memory)
         : CommandDialog(parent, "primitiveDialog", tr("Insert a Primitive"),
                         tr("Measures, place, and how it is combined with the present model:"))
+        , m_memory(memory)
     {
         addShape(size);
         addPlace();
         m_problem = addText({});
         m_problem->setObjectName(QStringLiteral("problem"));
-        showKind();
+        m_kind->setCurrentIndex(static_cast<int>(memory->kind));
+        connect(m_kind, &QComboBox::currentIndexChanged, this, [this] { beginKind(); });
+        beginKind();
     }
 
     void ask(const CommandCallback& callback)
@@ -87,7 +126,6 @@ private:
             {ModelDialogs::tr("Y, upwards"), ModelDialogs::tr("X, to the right"), ModelDialogs::tr("Z, to the front")});
         m_edge = addNumber("edge", tr("Edge length"), millimetreField(0, 0));
         m_edge->setSpecialValueText(tr("Automatic"));
-        connect(m_kind, &QComboBox::currentIndexChanged, this, [this] { showKind(); });
         for (QDoubleSpinBox* box : m_measures)
             connect(box, &QDoubleSpinBox::valueChanged, this, [this] { judge(); });
         connect(m_edge, &QDoubleSpinBox::valueChanged, this, [this] { judge(); });
@@ -102,12 +140,8 @@ private:
         field->setAccessibleDescription(tip);
         field->setFixedHeight(pointLines * fontMetrics().lineSpacing() + 2 * fontMetrics().height() / 2);
         QStringList lines;
-        for (const std::vector<double>& point : points) {
-            QStringList words;
-            for (const double number : point)
-                words << plainLocale().toString(number * size, 'f', 2);
-            lines << words.join(u' ');
-        }
+        for (const std::vector<double>& point : points)
+            lines << lineOf(point, [size](double number) { return plainLocale().toString(number * size, 'f', 2); });
         field->setPlainText(lines.join(u'\n'));
         form()->addRow(label, field);
         connect(field, &QPlainTextEdit::textChanged, this, [this] { judge(); });
@@ -141,6 +175,41 @@ private:
         return kind() != Primitive::Kind::Cuboid && kind() != Primitive::Kind::Ball && kind() != Primitive::Kind::Tube;
     }
 
+    void beginKind()
+    {
+        if (const auto last = m_memory->inserted.find(kind()); last != m_memory->inserted.end())
+            recall(last->second);
+        showKind();
+    }
+
+    /// Shows the measures and the place of a shape that was inserted before.
+    void recall(const core::Insert& insert)
+    {
+        const Primitive& shape = *insert.primitive;
+        for (std::size_t i = 0; i < Primitive::measures; ++i)
+            m_measures[i]->setValue(shape.lengths[i]);
+        const auto exact = [](double number) {
+            return plainLocale().toString(number, 'g', QLocale::FloatingPointShortest);
+        };
+        QStringList profile, path;
+        for (const auto& [radius, height] : shape.profile)
+            profile << lineOf({radius, height}, exact);
+        for (const auto& [at, radius] : shape.path)
+            path << lineOf({at.x(), at.y(), at.z(), radius}, exact);
+        if (!profile.isEmpty())
+            m_profile->setPlainText(profile.join(u'\n'));
+        if (!path.isEmpty())
+            m_path->setPlainText(path.join(u'\n'));
+        m_edge->setValue(shape.edge);
+        const auto axis = std::ranges::find_if(axisChoices, [&](int choice) { return shape.axis[choice] == 1; });
+        m_axis->setCurrentIndex(static_cast<int>(axis - std::begin(axisChoices)));
+        const auto place = std::ranges::find(placeChoices, insert.place);
+        if (place != std::end(placeChoices))
+            m_place->setCurrentIndex(static_cast<int>(place - std::begin(placeChoices)));
+        m_at.setValue(insert.centre);
+        leaveSide();
+    }
+
     /// Shows the rows of the shape's measures.
     void showKind()
     {
@@ -159,33 +228,6 @@ private:
             height->setValue(2 * diameter);
         judge();
         adjustSize();
-    }
-
-    /// Returns the points that were typed, of `size` numbers each. A line of anything else becomes a point of numbers
-    /// that no measure may be.
-    static std::vector<std::vector<double>> pointsIn(const QPlainTextEdit& field, qsizetype size)
-    {
-        static const QRegularExpression space(QStringLiteral("[\\s;]+"));
-        std::vector<std::vector<double>> points;
-        for (const QString& line : field.toPlainText().split(u'\n', Qt::SkipEmptyParts)) {
-            const QStringList words = line.split(space, Qt::SkipEmptyParts);
-            if (words.isEmpty())
-                continue;
-            std::vector<double>& point = points.emplace_back(static_cast<std::size_t>(size), -1);
-            bool isRead = words.size() == size;
-            for (qsizetype i = 0; i < size && isRead; ++i)
-                point[static_cast<std::size_t>(i)] = numberOf(words[i], isRead);
-            if (!isRead)
-                point.assign(point.size(), -1);
-        }
-        return points;
-    }
-
-    /// Reads a number of the user's language, or one with a decimal point.
-    static double numberOf(const QString& word, bool& isNumber)
-    {
-        const double number = plainLocale().toDouble(word, &isNumber);
-        return isNumber ? number : QLocale::c().toDouble(word, &isNumber);
     }
 
     Primitive primitive() const
@@ -218,6 +260,8 @@ private:
         insert.primitive = primitive();
         if (insert.combination == core::Insert::Combination::Part)
             insert.name = PrimitiveMessages::kind(kind()).toStdString();
+        m_memory->inserted[kind()] = insert;
+        m_memory->kind = kind();
         return insert;
     }
 
@@ -234,16 +278,18 @@ private:
     QPlainTextEdit *m_profile, *m_path;
     QDoubleSpinBox* m_edge;
     Coordinates m_at;
+    std::shared_ptr<PrimitiveMemory> m_memory;
     QLabel* m_problem;
     QPushButton* m_accept = nullptr;
 };
 } // namespace
 
-void askForPrimitive(QWidget* parent, const ModelInfo& modelInfo, const CommandCallback& callback)
+void askForPrimitive(QWidget* parent, const ModelInfo& modelInfo, const std::shared_ptr<PrimitiveMemory>& memory,
+                     const CommandCallback& callback)
 {
     const double size = std::clamp(shareOfModel * modelInfo.size.maxCoeff(), 0.01, maxCoordinate);
     // three significant digits look like a choice
     const double digit = std::pow(10, std::floor(std::log10(size)) - 1);
-    (new PrimitiveDialog(parent, std::round(size / digit) * digit))->ask(callback);
+    (new PrimitiveDialog(parent, std::round(size / digit) * digit, memory))->ask(callback);
 }
 } // namespace ui

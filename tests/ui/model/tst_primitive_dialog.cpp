@@ -27,11 +27,12 @@ struct PrimitiveQuestion
     std::optional<Insert> insertion;
     QDialog* dialog = nullptr;
 
-    PrimitiveQuestion()
+    explicit PrimitiveQuestion(
+        const std::shared_ptr<ui::PrimitiveMemory>& memory = std::make_shared<ui::PrimitiveMemory>())
     {
         const ui::ModelInfo ball{
             QStringLiteral("Ball"), 2562, 5120, {100, 50, 20}, Box(Vec3(-50, -25, -10), Vec3(50, 25, 10)), 31400, 5};
-        ui::askForPrimitive(&window, ball,
+        ui::askForPrimitive(&window, ball, memory,
                             [this](const ModelCommand& command) { insertion = std::get<Insert>(command); });
         dialog = window.findChild<QDialog*>(QStringLiteral("primitiveDialog"));
     }
@@ -60,6 +61,7 @@ private Q_SLOTS:
     void parts_areNamedByTheirShape();
     void rows_areThoseOfTheShape();
     void everyShape_isPossibleAtFirst();
+    void accepted_isRememberedByShape();
     void impossibleMeasures_cannotBeAccepted();
     void profile_isReadLineByLine();
     void problems_areSentences();
@@ -133,6 +135,45 @@ void TestPrimitiveDialog::everyShape_isPossibleAtFirst()
         asking.accepting()->click();
         QVERIFY(makePrimitive(*asking.insertion->primitive).mesh);
     }
+}
+
+/// The next question begins with the shape, the measures and the place of the last one; other shapes have their own.
+void TestPrimitiveDialog::accepted_isRememberedByShape()
+{
+    const auto memory = std::make_shared<ui::PrimitiveMemory>();
+    const auto insert = [&](const char* kind, double radius, double x) {
+        PrimitiveQuestion asking(memory);
+        asking.choose("kind", kind);
+        asking.type("radius", radius);
+        asking.choose("axis", "Z, to the front");
+        asking.choose("place", "With its middle at");
+        asking.type("x", x);
+        asking.accepting()->click();
+        return *asking.insertion;
+    };
+    const Insert cone = insert("Cone", 9, 3);
+    const Insert wheel = insert("Cylinder", 14, 28);
+    const auto again = [&](const char* kind) {
+        PrimitiveQuestion asking(memory);
+        if (kind)
+            asking.choose("kind", kind);
+        asking.accepting()->click();
+        return *asking.insertion;
+    };
+    const auto isSame = [](const Insert& a, const Insert& b) {
+        return a.primitive->kind == b.primitive->kind && a.primitive->lengths == b.primitive->lengths &&
+               a.primitive->axis == b.primitive->axis && a.place == b.place && a.centre == b.centre;
+    };
+    QVERIFY(isSame(again(nullptr), wheel));
+    QVERIFY(isSame(again("Cone"), cone));
+    {
+        PrimitiveQuestion asking(memory);
+        asking.type("radius", 99);
+        asking.dialog->reject(); // is forgotten
+    }
+    QVERIFY(isSame(again(nullptr), cone));
+    const Insert lathe = again("Turned profile");
+    QCOMPARE(again("Turned profile").primitive->profile.size(), lathe.primitive->profile.size());
 }
 
 void TestPrimitiveDialog::impossibleMeasures_cannotBeAccepted()
