@@ -12,7 +12,7 @@ namespace ui
 {
 namespace
 {
-/// Colour in the icon files that is replaced by the text colour.
+/// Colour in the icon files that is replaced by the text colour, in a selected row by that of selected text.
 constexpr char inkInFile[] = "#000000";
 
 class ThemedIconEngine : public QIconEngine
@@ -25,7 +25,8 @@ public:
     void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override
     {
         const auto group = mode == QIcon::Disabled ? QPalette::Disabled : QPalette::Active;
-        const QColor ink = QGuiApplication::palette().color(group, QPalette::ButtonText);
+        const auto role = mode == QIcon::Selected ? QPalette::HighlightedText : QPalette::ButtonText;
+        const QColor ink = QGuiApplication::palette().color(group, role);
         QByteArray drawing = m_svg;
         drawing.replace(inkInFile, ink.name().toLatin1());
         painter->setOpacity(mode == QIcon::Disabled ? 0.6 : 1.0);

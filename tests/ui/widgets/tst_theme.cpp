@@ -1,5 +1,7 @@
 #include "ui/widgets/theme.h"
 
+#include "ui/widgets/themed_icon.h"
+
 #include "tests/support/test_main.h"
 #include "tests/ui/ui_test.h"
 
@@ -127,6 +129,24 @@ private Q_SLOTS:
             const int off = blueness();
             tool.setChecked(true);
             QVERIFY(blueness() > off + 15);
+        }
+    }
+
+    void anIconOfASelectedRowHasTheColourOfItsText()
+    {
+        for (const ThemeChoice choice : {ThemeChoice::Light, ThemeChoice::Dark}) {
+            const ui::Theme theme(choice);
+            const QIcon icon = ui::themedIcon(QStringLiteral("part-locked"));
+            const auto inkOf = [&icon](QIcon::Mode mode) {
+                const QImage image = icon.pixmap(QSize(48, 48), 1.0, mode).toImage();
+                QColor ink;
+                for (int i = 0; i < 48 * 48; ++i)
+                    if (const QColor pixel = image.pixelColor(i % 48, i / 48); pixel.alpha() == 255)
+                        ink = pixel;
+                return ink;
+            };
+            QCOMPARE(inkOf(QIcon::Selected), QApplication::palette().color(QPalette::HighlightedText));
+            QCOMPARE(inkOf(QIcon::Normal), QApplication::palette().color(QPalette::ButtonText));
         }
     }
 
