@@ -43,6 +43,7 @@
 #include "ui/widgets/notification_banner.h"
 #include "ui/widgets/side_column.h"
 #include "ui/window/info_bar.h"
+#include "ui/window/status_bar.h"
 #include "ui/window/tool_palette.h"
 #include "ui/window/window_geometry.h"
 
@@ -239,6 +240,7 @@ void MainWindow::State::buildStatusBar()
     headsetText->setTextFormat(Qt::PlainText);
     headsetText->setContentsMargins(8, 0, 8, 0);
     headsetText->hide();
+    q->setStatusBar(new StatusBar);
     q->statusBar()->addPermanentWidget(headsetText);
     q->statusBar()->addPermanentWidget(progressBar);
     q->statusBar()->addPermanentWidget(infoBar);

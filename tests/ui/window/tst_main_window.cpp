@@ -1218,6 +1218,25 @@ private Q_SLOTS:
         QVERIFY(act(window, "file.save")->isEnabled() && act(window, "model.recentre")->isEnabled());
     }
 
+    void aLongTipEndsBeforeWhatIsGoingOn()
+    {
+        MainWindow window;
+        window.show();
+        window.progress()->begin(QStringLiteral("Opening lion.stl"));
+        QStatusBar* bar = window.statusBar();
+        const auto* what = child<QLabel>(window, "busyText");
+        const int end = what->mapTo(bar, QPoint()).x();
+        const auto picture = [bar, end](const QString& tip) {
+            bar->showMessage(tip);
+            return std::pair(bar->grab({0, 0, end - 12, bar->height()}).toImage(),
+                             bar->grab({end - 12, 0, 12, bar->height()}).toImage());
+        };
+        const auto [none, gap] = picture({});
+        const auto [tip, gapBesideTip] = picture(QString(500, u'M'));
+        QVERIFY(tip != none);
+        QCOMPARE(gapBesideTip, gap);
+    }
+
     void whatIsGoingOnStaysStoppableUnderAnotherName()
     {
         MainWindow window;
