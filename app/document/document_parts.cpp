@@ -34,11 +34,19 @@ core::PartId partOf(const core::FileEntry& entry)
     return std::get<core::FileCommand>(entry).part;
 }
 
-bool addsPart(const core::FileEntry& entry)
+/// Returns the part that the step has just added to the list again; nothing if it adds none.
+std::optional<core::PartId> addedBy(const core::FileEntry& entry, const core::PartList& list)
 {
     const auto* const command = std::get_if<core::FileCommand>(&entry);
-    const auto* const insert = command ? std::get_if<core::Insert>(&command->command) : nullptr;
-    return insert && insert->combination == core::Insert::Combination::Part;
+    if (!command)
+        return std::nullopt;
+    if (const auto* const insert = std::get_if<core::Insert>(&command->command);
+        insert && insert->combination == core::Insert::Combination::Part)
+        return list.all().back().id;
+    const auto original = std::ranges::find(list.all(), command->part, &core::Part::id);
+    if (std::holds_alternative<core::DuplicatePart>(command->command) && list.all().end() - original > 1)
+        return std::next(original)->id;
+    return std::nullopt;
 }
 } // namespace
 
@@ -68,11 +76,6 @@ void DocumentParts::activate(core::PartId part)
     m_active = part;
     m_document->worker().activate(part);
     Q_EMIT changed();
-}
-
-void DocumentParts::activateLast()
-{
-    activate(m_list.all().back().id);
 }
 
 void DocumentParts::pick(const core::Ray& ray)
@@ -153,9 +156,7 @@ void DocumentParts::followHistory()
     const auto& entry = static_cast<const StrokeCommand*>(stack.command(step))->marks().recordedStep;
     if (!entry)
         return;
-    if (stack.index() == before + 1 && addsPart(*entry))
-        activateLast();
-    else
-        activate(partOf(*entry));
+    const auto added = stack.index() == before + 1 ? addedBy(*entry, m_list) : std::nullopt;
+    activate(added.value_or(partOf(*entry)));
 }
 } // namespace app

@@ -17,7 +17,7 @@ class Document;
 struct ModelChangeRequest;
 
 /// The parts of the document, and the active part: the one that strokes and commands change. The list is that of the
-/// last step, undo or redo that was confirmed. Undo and redo activate the part that they change. Thread: gui.
+/// last step, undo or redo that was confirmed. Undo and redo activate the part that they change or add. Thread: gui.
 class DocumentParts : public QObject
 {
     Q_OBJECT

@@ -206,8 +206,8 @@ void ModelChanger::record(const std::shared_ptr<const Change>& change)
     });
     m_document->queue().whenRecorded([this, change] {
         m_document->history().push(change->step, change->delta);
-        if (change->outcome.change.addedPart)
-            m_document->parts().activateLast();
+        if (const auto added = change->outcome.change.addedPart)
+            m_document->parts().activate(*added);
         Q_EMIT m_document->stepped(*change->step.marks.recordedStep);
         end(change->request, change->outcome);
     });

@@ -230,7 +230,7 @@ struct ModelChange
     std::size_t faces = 0;           ///< number of faces at fault, for refusals that mention `faces`
     MeshReport report;               ///< check of the inserted model; Insert only
     PrimitiveResult primitive;       ///< reason why a primitive was not made, without its mesh; Insert only
-    std::optional<PartId> addedPart; ///< the part that an Insert added
+    std::optional<PartId> addedPart; ///< the part that an Insert or DuplicatePart added
     MeshDelta delta;                 ///< the change; Mesh::swap applies it, and swaps it back
     bool changes = false; ///< true if the command was neither refused nor cancelled and the delta alters anything
 };

@@ -79,6 +79,7 @@ void PartOperations::duplicate(const std::string& name)
     parts.insert(std::ranges::find(parts, m_part, &Part::id) + 1, copy);
     replacePart(m_mesh, copy.id, surfaceOf(m_mesh, m_part));
     setParts(m_mesh, PartList(std::move(parts)));
+    m_change.addedPart = copy.id;
 }
 
 void PartOperations::remove()

@@ -87,13 +87,16 @@ struct AtParts : Alone
         marked << part;
         hand.waitForPanels();
     }
-    /// Adds a copy of the first part by the panel, and moves it.
+    /// Adds a copy of the active part by the panel, moves it, and makes the first part active again.
     void addCopy(const Vec3& by)
     {
         const std::size_t before = parts().list().size();
         QVERIFY(choose(PanelCommand::DuplicatePart, [&] { return parts().list().size() == before + 1; }));
+        QTRY_COMPARE(parts().active(), static_cast<PartId>(before));
         program.document.changer().applyTo(static_cast<PartId>(before), core::Move{by});
         hand.settle();
+        parts().activate(0);
+        hand.waitForPanels();
     }
     /// Pulls the trigger while the wand points at a place of the model from the front.
     void pointAt(const Vec3& place, double distance = 0.1)

@@ -406,7 +406,9 @@ void TestParts::part_thatGrowsTakesAllToAnotherLattice()
 void TestParts::duplicate_addsTheSame()
 {
     const std::unique_ptr<Mesh> mesh = threeBalls();
-    QVERIFY(applyChecked(*mesh, core::DuplicatePart{"Copy"}, 1).changes);
+    const ModelChange change = applyChecked(*mesh, core::DuplicatePart{"Copy"}, 1);
+    QVERIFY(change.changes);
+    QCOMPARE(change.addedPart.value_or(0), PartId(3));
     const auto after = hashes(*mesh);
     QCOMPARE(mesh->frame().parts.size(), std::size_t(4));
     QCOMPARE(mesh->frame().parts.all()[2].name, std::string("Copy")); // behind the original
