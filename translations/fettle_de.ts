@@ -1889,6 +1889,11 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Teile ein- oder ausblenden</translation>
     </message>
     <message>
+        <source>Show</source>
+        <comment>undo step</comment>
+        <translation>Einblenden</translation>
+    </message>
+    <message>
         <source>Duplicate</source>
         <comment>undo step</comment>
         <translation>Duplizieren</translation>

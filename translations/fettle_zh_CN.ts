@@ -1876,6 +1876,11 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>显示或隐藏部件</translation>
     </message>
     <message>
+        <source>Show</source>
+        <comment>undo step</comment>
+        <translation>显示</translation>
+    </message>
+    <message>
         <source>Duplicate</source>
         <comment>undo step</comment>
         <translation>复制</translation>

@@ -69,6 +69,15 @@ std::optional<core::Part> DocumentParts::named(const ModelChangeRequest& request
     return part && m_list.size() > 1 && !core::isOnAllParts(request.command) ? std::optional(*part) : std::nullopt;
 }
 
+std::optional<core::Part> DocumentParts::switchedBy(const core::ShowParts& command) const
+{
+    const auto isSwitched = [&](const core::Part& part) {
+        return part.isVisible != (std::ranges::count(command.visible, part.id) > 0);
+    };
+    const auto found = std::ranges::find_if(m_list.all(), isSwitched);
+    return std::ranges::count_if(m_list.all(), isSwitched) == 1 ? std::optional(*found) : std::nullopt;
+}
+
 void DocumentParts::activate(core::PartId part)
 {
     if (part == m_active || !m_list.find(part))

@@ -29,8 +29,8 @@ public:
     core::PartId active() const { return m_active; }
     /// Returns the part that the request changes; nothing if there is only one part or the request concerns all.
     std::optional<core::Part> named(const ModelChangeRequest& request) const;
-    /// Makes the last part active, which was just added to the mesh.
-    void activateLast();
+    /// Returns the part that the command shows or hides, as it is before; nothing if it changes none or several.
+    std::optional<core::Part> switchedBy(const core::ShowParts& command) const;
     /// Calls `answer` with where the rays first meet a visible part, nullopt for one that meets none, if the document
     /// still exists then.
     void findSurface(const std::vector<core::Ray>& rays,

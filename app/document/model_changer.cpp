@@ -26,6 +26,16 @@ std::string partNameOf(const ui::InsertRequest& insertion)
     return core::shortened(QFileInfo(insertion.path).completeBaseName().toStdString());
 }
 
+/// Returns the name of the step: with the name of the part, if the request changes one of several.
+QString textOf(const ModelChangeRequest& request, const DocumentParts& parts)
+{
+    const auto* const show = std::get_if<core::ShowParts>(&request.command);
+    const auto switched = show ? parts.switchedBy(*show) : std::nullopt;
+    if (switched)
+        return StrokeStep::textOfPart(switched, CommandNames::switching(!switched->isVisible));
+    return StrokeStep::textOfPart(parts.named(request), CommandNames::name(request.command));
+}
+
 /// Returns the parts of which the request takes something away.
 std::shared_ptr<const core::DrawArrays> translucentOf(const core::Mesh& mesh, const ModelChangeRequest& request)
 {
@@ -168,9 +178,8 @@ void ModelChanger::finish(const ModelChangeRequest& request, ModelChangeOutcome 
     auto delta = std::make_shared<core::MeshDelta>(std::move(outcome.change.delta));
     const auto recordedStep = std::make_shared<const core::FileEntry>(
         core::FileCommand{request.command, request.insertion.path.toStdString(), request.part});
-    StepDescription step{
-        StrokeStep::textOfPart(m_document->parts().named(request), CommandNames::name(request.command)),
-        {CommandNames::icon(request.command), 0, 0, recordedStep}};
+    StepDescription step{textOf(request, m_document->parts()),
+                         {CommandNames::icon(request.command), 0, 0, recordedStep}};
     const auto change =
         std::make_shared<const Change>(Change{request, std::move(outcome), std::move(delta), std::move(step)});
     if (request.isPreview)

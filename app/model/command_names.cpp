@@ -155,6 +155,11 @@ QString CommandNames::name(const core::ModelCommand& command)
     return namesOf(command).name;
 }
 
+QString CommandNames::switching(bool shows)
+{
+    return shows ? tr("Show", "undo step") : tr("Hide", "undo step");
+}
+
 QString CommandNames::icon(const core::ModelCommand& command)
 {
     return namesOf(command).icon;

@@ -15,6 +15,8 @@ class CommandNames
 public:
     /// Returns the name of the command's undo step.
     static QString name(const core::ModelCommand& command);
+    /// Returns the name of a step that shows or hides one part.
+    static QString switching(bool shows);
     /// Returns the name of the command's icon in resources/icons.
     static QString icon(const core::ModelCommand& command);
     /// Returns a phrase that names the command while it is running, e.g. "Moving the model".

@@ -337,8 +337,10 @@ void TestPartsWindow::row_hidesLocksAndRenames()
     const auto part = [&](PartId id) { return *program.document.parts().list().find(id); };
     click(0, 1);
     QTRY_VERIFY(!part(0).isVisible && part(1).isVisible);
+    QCOMPARE(program.document.history().undoText(), QStringLiteral("Part 1: Hide"));
     click(0, 1);
     QTRY_VERIFY(part(0).isVisible);
+    QCOMPARE(program.document.history().undoText(), QStringLiteral("Part 1: Show"));
     click(1, 2);
     QTRY_VERIFY(part(1).isLocked);
     program.document.parts().activate(1);
