@@ -1975,6 +1975,10 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Es ist nichts ausgeblendet.</translation>
     </message>
     <message>
+        <source>The name was too long, so its end was cut off.</source>
+        <translation>Der Name war zu lang; sein Ende wurde weggelassen.</translation>
+    </message>
+    <message>
         <source>Nothing is masked, so nothing was hidden.</source>
         <translation>Es ist nichts maskiert; es wurde nichts ausgeblendet.</translation>
     </message>

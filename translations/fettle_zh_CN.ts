@@ -1961,6 +1961,10 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>没有隐藏任何内容。</translation>
     </message>
     <message>
+        <source>The name was too long, so its end was cut off.</source>
+        <translation>名称太长，末尾已被截去。</translation>
+    </message>
+    <message>
         <source>Nothing is masked, so nothing was hidden.</source>
         <translation>没有遮罩，因此没有隐藏任何内容。</translation>
     </message>

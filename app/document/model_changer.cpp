@@ -166,6 +166,7 @@ void ModelChanger::applyInFrame(const ModelChangeRequest& request)
         ModelChangeOutcome outcome;
         outcome.change = core::applyInFrame(sculptor.mesh(), request.command, request.part);
         outcome.problem = CommandNames::refusal(outcome.change, {});
+        outcome.notice = CommandNames::shortening(request.command);
         job.run([outcome = std::move(outcome)] { return outcome; },
                 [this, request](const ModelChangeOutcome& done) { finish(request, done); });
     });

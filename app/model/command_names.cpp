@@ -172,6 +172,8 @@ QString CommandNames::progress(const core::ModelCommand& command)
 
 QString CommandNames::unchanged(const core::ModelCommand& command)
 {
+    if (const QString cut = shortening(command); !cut.isEmpty())
+        return cut;
     if (std::holds_alternative<core::MaskOperation>(command))
         return tr("The mask is like that already.");
     if (const auto* const hide = std::get_if<core::Hide>(&command))
@@ -192,6 +194,13 @@ QString CommandNames::unchanged(const core::ModelCommand& command)
         return tr("There is nothing to subtract: the models do not overlap.");
     return std::holds_alternative<core::RemeshUniformly>(command) ? tr("The mesh is as uniform as that already.")
                                                                   : tr("The model is like that already.");
+}
+
+QString CommandNames::shortening(const core::ModelCommand& command)
+{
+    const auto* const edit = std::get_if<core::EditPart>(&command);
+    return edit && core::shortened(edit->name) != edit->name ? tr("The name was too long, so its end was cut off.")
+                                                             : QString();
 }
 
 QString CommandNames::problem(const core::PrimitiveResult& primitive)

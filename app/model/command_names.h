@@ -28,5 +28,7 @@ public:
     static QString problem(const core::PrimitiveResult& primitive);
     /// Returns the message for a command that changed nothing.
     static QString unchanged(const core::ModelCommand& command);
+    /// Returns the message for a command that shortens a name; empty for others.
+    static QString shortening(const core::ModelCommand& command);
 };
 } // namespace app

@@ -31,7 +31,7 @@ struct ModelChangeOutcome
     QString problem; ///< reason why the change was not made, one sentence; empty if there was none
     /// true: the model to insert is not sound, and repairing it (InsertRequest::repair) may help
     bool isRepairable = false;
-    QString notice;      ///< message for the user about an inserted model; may be empty
+    QString notice;      ///< message for the user about a change that was made; may be empty
     QStringList repairs; ///< repairs made to the inserted model, one sentence each; empty: none
     /// set if repairing changed the model too much: it was not inserted, and the user must decide
     std::optional<ui::RepairDoubt> doubt;

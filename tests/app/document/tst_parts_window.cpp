@@ -166,6 +166,7 @@ private Q_SLOTS:
     void handles_moveTheActivePart();
     void handles_comeWithAnInsertedPart();
     void row_hidesLocksAndRenames();
+    void name_thatIsTooLong();
     void isolate_andBack();
     void combine_joinsTheSelected();
     void combine_isCancelled();
@@ -355,6 +356,27 @@ void TestPartsWindow::row_hidesLocksAndRenames()
     program.document.history().undo();
     waitUntilSettled(program);
     QTRY_COMPARE(names(program).front(), QStringLiteral("Part 1"));
+}
+
+void TestPartsWindow::name_thatIsTooLong()
+{
+    const QTemporaryDir folder;
+    Program program;
+    openTwoBalls(program, folder);
+    QStringList notices;
+    QObject::connect(&program.document, &Document::noticed, [&](const QString& sentence) { notices << sentence; });
+    const QString longest(core::PartList::maxNameBytes, u'x');
+    for (int i = 1; i <= 2; ++i) { // the second one changes nothing
+        list(program)->topLevelItem(0)->setText(0, longest + u'y');
+        QTRY_COMPARE(notices.size(), i);
+        QCOMPARE(notices.back(), QStringLiteral("The name was too long, so its end was cut off."));
+        waitUntilSettled(program);
+        QTRY_COMPARE(names(program).front(), longest);
+    }
+    list(program)->topLevelItem(0)->setText(0, longest.chopped(1));
+    QTRY_COMPARE(program.document.parts().list().find(0)->name, longest.chopped(1).toStdString());
+    waitUntilSettled(program);
+    QCOMPARE(notices.size(), 2);
 }
 
 void TestPartsWindow::isolate_andBack()
