@@ -3720,8 +3720,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Alle &amp;einblenden</translation>
     </message>
     <message>
-        <source>Shows all parts.</source>
-        <translation>Blendet alle Teile ein.</translation>
+        <source>Shows everything that is hidden: parts and areas.</source>
+        <translation>Blendet alles ein, was ausgeblendet ist: Teile und Bereiche.</translation>
     </message>
     <message>
         <source>&amp;Lock or Unlock</source>

@@ -3704,8 +3704,8 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>全部显示(&amp;A)</translation>
     </message>
     <message>
-        <source>Shows all parts.</source>
-        <translation>显示所有部件。</translation>
+        <source>Shows everything that is hidden: parts and areas.</source>
+        <translation>显示所有隐藏的内容：部件和区域。</translation>
     </message>
     <message>
         <source>&amp;Lock or Unlock</source>

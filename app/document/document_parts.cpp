@@ -27,6 +27,14 @@ std::vector<core::PartId> visibleIn(const core::PartList& list)
     return visible;
 }
 
+core::ShowParts everyPart(const core::PartList& list)
+{
+    core::ShowParts show;
+    for (const core::Part& part : list.all())
+        show.visible.push_back(part.id);
+    return show;
+}
+
 core::PartId partOf(const core::FileEntry& entry)
 {
     if (const auto* const stroke = std::get_if<core::Stroke>(&entry))
@@ -113,18 +121,15 @@ void DocumentParts::isolate()
 {
     const std::vector<core::PartId> visible = visibleIn(m_list);
     if (visible == std::vector{m_active})
-        return m_shownBefore.empty() ? showAll()
-                                     : m_document->changer().apply(core::ShowParts{std::exchange(m_shownBefore, {})});
+        return m_document->changer().apply(m_shownBefore.empty() ? everyPart(m_list)
+                                                                 : core::ShowParts{std::exchange(m_shownBefore, {})});
     m_shownBefore = visible;
     m_document->changer().apply(core::ShowParts{{m_active}});
 }
 
 void DocumentParts::showAll()
 {
-    core::ShowParts show;
-    for (const core::Part& part : m_list.all())
-        show.visible.push_back(part.id);
-    m_document->changer().apply(show);
+    m_document->changer().apply(core::Hide{core::Hide::What::NoPart});
 }
 
 void DocumentParts::findRegion()

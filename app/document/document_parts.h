@@ -43,6 +43,7 @@ public Q_SLOTS:
     void pick(const core::Ray& ray);
     /// Shows only the active part. If it is the only visible one, shows those again that were visible before.
     void isolate();
+    /// Shows all hidden parts, and what is hidden of each part.
     void showAll();
     /// Asks the mesh thread what a core::Transform of the active part moves. Emits regionFound().
     void findRegion();

@@ -107,8 +107,7 @@ Names namesOf(const core::ModelCommand& command)
         {CommandNames::tr("Separate", "undo step"), CommandNames::tr("Separating the part"),
          QStringLiteral("part-separate")},
         combination ? namesOf(*combination) : Names(),
-        {hide && hide->what == core::Hide::What::Nothing ? CommandNames::tr("Show All", "undo step")
-                                                         : CommandNames::tr("Hide", "undo step"),
+        {hide && hide->showsAll() ? CommandNames::tr("Show All", "undo step") : CommandNames::tr("Hide", "undo step"),
          CommandNames::tr("Hiding and showing"), QStringLiteral("part-hidden")},
         {CommandNames::tr("Trim", "undo step"), CommandNames::tr("Trimming the model"), QStringLiteral("area-trim")},
         {maskArea && maskArea->isErasing ? CommandNames::tr("Unmask Area", "undo step")
@@ -177,8 +176,7 @@ QString CommandNames::unchanged(const core::ModelCommand& command)
     if (std::holds_alternative<core::MaskOperation>(command))
         return tr("The mask is like that already.");
     if (const auto* const hide = std::get_if<core::Hide>(&command))
-        return hide->what == core::Hide::What::Nothing ? tr("Nothing is hidden.")
-                                                       : tr("Nothing is masked, so nothing was hidden.");
+        return hide->showsAll() ? tr("Nothing is hidden.") : tr("Nothing is masked, so nothing was hidden.");
     if (const auto* const maskArea = std::get_if<core::MaskArea>(&command))
         return maskArea->isErasing
                    ? tr("Nothing is masked in the area.")

@@ -147,6 +147,16 @@ Masks changed(const Mesh& mesh, const MaskOperation& command)
     }
     return Masks(mesh.slots().vertices);
 }
+
+void showEveryPart(Mesh& mesh)
+{
+    MeshFrame frame = mesh.frame();
+    std::vector<Part> parts = frame.parts.all();
+    for (Part& part : parts)
+        part.isVisible = true;
+    frame.parts = PartList(std::move(parts));
+    mesh.setFrame(frame);
+}
 } // namespace
 
 void applyMaskOperation(Mesh& mesh, const MaskOperation& command)
@@ -161,7 +171,7 @@ void applyMaskOperation(Mesh& mesh, const MaskOperation& command)
 void applyHide(Mesh& mesh, const Hide& command, std::optional<PartId> part)
 {
     constexpr int half = 128;
-    const bool showsAll = command.what == Hide::What::Nothing;
+    const bool showsAll = command.showsAll();
     const auto isMeant = [&](Slot v) { return showsAll || !part || mesh.part(v) == *part; };
     const auto isHalfMasked = [&](Slot v) { return mesh.mask(v) >= half; };
     if (!showsAll && std::ranges::none_of(mesh.vertices(), [&](Slot v) { return isMeant(v) && isHalfMasked(v); }))
@@ -171,6 +181,8 @@ void applyHide(Mesh& mesh, const Hide& command, std::optional<PartId> part)
         if (isMeant(v) && mesh.isHidden(v) != hides && (hides || showsAll))
             mesh.setHidden(v, hides);
     }
+    if (command.what == Hide::What::NoPart)
+        showEveryPart(mesh);
 }
 
 void applyMaskArea(Mesh& mesh, const MaskArea& command, std::optional<PartId> part, ModelChange& change)

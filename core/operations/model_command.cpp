@@ -97,7 +97,7 @@ std::unique_ptr<Mesh> meshOf(const Snapshot& snapshot)
 bool isOnAllParts(const ModelCommand& command)
 {
     if (const auto* const hide = std::get_if<Hide>(&command))
-        return hide->what == Hide::What::Nothing;
+        return hide->showsAll();
     if (const auto* const insert = std::get_if<Insert>(&command))
         return insert->combination == Insert::Combination::Part;
     return isAnyOf<Scale, Recentre, PlaceOnBed, Reset, ShowParts>(command);

@@ -93,8 +93,9 @@ struct MaskOperation
 /// Hides vertices of the part, or shows all of all parts. Hidden vertices stay as they are until they are shown.
 struct Hide
 {
-    enum class What { Masked, Unmasked, Nothing };
-    What what = What::Masked; ///< Nothing: shows everything that is hidden
+    enum class What { Masked, Unmasked, Nothing, NoPart };
+    What what = What::Masked; ///< Nothing: shows all hidden vertices; NoPart: shows all hidden parts, too
+    bool showsAll() const { return what == What::Nothing || what == What::NoPart; }
 };
 /// Remeshes so that all edges are between d and d_detail = 2 d, as far as shape and mask allow.
 struct RemeshUniformly

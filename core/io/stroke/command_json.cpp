@@ -102,7 +102,7 @@ constexpr auto commandNames = [] {
     return names;
 }();
 constexpr std::array<std::string_view, 2> keepTable{"positive", "negative"};
-constexpr std::array<std::string_view, 3> hideTable{"masked", "unmasked", "none"};
+constexpr std::array<std::string_view, 4> hideTable{"masked", "unmasked", "none", "no_part"};
 constexpr std::array<std::string_view, 3> operationTable{"union", "subtract", "intersect"};
 constexpr std::array<std::string_view, 2> sideTable{"inside", "outside"};
 const auto primitiveNames = [] {

@@ -271,7 +271,7 @@ std::string keysOf(const FileCommand& entry)
                    list(combination.others);
         },
         [](const Hide& hide) {
-            constexpr std::string_view words[] = {"masked", "unmasked", "none"};
+            constexpr std::string_view words[] = {"masked", "unmasked", "none", "no_part"};
             return R"("hide","what":")" + Text(words[static_cast<std::size_t>(hide.what)]) + '"';
         },
         [](const auto& command) { return keysOf(command); },

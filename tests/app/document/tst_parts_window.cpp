@@ -168,6 +168,7 @@ private Q_SLOTS:
     void row_hidesLocksAndRenames();
     void name_thatIsTooLong();
     void isolate_andBack();
+    void showAll_showsAreasAndParts();
     void combine_joinsTheSelected();
     void combine_isCancelled();
     void combine_showsAnotherOperation();
@@ -396,6 +397,38 @@ void TestPartsWindow::isolate_andBack()
     QTRY_VERIFY(!isVisible(0) && isVisible(1) && isVisible(2)); // what was hidden before stays hidden
     trigger(program, "parts.showAll");
     QTRY_VERIFY(isVisible(0));
+}
+
+/// One key shows a hidden part and a hidden area, in one step.
+void TestPartsWindow::showAll_showsAreasAndParts()
+{
+    const QTemporaryDir folder;
+    Program program;
+    openTwoBalls(program, folder);
+    const auto hidden = [&program] {
+        std::promise<std::pair<std::size_t, std::size_t>> answer;
+        program.worker.post([&](core::Sculptor& sculptor) {
+            const core::Mesh& mesh = sculptor.mesh();
+            const auto vertices = std::ranges::count_if(mesh.vertices(), [&](auto v) { return mesh.isHidden(v); });
+            const auto parts =
+                std::ranges::count(mesh.frame().parts.all(), false, [](const auto& part) { return part.isVisible; });
+            answer.set_value({static_cast<std::size_t>(vertices), static_cast<std::size_t>(parts)});
+        });
+        return answer.get_future().get();
+    };
+    apply(program, core::MaskOperation{core::MaskOperation::Kind::Invert, {}});
+    apply(program, core::Hide{core::Hide::What::Masked});
+    program.document.parts().activate(0);
+    trigger(program, "parts.hide");
+    const auto before = hidden();
+    QVERIFY(before.first > 0 && before.second == 1);
+    const int steps = program.document.history().stack().count();
+    trigger(program, "parts.showAll");
+    QVERIFY(hidden() == std::pair(std::size_t(0), std::size_t(0)));
+    QCOMPARE(program.document.history().stack().count(), steps + 1);
+    program.document.history().undo();
+    waitUntilSettled(program);
+    QVERIFY(hidden() == before);
 }
 
 void TestPartsWindow::combine_joinsTheSelected()

@@ -717,7 +717,8 @@ void TestStrokeFile::partCommands_roundTrip()
 {"command":"mask_area","outline":[[0,0,5]],"along":[0,0,-1],"side":"outside","symmetry":"y"},
 {"command":"hide_area","outline":[],"along":[0,0,-1],"eye":[0,0,9],"side":"inside","symmetry":"none","front":true},
 {"command":"split_part","outline":[],"along":[0,0,-1],"side":"outside","symmetry":"none","name":"Arm","color":[1,2,3]},
-{"command":"trim","outline":[],"along":[0,0,-1],"remove":"inside","symmetry":"none","front":true,"part":2}]}
+{"command":"trim","outline":[],"along":[0,0,-1],"remove":"inside","symmetry":"none","front":true,"part":2},
+{"command":"hide","what":"no_part"}]}
 )";
     const std::vector<FileEntry> entries = parseStrokes(text);
     std::ostringstream out;
