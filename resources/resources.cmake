@@ -104,6 +104,7 @@ set(FETTLE_RESOURCE_FILES
     icons/panel-close.svg
     icons/panel-float.svg
     icons/panels-left.svg
+    icons/part-choose.svg
     icons/part-down.svg
     icons/part-hidden.svg
     icons/part-intersect.svg

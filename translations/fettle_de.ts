@@ -5021,6 +5021,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Klicken Sie, um die Kugel zu setzen. Esc bricht ab.</translation>
     </message>
     <message>
+        <source>Click the part that is to be active. Esc cancels.</source>
+        <translation>Klicken Sie das Teil an, das aktiv werden soll. Esc bricht ab.</translation>
+    </message>
+    <message>
         <source>Arrow keys move the cross. Space presses while it is held, Return until the next Return.</source>
         <translation>Die Pfeiltasten bewegen das Kreuz. Die Leertaste drückt, solange Sie sie halten, die Eingabetaste bis zum nächsten Mal.</translation>
     </message>

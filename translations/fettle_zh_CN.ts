@@ -4997,6 +4997,10 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>单击放置球。Esc 取消。</translation>
     </message>
     <message>
+        <source>Click the part that is to be active. Esc cancels.</source>
+        <translation>点击要成为当前部件的部件。Esc 取消。</translation>
+    </message>
+    <message>
         <source>Arrow keys move the cross. Space presses while it is held, Return until the next Return.</source>
         <translation>方向键移动十字。按住空格使用工具；按回车开始，再按一次结束。</translation>
     </message>

@@ -269,6 +269,10 @@ public:
          QT_TR_NOOP("Shows whether the model prints: walls, overhangs, base, and the printer's bed."), "Ctrl+P",
          "print-check"},
 
+        {MenuId::Parts, "parts.choose", QT_TR_NOOP("Selec&t a Part"),
+         QT_TR_NOOP("Makes the part active that you click next. Alt and a click do the same, where the desktop leaves "
+                    "Alt to the program."),
+         "Shift+Y", "part-choose", false, Bar::None, true},
         {MenuId::Parts, "parts.duplicate", QT_TR_NOOP("&Duplicate"),
          QT_TR_NOOP("Adds a copy of the active part at the same place."), "", "duplicate"},
         {MenuId::Parts, "parts.separate", QT_TR_NOOP("&Separate"),

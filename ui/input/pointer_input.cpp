@@ -234,6 +234,11 @@ void PointerInput::begin(const PendingEvent& press, const std::optional<core::Su
             Q_EMIT picked(hit);
             return;
         }
+        if (m_mode == PointerMode::ChoosePart) {
+            setMode(PointerMode::Sculpt);
+            Q_EMIT partPicked(press.ray);
+            return;
+        }
         if (m_mode == PointerMode::Point && hit)
             return;
         m_drag = hit && m_mode != PointerMode::Handles ? Drag::Stroke

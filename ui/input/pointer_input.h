@@ -62,8 +62,9 @@ public:
     void setHover(const std::optional<core::SurfaceHit>& hit,
                   const std::shared_ptr<const core::Footprint>& footprint = {});
 
-    /// Switches a mode on, or off if it is the present mode. Add and Pick end at the next press for the brush, which
-    /// emits sphereRequested() (on the model or beside it) or picked(). In Point mode, presses on the model do nothing.
+    /// Switches a mode on, or off if it is the present mode. Add, Pick and ChoosePart end at the next press for the
+    /// brush, which emits sphereRequested() (on the model or beside it), picked() or partPicked(). In Point mode,
+    /// presses on the model do nothing.
     void setMode(PointerMode mode, bool on = true);
     PointerMode mode() const { return m_mode; }
 
@@ -71,7 +72,8 @@ public:
     std::optional<core::SurfaceHit> pointed() const;
     /// Returns the place of the cursor on the surface. In Add mode it is the place of the ball, in an anchored stroke
     /// the stroke's beginning. nullopt: no cursor is shown, because the pointer is outside the view or beside the
-    /// model, the view is being moved or a held key makes a press move it, or the mode is Pick, Point or Handles.
+    /// model, the view is being moved or a held key makes a press move it, or the mode is Pick, ChoosePart, Point or
+    /// Handles.
     std::optional<core::SurfaceHit> hover() const;
     /// Returns true if a press at the pointer would begin a stroke.
     bool wouldStroke() const;
@@ -113,7 +115,7 @@ Q_SIGNALS:
     void viewChanged();
     /// The right button was clicked at this pixel.
     void paletteRequested(const ui::OrbitCamera::Pixel& pixel);
-    /// The left button was clicked with Alt, which chooses the part that the ray meets.
+    /// The user chooses the part that the ray meets, by a click with Alt or in ChoosePart mode.
     void partPicked(const core::Ray& ray);
     /// The user has turned, moved or zoomed the view; viewChanged() follows.
     void viewMovedByUser();

@@ -73,18 +73,19 @@ void rememberAirbrush(BrushSettings* brush, Settings* settings)
     });
 }
 
-void connectAdding(QAction* action, const InputActionsContext& context)
+/// Connects an action that is checked until the next press, to which `sentence` asks.
+void connectMode(QAction* action, PointerMode mode, const QString& sentence, const InputActionsContext& context)
 {
     QObject::connect(action, &QAction::triggered, context.viewport,
-                     [viewport = context.viewport, notice = context.notice](bool adds) {
-                         if (adds)
+                     [mode, sentence, viewport = context.viewport, notice = context.notice](bool on) {
+                         if (on)
                              viewport->setFocus();
-                         viewport->input()->setMode(PointerMode::Add, adds);
-                         if (adds)
-                             notice(InputActions::tr("Click to place the ball. Esc cancels."));
+                         viewport->input()->setMode(mode, on);
+                         if (on)
+                             notice(sentence);
                      });
     QObject::connect(context.viewport->input(), &PointerInput::modeChanged, action,
-                     [action](PointerMode mode) { action->setChecked(mode == PointerMode::Add); });
+                     [action, mode](PointerMode present) { action->setChecked(present == mode); });
 }
 
 void connectKeyboardCursor(QAction* action, const InputActionsContext& context)
@@ -135,7 +136,10 @@ void connectInputActions(const InputActionsContext& context, BrushSettings* brus
     rememberAirbrush(brush, settings);
     connectInvert(actions.get(QStringLiteral("brush.invert")), brush);
     connectKeyboardCursor(actions.get(QStringLiteral("brush.keys")), context);
-    connectAdding(actions.get(QStringLiteral("brush.add")), context);
+    connectMode(actions.get(QStringLiteral("brush.add")), PointerMode::Add,
+                InputActions::tr("Click to place the ball. Esc cancels."), context);
+    connectMode(actions.get(QStringLiteral("parts.choose")), PointerMode::ChoosePart,
+                InputActions::tr("Click the part that is to be active. Esc cancels."), context);
     connectTurntable(actions.get(QStringLiteral("turntable.on")), context, settings);
 }
 } // namespace ui

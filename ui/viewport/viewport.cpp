@@ -476,9 +476,10 @@ void Viewport::initializeGL()
 void Viewport::updateCursor()
 {
     const PointerInput& input = m_state->input;
-    setCursor(input.mode() == PointerMode::Pick  ? pickCursor()
-              : input.hover() || input.pointed() ? Qt::CrossCursor
-                                                 : Qt::ArrowCursor);
+    setCursor(input.mode() == PointerMode::Pick         ? pickCursor()
+              : input.mode() == PointerMode::ChoosePart ? Qt::PointingHandCursor
+              : input.hover() || input.pointed()        ? Qt::CrossCursor
+                                                        : Qt::ArrowCursor);
 }
 
 /// Shows a message for a driver that reported OpenGL 3.3 (graphicsProblem() was empty) but does not implement it.

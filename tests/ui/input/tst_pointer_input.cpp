@@ -164,6 +164,19 @@ private Q_SLOTS:
         }
     }
 
+    void aPressChoosesAPartOnceInsteadOfSculpting()
+    {
+        Recorder r;
+        QSignalSpy chosen(&r.input, &ui::PointerInput::partPicked);
+        r.input.setMode(ui::PointerMode::ChoosePart);
+        r.rest({400, 300}, somewhere);
+        QVERIFY(!r.input.hover());
+        r.send(Kind::Press, {400, 300});
+        r.send(Kind::Release, {400, 300});
+        QCOMPARE(chosen.count(), 1);
+        QVERIFY(r.log.isEmpty() && r.input.mode() == ui::PointerMode::Sculpt);
+    }
+
     /// Beside the model, an armed press requests one ball. It is in the plane parallel to the picture through the place
     /// of the last stroke, or through the view's centre if there was no stroke.
     void anArmedPressAsksForASphere()
