@@ -3656,8 +3656,16 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Dehnt die Maske auf jedes zusammenhängende Stück aus, das sie berührt.</translation>
     </message>
     <message>
-        <source>Adds a copy of the active part at the same place.</source>
-        <translation>Fügt eine Kopie des aktiven Teils an derselben Stelle hinzu.</translation>
+        <source>Adds a copy of the active part at the same place. The copy becomes active.</source>
+        <translation>Fügt eine Kopie des aktiven Teils an derselben Stelle hinzu. Die Kopie wird aktiv.</translation>
+    </message>
+    <message>
+        <source>Selec&amp;t a Part</source>
+        <translation>Teil aus&amp;wählen</translation>
+    </message>
+    <message>
+        <source>Makes the part active that you click next. Alt and a click do the same, where the desktop leaves Alt to the program.</source>
+        <translation>Aktiviert das Teil, das Sie als Nächstes anklicken. Alt und ein Klick tun dasselbe, wo der Desktop dem Programm Alt lässt.</translation>
     </message>
     <message>
         <source>&amp;Separate</source>
@@ -10126,12 +10134,16 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1, gesperrt</translation>
     </message>
     <message>
+        <source>%1, active</source>
+        <translation>%1, aktiv</translation>
+    </message>
+    <message>
         <source>%1, hidden</source>
         <translation>%1, ausgeblendet</translation>
     </message>
     <message>
-        <source>The parts of the model. Click one to sculpt it; with Ctrl choose others to combine it with. Double-click a name to change it.</source>
-        <translation>Die Teile des Modells. Klicken Sie eines an, um es zu formen; mit Strg wählen Sie andere, mit denen es verbunden wird. Ein Doppelklick auf einen Namen ändert ihn.</translation>
+        <source>The parts of the model. Click one to sculpt it, and its name becomes bold; with Ctrl choose others to combine it with. Double-click a name to change it.</source>
+        <translation>Die Teile des Modells. Klicken Sie eines an, um es zu formen; sein Name wird fett. Mit Strg wählen Sie andere, mit denen es verbunden wird. Ein Doppelklick auf einen Namen ändert ihn.</translation>
     </message>
     <message>
         <source>Parts</source>

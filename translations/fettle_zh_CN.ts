@@ -3640,8 +3640,16 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>把遮罩扩展到它碰到的每个连通块的整体。</translation>
     </message>
     <message>
-        <source>Adds a copy of the active part at the same place.</source>
-        <translation>在同一位置添加当前部件的副本。</translation>
+        <source>Adds a copy of the active part at the same place. The copy becomes active.</source>
+        <translation>在同一位置添加当前部件的副本。副本成为当前部件。</translation>
+    </message>
+    <message>
+        <source>Selec&amp;t a Part</source>
+        <translation>选择部件(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Makes the part active that you click next. Alt and a click do the same, where the desktop leaves Alt to the program.</source>
+        <translation>使您接下来点击的部件成为当前部件。如果桌面没有占用 Alt，按住 Alt 点击也一样。</translation>
     </message>
     <message>
         <source>&amp;Separate</source>
@@ -10091,12 +10099,16 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>%1，已锁定</translation>
     </message>
     <message>
+        <source>%1, active</source>
+        <translation>%1，当前部件</translation>
+    </message>
+    <message>
         <source>%1, hidden</source>
         <translation>%1，已隐藏</translation>
     </message>
     <message>
-        <source>The parts of the model. Click one to sculpt it; with Ctrl choose others to combine it with. Double-click a name to change it.</source>
-        <translation>模型的部件。点击一个进行雕刻；按住 Ctrl 选择要与它组合的其他部件。双击名称可更改。</translation>
+        <source>The parts of the model. Click one to sculpt it, and its name becomes bold; with Ctrl choose others to combine it with. Double-click a name to change it.</source>
+        <translation>模型的部件。点击一个进行雕刻，其名称变为粗体；按住 Ctrl 选择要与它组合的其他部件。双击名称可更改。</translation>
     </message>
     <message>
         <source>Parts</source>

@@ -10,6 +10,7 @@
 
 #include <QAction>
 #include <QColorDialog>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
@@ -32,6 +33,14 @@ core::PartId idOf(const QTreeWidgetItem* row)
     return static_cast<core::PartId>(row->type());
 }
 
+/// Returns the only selected row; null while Ctrl or Shift extends the selection.
+const QTreeWidgetItem* chosenAlone(const QTreeWidget& list)
+{
+    const QList<QTreeWidgetItem*> selected = list.selectedItems();
+    const bool extends = QGuiApplication::keyboardModifiers() & (Qt::ControlModifier | Qt::ShiftModifier);
+    return selected.size() == 1 && !extends ? selected.front() : nullptr;
+}
+
 QIcon tagIcon(const std::optional<core::Rgb>& tag)
 {
     QPixmap square(tagSize, tagSize);
@@ -39,7 +48,7 @@ QIcon tagIcon(const std::optional<core::Rgb>& tag)
     return square;
 }
 
-void fillRow(QTreeWidgetItem* row, const core::Part& part)
+void fillRow(QTreeWidgetItem* row, const core::Part& part, bool isActive)
 {
     row->setFlags(row->flags() | Qt::ItemIsEditable);
     row->setText(Name, partName(part));
@@ -50,7 +59,12 @@ void fillRow(QTreeWidgetItem* row, const core::Part& part)
     row->setIcon(Locked, themedIcon(part.isLocked ? QStringLiteral("part-locked") : QStringLiteral("part-unlocked")));
     row->setToolTip(Locked, part.isLocked ? PartsPanel::tr("Locked. Click to unlock.")
                                           : PartsPanel::tr("Unlocked. Click to lock."));
-    const QString state = part.isLocked ? PartsPanel::tr("%1, locked").arg(partName(part)) : partName(part);
+    QFont font; // of the list, but for its weight
+    font.setBold(isActive);
+    row->setFont(Name, font);
+    QString state = isActive ? PartsPanel::tr("%1, active").arg(partName(part)) : partName(part);
+    if (part.isLocked)
+        state = PartsPanel::tr("%1, locked").arg(state);
     row->setData(Name, Qt::AccessibleTextRole, part.isVisible ? state : PartsPanel::tr("%1, hidden").arg(state));
 }
 } // namespace
@@ -58,8 +72,8 @@ void fillRow(QTreeWidgetItem* row, const core::Part& part)
 PartsPanel::PartsPanel(const Actions& actions, QWidget* parent)
     : QWidget(parent)
     , m_list(named(new QTreeWidget, "partList",
-                   tr("The parts of the model. Click one to sculpt it; with Ctrl choose others to combine it with. "
-                      "Double-click a name to change it."),
+                   tr("The parts of the model. Click one to sculpt it, and its name becomes bold; with Ctrl choose "
+                      "others to combine it with. Double-click a name to change it."),
                    tr("Parts")))
 {
     m_list->setColumnCount(3);
@@ -75,12 +89,15 @@ PartsPanel::PartsPanel(const Actions& actions, QWidget* parent)
     for (const Column column : {Shown, Locked})
         m_list->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
     m_list->installEventFilter(this);
-    connect(m_list, &QTreeWidget::itemClicked, this, &PartsPanel::onClicked);
     connect(m_list, &QTreeWidget::itemChanged, this, &PartsPanel::onRenamed);
-    connect(m_list, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* row) {
-        if (row && !m_isFilling)
+    const auto activateChosen = [this] {
+        const QTreeWidgetItem* row = m_isFilling ? nullptr : chosenAlone(*m_list);
+        if (row && idOf(row) != m_active)
             Q_EMIT activated(idOf(row));
-    });
+    };
+    connect(m_list, &QTreeWidget::itemClicked, this, activateChosen);
+    connect(m_list, &QTreeWidget::itemClicked, this, &PartsPanel::onClicked);
+    connect(m_list, &QTreeWidget::itemSelectionChanged, this, activateChosen);
 
     QVBoxLayout* rows = panelLayout(this);
     rows->addWidget(m_list, 1);
@@ -143,6 +160,7 @@ void PartsPanel::setParts(const core::PartList& parts, core::PartId active)
     const bool hasSameRows = std::ranges::equal(parts.all(), m_parts.all(), {}, &core::Part::id, &core::Part::id) &&
                              m_list->topLevelItemCount() > 0;
     const std::vector<core::PartId> selected = others();
+    const bool isSameActive = active == m_active;
     m_parts = parts;
     m_active = active;
     if (!hasSameRows) { // otherwise rows stay, because a click may be in progress
@@ -151,8 +169,10 @@ void PartsPanel::setParts(const core::PartList& parts, core::PartId active)
             new QTreeWidgetItem(m_list, {QString(), QString(), QString()}, part.id);
     }
     for (const core::Part& part : parts.all())
-        fillRow(rowOf(part.id), part);
-    if (QTreeWidgetItem* row = rowOf(active); row && row != m_list->currentItem())
+        fillRow(rowOf(part.id), part, part.id == active);
+    if (hasSameRows && isSameActive)
+        return;
+    if (QTreeWidgetItem* row = rowOf(active); row && m_list->selectedItems() != QList{row})
         m_list->setCurrentItem(row);
     if (hasSameRows)
         return;
@@ -203,11 +223,14 @@ void PartsPanel::onClicked(QTreeWidgetItem* row, int column)
 void PartsPanel::onRenamed(QTreeWidgetItem* row)
 {
     const core::Part* part = m_isFilling ? nullptr : m_parts.find(idOf(row));
-    if (!part || row->text(Name).trimmed() == partName(*part))
+    if (!part)
         return;
     core::Part renamed = *part;
     renamed.name = row->text(Name).trimmed().toStdString();
-    edit(renamed);
+    const QScopedValueRollback filling(m_isFilling, true);
+    row->setText(Name, partName(*part)); // until the name is changed
+    if (QString::fromStdString(renamed.name) != partName(*part))
+        edit(renamed);
 }
 
 void PartsPanel::toggleShown(const core::Part& part)

@@ -13,7 +13,7 @@ class Actions;
 class SideColumn;
 
 /// The list of the document's parts: a row for each, with its visibility, its lock, its colour and its name. The
-/// current row is the active part; further selected rows are the parts that it is combined with. Knows no document:
+/// active part has a bold name; further selected rows are the parts that it is combined with. Knows no document:
 /// setParts() provides what is shown, and signals request changes. Thread: gui.
 class PartsPanel : public QWidget
 {

@@ -163,6 +163,9 @@ private Q_SLOTS:
     void stroke_changesTheActivePart();
     void undo_activatesThePartThatItChanges();
     void click_withAltChoosesThePart();
+    void click_withoutKeysAfterTheCommand();
+    void click_withCtrlOnlyExtendsTheSelection();
+    void duplicate_activatesTheCopy();
     void handles_moveTheActivePart();
     void handles_comeWithAnInsertedPart();
     void row_hidesLocksAndRenames();
@@ -260,6 +263,93 @@ void TestPartsWindow::click_withAltChoosesThePart()
     QTest::mouseClick(view, Qt::LeftButton, Qt::AltModifier, at({-10, 0, 0}));
     QTRY_COMPARE(program.document.parts().active(), PartId(0));
     QCOMPARE(program.document.history().stack().count(), 2); // neither click sculpted
+}
+
+/// The command makes the part active that is clicked next, once; Esc ends it.
+void TestPartsWindow::click_withoutKeysAfterTheCommand()
+{
+    const QTemporaryDir folder;
+    Program program;
+    openTwoBalls(program, folder);
+    program.document.parts().activate(0);
+    trigger(program, "view.front");
+    trigger(program, "view.frame");
+    ui::Viewport* view = program.window.viewport();
+    const QAction* action = program.window.action(QStringLiteral("parts.choose"));
+    trigger(program, "parts.choose");
+    QVERIFY(action->isChecked());
+    QCOMPARE(view->cursor().shape(), Qt::PointingHandCursor);
+    QTest::keyClick(view, Qt::Key_Escape);
+    QVERIFY(!action->isChecked());
+    QCOMPARE(program.document.parts().active(), PartId(0));
+    trigger(program, "parts.choose");
+    const auto pixel = view->camera().project({40, 0, 0});
+    QTest::mouseClick(view, Qt::LeftButton, {}, {static_cast<int>(pixel.x()), static_cast<int>(pixel.y())});
+    QTRY_COMPARE(program.document.parts().active(), PartId(1));
+    QVERIFY(!action->isChecked());
+    QVERIFY(view->cursor().shape() != Qt::PointingHandCursor);
+    waitUntilSettled(program);
+    QCOMPARE(program.document.history().stack().count(), 2); // the click did not sculpt
+}
+
+void TestPartsWindow::click_withCtrlOnlyExtendsTheSelection()
+{
+    const QTemporaryDir folder;
+    Program program;
+    openTwoBalls(program, folder);
+    const auto click = [&](int row, Qt::KeyboardModifiers keys) {
+        QTest::mouseClick(list(program)->viewport(), Qt::LeftButton, keys,
+                          list(program)->visualItemRect(list(program)->topLevelItem(row)).center());
+    };
+    const auto isBold = [&](int row) { return list(program)->topLevelItem(row)->font(0).bold(); };
+    for (const auto key : {Qt::ControlModifier, Qt::ShiftModifier}) {
+        click(0, {});
+        QTRY_COMPARE(program.document.parts().active(), PartId(0));
+        click(1, key);
+        QCOMPARE(program.document.parts().active(), PartId(0));
+        QCOMPARE(list(program)->selectedItems().size(), 2);
+        QVERIFY(isBold(0) && !isBold(1));
+        trigger(program, "parts.lock"); // a change of the list leaves the selection as it is
+        QTRY_VERIFY(program.document.parts().list().find(0)->isLocked);
+        QCOMPARE(list(program)->selectedItems().size(), 2);
+        savePicture(program);
+        trigger(program, "parts.lock");
+        click(1, {});
+        QTRY_COMPARE(program.document.parts().active(), PartId(1));
+        QCOMPARE(list(program)->selectedItems().size(), 1);
+        QVERIFY(!isBold(0) && isBold(1));
+    }
+    click(0, {});
+    click(1, Qt::ControlModifier);
+    click(0, Qt::ControlModifier); // not selected any more, but active
+    QCOMPARE(program.document.parts().active(), PartId(0));
+    QVERIFY(isBold(0));
+    click(1, {});
+    QTRY_COMPARE(program.document.parts().active(), PartId(1));
+}
+
+void TestPartsWindow::duplicate_activatesTheCopy()
+{
+    const QTemporaryDir folder;
+    Program program;
+    openTwoBalls(program, folder);
+    program.document.parts().activate(0);
+    trigger(program, "parts.duplicate");
+    QTRY_COMPARE(names(program), QStringList({"Part 1", "Part 1 copy 2", "Part 1 copy"}));
+    QCOMPARE(program.document.parts().active(), PartId(2));
+    const auto before = hashes(program);
+    apply(program, core::Move{{0, 50, 0}});
+    QVERIFY(hashes(program).at(2) != before.at(2));
+    QCOMPARE(hashes(program).at(0), before.at(0));
+    program.document.history().undo();
+    waitUntilSettled(program);
+    QTRY_COMPARE(program.document.parts().active(), PartId(2));
+    program.document.history().undo();
+    waitUntilSettled(program);
+    QTRY_COMPARE(program.document.parts().active(), PartId(0));
+    program.document.history().redo();
+    waitUntilSettled(program);
+    QTRY_COMPARE(program.document.parts().active(), PartId(2));
 }
 
 /// Drags an arrow of the handles: one step of the active part, which undo takes back. The handles follow the part.
