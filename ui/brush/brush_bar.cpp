@@ -46,14 +46,14 @@ int decimalsFor(core::Parameter parameter, double value)
 
 QValidator::State NumberBox::validate(QString& text, int& cursor) const
 {
-    const QValidator::State state = QDoubleSpinBox::validate(text, cursor);
+    const QValidator::State state = NumberField::validate(text, cursor);
     return state == QValidator::Invalid && numberIn(text) ? QValidator::Intermediate : state;
 }
 
 /// Handles typed numbers that the box cannot show; Qt calls it when editing is finished.
 void NumberBox::fixup(QString& text) const
 {
-    QDoubleSpinBox::fixup(text);
+    NumberField::fixup(text);
     if (const std::optional<double> number = numberIn(text)) {
         Q_EMIT asked(*number);
         text = textFromValue(std::clamp(*number, minimum(), maximum()));

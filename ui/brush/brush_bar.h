@@ -1,8 +1,7 @@
 #pragma once
 
 #include "ui/settings/brush_settings.h"
-
-#include <QDoubleSpinBox>
+#include "ui/widgets/number_field.h"
 
 #include <optional>
 
@@ -12,12 +11,12 @@ namespace ui
 {
 /// A number box into which any number can be typed. A number out of its range is reported by asked(), and the box shows
 /// the nearest possible number.
-class NumberBox : public QDoubleSpinBox
+class NumberBox : public NumberField
 {
     Q_OBJECT
 
 public:
-    using QDoubleSpinBox::QDoubleSpinBox;
+    using NumberField::NumberField;
 
     QValidator::State validate(QString& text, int& cursor) const override;
     void fixup(QString& text) const override;

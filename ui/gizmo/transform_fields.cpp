@@ -1,10 +1,10 @@
 #include "ui/gizmo/transform_fields.h"
 
 #include "ui/widgets/named.h"
+#include "ui/widgets/number_field.h"
 #include "ui/widgets/spacing.h"
 
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -52,7 +52,7 @@ QDoubleSpinBox* TransformFields::addField(Row row, int axis)
 {
     static constexpr const char* names[] = {"move", "rotate", "scale"};
     const QString labels[] = {tr("Move along %1"), tr("Rotate about %1"), tr("Scale along %1")};
-    auto* field = named(new QDoubleSpinBox, QLatin1StringView(names[row]) + QLatin1Char(char('X' + axis)), {},
+    auto* field = named(new NumberField, QLatin1StringView(names[row]) + QLatin1Char(char('X' + axis)), {},
                         labels[row].arg(QChar(u'X' + axis)));
     const double least[] = {-largestMove, -largestTurn, 0.01}, most[] = {largestMove, largestTurn, 100};
     const double steps[] = {1, 15, 0.1};

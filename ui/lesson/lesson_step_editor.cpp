@@ -2,12 +2,12 @@
 
 #include "ui/actions/actions.h"
 #include "ui/widgets/named.h"
+#include "ui/widgets/number_field.h"
 #include "ui/widgets/panel_layout.h"
 #include "ui/widgets/themed_icon.h"
 
 #include <QAction>
 #include <QCheckBox>
-#include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -35,7 +35,7 @@ QLabel* sentence(const QString& text)
 
 QDoubleSpinBox* spin(double min, double max, int decimals)
 {
-    auto* spin = new QDoubleSpinBox;
+    auto* spin = new NumberField;
     spin->setDecimals(decimals);
     spin->setRange(min, max);
     spin->setSpecialValueText(QStringLiteral("–"));

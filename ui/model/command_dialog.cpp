@@ -3,10 +3,10 @@
 #include "ui/settings/settings.h"
 #include "ui/widgets/dialog_helpers.h"
 #include "ui/widgets/named.h"
+#include "ui/widgets/number_field.h"
 
 #include <QButtonGroup>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QRadioButton>
@@ -42,7 +42,7 @@ CommandDialog::CommandDialog(QWidget* parent, const char* name, const QString& t
 
 QDoubleSpinBox* CommandDialog::addNumber(const char* name, const QString& label, const Number& number)
 {
-    auto* box = named(new QDoubleSpinBox, name);
+    auto* box = named(new NumberField, name);
     box->setDecimals(number.decimals);
     box->setRange(number.min, number.max);
     box->setValue(number.value);

@@ -37,7 +37,7 @@ constexpr int axisChoices[] = {1, 0, 2};
 QLocale plainLocale()
 {
     QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator | QLocale::RejectGroupSeparator);
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
     return locale;
 }
 
@@ -50,11 +50,10 @@ template <class Text> QString lineOf(const std::vector<double>& point, const Tex
     return words.join(u' ');
 }
 
-/// Reads a number of the user's language, or one with a decimal point.
-double numberOf(const QString& word, bool& isNumber)
+/// Reads a number whose decimal mark is a point or a comma.
+double numberOf(QString word, bool& isNumber)
 {
-    const double number = plainLocale().toDouble(word, &isNumber);
-    return isNumber ? number : QLocale::c().toDouble(word, &isNumber);
+    return QLocale::c().toDouble(word.replace(u',', u'.'), &isNumber);
 }
 
 /// Returns the points that were typed, of `size` numbers each. A line of anything else becomes a point of numbers

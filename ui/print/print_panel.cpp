@@ -5,6 +5,7 @@
 #include "ui/settings/settings.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/named.h"
+#include "ui/widgets/number_field.h"
 #include "ui/widgets/panel_button.h"
 #include "ui/widgets/panel_layout.h"
 #include "ui/widgets/side_column.h"
@@ -13,7 +14,6 @@
 
 #include <QAction>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QEvent>
 #include <QFormLayout>
 #include <QLabel>
@@ -42,7 +42,7 @@ QString iconOf(PrintVerdict verdict)
 
 QDoubleSpinBox* numberBox(const char* name, double min, double max, int decimals, const QString& unit)
 {
-    auto* box = named(new QDoubleSpinBox, name);
+    auto* box = named(new NumberField, name);
     box->setRange(min, max);
     box->setDecimals(decimals);
     box->setSingleStep(decimals > 0 ? 0.1 : 5);

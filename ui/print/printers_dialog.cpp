@@ -1,10 +1,10 @@
 #include "ui/print/printers_dialog.h"
 
 #include "ui/widgets/named.h"
+#include "ui/widgets/number_field.h"
 #include "ui/widgets/spacing.h"
 
 #include <QDialogButtonBox>
-#include <QDoubleSpinBox>
 #include <QHeaderView>
 #include <QPushButton>
 #include <QTableWidget>
@@ -71,7 +71,7 @@ void PrintersDialog::addRow(const PrinterPreset& printer)
     m_table->setItem(row, 0, new QTableWidgetItem(printer.name));
     int column = 1;
     for (const double side : {printer.bed.x, printer.bed.y, printer.bed.z}) {
-        auto* box = new QDoubleSpinBox;
+        auto* box = new NumberField;
         box->setRange(minBed, maxBed);
         box->setDecimals(1);
         box->setSuffix(tr(" mm"));

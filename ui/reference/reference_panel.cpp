@@ -4,6 +4,7 @@
 #include "ui/reference/reference_images.h"
 #include "ui/viewport/viewport.h"
 #include "ui/widgets/named.h"
+#include "ui/widgets/number_field.h"
 #include "ui/widgets/spacing.h"
 #include "ui/widgets/themed_icon.h"
 
@@ -11,7 +12,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
-#include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -145,7 +145,7 @@ QLayout* ReferencePanel::buildOpacity()
 QDoubleSpinBox* ReferencePanel::lengthBox(const QString& id, const QString& name, const QString& tip, double min,
                                           double max)
 {
-    auto* box = named(new QDoubleSpinBox, id, tip, name);
+    auto* box = named(new NumberField, id, tip, name);
     box->setDecimals(2);
     box->setRange(min, max);
     box->setSuffix(tr(" mm"));

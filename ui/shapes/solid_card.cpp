@@ -3,11 +3,11 @@
 #include "ui/model/command_dialog.h"
 #include "ui/model/primitive_messages.h"
 #include "ui/widgets/named.h"
+#include "ui/widgets/number_field.h"
 #include "ui/widgets/spacing.h"
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -118,7 +118,7 @@ QLayout* SolidCard::makeButtons()
 
 QDoubleSpinBox* SolidCard::makeNumber(const QString& name, const QString& label, double least)
 {
-    auto* field = named(new QDoubleSpinBox, name, {}, label);
+    auto* field = named(new NumberField, name, {}, label);
     field->setDecimals(3);
     field->setRange(least, maxCoordinate);
     field->setSuffix(ModelDialogs::tr(" mm"));

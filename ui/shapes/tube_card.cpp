@@ -2,11 +2,11 @@
 
 #include "ui/model/command_dialog.h"
 #include "ui/widgets/named.h"
+#include "ui/widgets/number_field.h"
 #include "ui/widgets/spacing.h"
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -16,7 +16,7 @@ namespace ui
 {
 TubeCard::TubeCard(QWidget* view)
     : ViewCard(view, "tubeCard")
-    , m_radius(named(new QDoubleSpinBox, "tubeRadius", tr("Radius of the tube at the chosen point."), tr("Radius")))
+    , m_radius(named(new NumberField, "tubeRadius", tr("Radius of the tube at the chosen point."), tr("Radius")))
     , m_combination(named(new QComboBox, "tubeCombination", {}, ModelDialogs::tr("Combine")))
     , m_problem(named(new QLabel, "tubeProblem"))
 {

@@ -2,13 +2,13 @@
 
 #include "ui/viewport/turntable.h"
 #include "ui/widgets/named.h"
+#include "ui/widgets/number_field.h"
 #include "ui/widgets/side_column.h"
 #include "ui/widgets/spacing.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QCoreApplication>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QSignalBlocker>
 
@@ -44,7 +44,7 @@ QComboBox* makeDirection(Turntable* turntable)
 QDoubleSpinBox* makeSpeed(Turntable* turntable)
 {
     auto* box =
-        named(new QDoubleSpinBox, "turnSpeed", TurntablePanel::tr("Speed in degrees per second; 360 are one turn."),
+        named(new NumberField, "turnSpeed", TurntablePanel::tr("Speed in degrees per second; 360 are one turn."),
               TurntablePanel::tr("Speed"));
     box->setDecimals(0);
     box->setRange(minTurn, maxTurn);
