@@ -38,13 +38,16 @@ TransformFields::TransformFields(QWidget* view) : ViewCard(view, "transformField
           tr("Axes"));
     m_axes->addItems({tr("Document's axes"), tr("Part's own axes")});
     connect(m_axes, &QComboBox::activated, this, &TransformFields::axesChosen);
-    grid->addWidget(m_axes, RowCount + 1, 0, 1, 2);
+    auto* ends = new QHBoxLayout; // of its own, so that it does not widen the columns of numbers
+    grid->addLayout(ends, RowCount + 1, 0, 1, 4);
+    ends->addWidget(m_axes);
+    ends->addStretch();
     auto* apply = named(new QPushButton(tr("&Apply")), "transformApply", tr("Applies these numbers (Return)."));
     auto* close = named(new QPushButton(tr("D&one")), "transformDone", tr("Hides the handles (Esc)."));
     connect(apply, &QPushButton::clicked, this, &TransformFields::entered);
     connect(close, &QPushButton::clicked, this, &TransformFields::closed);
-    grid->addWidget(apply, RowCount + 1, 2);
-    grid->addWidget(close, RowCount + 1, 3);
+    ends->addWidget(apply);
+    ends->addWidget(close);
     setValues({});
 }
 

@@ -35,11 +35,11 @@ void ViewCard::keyPressEvent(QKeyEvent* event)
 {
     const bool isReturn = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
     if (!isReturn)
-        QFrame::keyPressEvent(event);
-    else if (auto* button = qobject_cast<QAbstractButton*>(QApplication::focusWidget()); button && isAncestorOf(button))
-        button->click();
-    else
-        Q_EMIT entered();
+        return QFrame::keyPressEvent(event);
+    if (auto* button = qobject_cast<QAbstractButton*>(QApplication::focusWidget()); button && isAncestorOf(button))
+        return button->click();
+    parentWidget()->setFocus();
+    Q_EMIT entered();
 }
 
 void ViewCard::place()

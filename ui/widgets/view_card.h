@@ -15,7 +15,7 @@ public:
     void place();
 
 Q_SIGNALS:
-    /// Return was pressed, and no button has the focus.
+    /// Return was pressed, and no button has the focus. The view gets the focus, so that Undo undoes the model.
     void entered();
 
 protected:

@@ -83,6 +83,8 @@ private Q_SLOTS:
     void handles_followThePart();
     void escape_takesBackTheDragThenEnds();
     void numbers_areAppliedOnReturn();
+    void return_givesTheKeysBackToTheView();
+    void columns_areEquallyFarApart();
     void presses_besideTheHandles_turnTheView();
     void alt_movesTheHandlesAlone();
     void axisKey_keepsToTheAxis();
@@ -202,6 +204,31 @@ void TestTransformTool::numbers_areAppliedOnReturn()
     QCOMPARE(stage.requests.size(), std::size_t(1)); // no change is no request
     stage.fields()->findChild<QPushButton*>(QStringLiteral("transformDone"))->click();
     QVERIFY(!stage.tool->isOn());
+}
+
+/// Undo after a number undoes the model, not the number.
+void TestTransformTool::return_givesTheKeysBackToTheView()
+{
+    Stage stage;
+    stage.action()->trigger();
+    auto* move = stage.fields()->findChild<QDoubleSpinBox*>(QStringLiteral("moveX"));
+    move->setFocus();
+    move->selectAll();
+    QTest::keyClicks(move, QStringLiteral("1,5"));
+    QTest::keyClick(move, Qt::Key_Return);
+    QCOMPARE(stage.requests.size(), std::size_t(1));
+    QVERIFY(stage.requests.front().by == Vec3(1.5, 0, 0));
+    QVERIFY(stage.viewport->hasFocus());
+}
+
+void TestTransformTool::columns_areEquallyFarApart()
+{
+    Stage stage;
+    stage.action()->trigger();
+    const auto left = [&](const char* name) {
+        return stage.fields()->findChild<QDoubleSpinBox*>(QLatin1StringView(name))->x();
+    };
+    QVERIFY(std::abs((left("moveY") - left("moveX")) - (left("moveZ") - left("moveY"))) <= 1);
 }
 
 void TestTransformTool::presses_besideTheHandles_turnTheView()
