@@ -27,14 +27,15 @@ private:
 
 TransformRegion transformRegionOf(const Mesh& mesh, std::optional<PartId> part)
 {
-    constexpr double whole = 255;
+    constexpr std::uint8_t whole = 255;
     TransformRegion region;
-    auto vertices = std::make_shared<Footprint>();
+    auto vertices = std::make_shared<Footprint>(), all = std::make_shared<Footprint>();
     Border border;
     for (const Slot v : mesh.vertices()) {
         if (part && mesh.part(v) != *part)
             continue;
         region.whole.extend(mesh.point(v).cast<double>());
+        all->slots.push_back(v);
         const double freedom = mesh.freedom(v);
         if (freedom == 0)
             continue;
@@ -47,6 +48,8 @@ TransformRegion transformRegionOf(const Mesh& mesh, std::optional<PartId> part)
     if (const Part* const own = part ? mesh.frame().parts.find(*part) : nullptr)
         region.axes = own->axes;
     region.vertices = std::move(vertices);
+    all->weights.assign(all->slots.size(), whole);
+    region.all = std::move(all);
     return region;
 }
 } // namespace core

@@ -18,6 +18,7 @@ struct TransformRegion
     Eigen::Quaterniond axes = Eigen::Quaterniond::Identity(); ///< the part's own axes
     /// The vertices that move, with their freedom from 1 to 255
     std::shared_ptr<const Footprint> vertices;
+    std::shared_ptr<const Footprint> all; ///< every vertex of the part, with weight 255
 };
 
 /// Returns the region that a Transform of the part moves; `part`: nothing means all parts, with the document's axes.

@@ -30,6 +30,7 @@ uniform bool flatShading; // each triangle in one shade
 uniform float encodeSrgb;
 uniform float cut;       // 1: a line where the planes cut
 uniform float cutSide;   // 1: what is on the positive side of either plane is tinted
+uniform float cutMarked; // 1: only what has a weight is cut
 uniform float shaded;    // 1: coloured by fault in the place of its own colours
 
 out vec4 fragColor;
@@ -61,10 +62,11 @@ vec3 withCut(vec3 color)
 {
     vec4 place = vec4(placeAndTint.xyz, 1.0);
     float fromCut = max(dot(cutPlane, place), dot(cutImage, place));
-    color = mix(color, mix(color, vec3(0.68, 0.045, 0.026), 0.45), cutSide * step(0.0, fromCut));
+    float isCut = max(1.0 - cutMarked, step(0.5, placeAndTint.w));
+    color = mix(color, mix(color, vec3(0.68, 0.045, 0.026), 0.45), cutSide * isCut * step(0.0, fromCut));
     float pixels = abs(fromCut) / max(fwidth(fromCut), 1e-9);
     vec3 edged = mix(color, vec3(0.02), 0.25 * clamp(2.0 - pixels, 0.0, 1.0));
-    return mix(color, mix(edged, vec3(0.92, 0.96, 1.0), 0.5 * clamp(1.0 - pixels, 0.0, 1.0)), cut);
+    return mix(color, mix(edged, vec3(0.92, 0.96, 1.0), 0.5 * clamp(1.0 - pixels, 0.0, 1.0)), cut * isCut);
 }
 
 // The brush's b(x) at this place, or at its mirror image; 0 outside, with a soft rim where nothing is weighted.

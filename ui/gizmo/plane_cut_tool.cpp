@@ -21,6 +21,9 @@ namespace
 {
 constexpr int normalAxis = 1;
 constexpr double planeShare = 0.62; ///< half side of the shown square, as a share of the part's diagonal
+/// Distance beyond the plane at which the tint begins, as a share of the part's diagonal: a face that an earlier cut
+/// has left in the plane is not tinted here and there.
+constexpr double tintShare = 1e-4;
 } // namespace
 
 PlaneCutTool::PlaneCutTool(const Actions& actions, const BrushSettings* brush, Viewport* viewport)
@@ -73,6 +76,7 @@ void PlaneCutTool::setOn(bool on)
     if (on)
         return Q_EMIT regionWanted();
     m_box.reset();
+    m_vertices.reset();
     m_gizmo->setFrame({});
     m_bar->hide();
     m_viewport->showCut({});
@@ -96,6 +100,7 @@ void PlaneCutTool::setRegion(const core::TransformRegion& region)
     if (!isOn() || region.whole.isEmpty())
         return;
     m_box = region.whole;
+    m_vertices = region.all;
     const double size = m_box->diagonal().norm();
     m_gizmo->setPlane(planeShare * size);
     if (!m_gizmo->frame() || m_box->exteriorDistance(m_gizmo->frame()->centre) > size)
@@ -128,7 +133,8 @@ void PlaneCutTool::showPlane()
     const core::Symmetry symmetry = m_brush->stroke().symmetry;
     const core::MirroredPlane mirrored = core::mirroredPlane(frame->centre, normal, *m_box, symmetry);
     const core::Symmetry image = mirrored == core::MirroredPlane::Other ? symmetry : core::Symmetry::None;
-    m_viewport->showCut(Viewport::Cut{frame->centre, normal, image});
+    const core::Vec3 tintedFrom = frame->centre + tintShare * m_box->diagonal().norm() * normal;
+    m_viewport->showCut(Viewport::Cut{tintedFrom, normal, image, m_vertices});
     m_gizmo->setImage(image);
     m_gizmo->update();
     const QString word = wordFor(mirrored);

@@ -61,6 +61,7 @@ private:
     Gizmo* m_gizmo;
     QLabel* m_word; ///< what symmetry does; hidden without it
     ViewCard* m_bar;
-    std::optional<core::Box> m_box; ///< of the part; nullopt: not known yet
+    std::optional<core::Box> m_box;                    ///< of the part; nullopt: not known yet
+    std::shared_ptr<const core::Footprint> m_vertices; ///< of the part
 };
 } // namespace ui

@@ -158,6 +158,7 @@ void MeshRenderer::drawMesh(const OrbitCamera& camera, const MeshView& picture)
     m_meshProgram->setUniformValue("cutImage", planeInEye(image(m_cut.normal), image(m_cut.point)));
     m_meshProgram->setUniformValue("cut", m_cut.normal.isZero() ? 0.0F : 1.0F);
     m_meshProgram->setUniformValue("cutSide", m_cut.tints ? 1.0F : 0.0F);
+    m_meshProgram->setUniformValue("cutMarked", m_cut.tints ? 1.0F : 0.0F);
     m_meshProgram->setUniformValue("ball", m_ball);
     m_meshProgram->setUniformValue("ballImage", m_ballImage);
     m_meshProgram->setUniformValue("shaded", m_mesh.isShaded() ? 1.0F : 0.0F);
@@ -170,7 +171,7 @@ void MeshRenderer::drawMesh(const OrbitCamera& camera, const MeshView& picture)
     const auto inEye = [&](const QVector4D& ball) { return QVector4D(view.map(ball.toVector3D()), ball.w()); };
     m_meshProgram->setUniformValue("ballInEye", inEye(m_ball));
     m_meshProgram->setUniformValue("imageInEye", inEye(m_ballImage));
-    m_meshProgram->setUniformValue("tinted", picture.tint ? 1.0F : 0.0F);
+    m_meshProgram->setUniformValue("tinted", picture.tint && !m_cut.tints ? 1.0F : 0.0F);
     m_meshProgram->setUniformValue("cavity", picture.cavity && !m_mesh.isShaded() ? 1.0F : 0.0F);
     setMove(*m_meshProgram);
     m_mesh.draw();

@@ -49,7 +49,8 @@ public:
     {
         core::Vec3 normal = core::Vec3::Zero(); ///< unit length; zero: no plane
         core::Vec3 point = core::Vec3::Zero();  ///< of the plane, mm
-        bool tints = false;                     ///< what is on the positive side is tinted
+        /// Only marked vertices (MeshBuffer::tint()) are cut, and those on the positive side are tinted.
+        bool tints = false;
         /// About which the plane's mirror image has a part in the cut; None: it has not.
         core::Symmetry image = core::Symmetry::None;
     };

@@ -65,8 +65,9 @@ public:
     void hideMark();
     /// Shows the plane of symmetry through the box, and the line where it cuts the clay; Symmetry::None hides both.
     void showPlane(core::Symmetry symmetry, const core::Box& box);
-    /// Shows where a plane cuts the clay, and tints what is on the side of its normal (unit length), instead of the
-    /// plane of symmetry. `image`: the mirror image about this plane cuts as well. showPlane() ends that.
+    /// Shows where a plane cuts the clay, instead of the plane of symmetry. tint() says which vertices are cut; those
+    /// on the side of the normal (unit length) are tinted. `image`: the mirror image about this plane cuts as
+    /// well. showPlane() ends that.
     void showCut(const core::Vec3& point, const core::Vec3& normal, core::Symmetry image);
     /// Shows the borders of this number of sectors on the ground under the box; 1: hides them.
     void showSectors(int sectors, core::Symmetry symmetry, const core::Box& box);

@@ -180,6 +180,10 @@ void Viewport::State::placeCursor()
     scene->move(movedVertices, move);
     if (movedVertices)
         return scene->hideCursor();
+    if (cut) {
+        scene->hideCursor();
+        return scene->tint(cut->vertices);
+    }
     const std::optional<core::SurfaceHit> hit = input.hover();
     if (hit)
         scene->placeCursor(*hit, cursorRadius(), cursorColor(input.stroke()));

@@ -95,6 +95,7 @@ public:
         core::Vec3 point, normal; ///< mm; unit length, towards what is to go
         /// About which the plane's mirror image cuts the model, too; None: it does not.
         core::Symmetry image = core::Symmetry::None;
+        std::shared_ptr<const core::Footprint> vertices; ///< what is cut: one part
     };
     /// Shows where a plane cuts the model, instead of the plane of symmetry; nullopt: ends that.
     void showCut(const std::optional<Cut>& cut);

@@ -18,6 +18,7 @@ void MeshProgram::useFor(const EyeUniforms& eye) const
     shaded.set(0.0F);
     cut.set(0.0F);
     cutSide.set(0.0F);
+    cutMarked.set(0.0F);
     ball.set(Eigen::Vector4f(0, 0, 0, 0));
     ballImage.set(Eigen::Vector4f(0, 0, 0, 0));
     ballInEye.set(Eigen::Vector4f(0, 0, 0, 0));

@@ -57,7 +57,8 @@ private:
         rim{this, "rim"};
     Uniform through{this, "through"}, sheen{this, "sheen"};
     Uniform encodeSrgb{this, "encodeSrgb"}, shaded{this, "shaded"};
-    Uniform cut{this, "cut"}, cutPlane{this, "cutPlane"}, cutImage{this, "cutImage"}, cutSide{this, "cutSide"};
+    Uniform cut{this, "cut"}, cutPlane{this, "cutPlane"}, cutImage{this, "cutImage"}, cutSide{this, "cutSide"},
+        cutMarked{this, "cutMarked"};
     Uniform ball{this, "ball"}, ballImage{this, "ballImage"};
     Uniform ballInEye{this, "ballInEye"}, imageInEye{this, "imageInEye"};
     Uniform moved{this, "moved"}, moveCentre{this, "moveCentre"}, moveBy{this, "moveBy"}, turnAxis{this, "turnAxis"},

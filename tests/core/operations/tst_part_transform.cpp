@@ -202,15 +202,18 @@ void TestPartTransform::region_isWhatMoves()
 {
     const std::unique_ptr<Mesh> mesh = maskedBar(true);
     const TransformRegion region = transformRegionOf(*mesh, 0);
-    std::size_t free = 0;
-    for (const Slot v : mesh->vertices())
+    std::size_t free = 0, all = 0;
+    for (const Slot v : mesh->vertices()) {
         free += mesh->freedom(v) > 0;
+        ++all;
+    }
     QCOMPARE(region.vertices->slots.size(), free);
     for (std::size_t i = 0; i < free; ++i) {
         QVERIFY(region.box.contains(mesh->point(region.vertices->slots[i]).cast<double>()));
         QCOMPARE(int(region.vertices->weights[i]), 255 - mesh->mask(region.vertices->slots[i]));
     }
     QVERIFY(region.whole.isApprox(boxOf(*mesh)) && region.whole.contains(region.box));
+    QVERIFY(region.all->slots.size() == all && all > free);
     QVERIFY(transformRegionOf(*mesh, 7).vertices->slots.empty()); // there is no such part
 }
 

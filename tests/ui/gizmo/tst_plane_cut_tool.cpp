@@ -77,6 +77,8 @@ private Q_SLOTS:
 
     void cut_removesWhatIsTinted();
     void plane_isMovedByTheHandles();
+    void otherParts_areNotTinted();
+    void newFace_isNotTinted();
     void swap_keepsTheOtherSide();
     void split_makesTwoParts();
     void symmetry_cutsBothSides();
@@ -120,6 +122,54 @@ void TestPlaneCutTool::plane_isMovedByTheHandles()
     stage.click("planeCutAway");
     const double left = stage.volumeLeft();
     QVERIFY(std::abs(left - volumeBelow(height)) < 0.01 * left);
+}
+
+/// Only the active part is cut, so nothing of another one is tinted.
+void TestPlaneCutTool::otherParts_areNotTinted()
+{
+    CutStage stage;
+    stage.action()->trigger();
+    stage.click("planeCutSplit");
+    stage.volumeLeft();
+    stage.showMesh();
+    const auto rednessAt = [&](const Vec3& place) {
+        const QPointF at = stage.viewport->devicePixelRatioF() * QPointF(stage.at(place));
+        const QColor color = stage.picture().pixelColor(at.toPoint());
+        return color.red() - color.green();
+    };
+    const Vec3 above(0, 20, 0), below(0, -20, 0); // in the part that was split off, and in the active one
+    stage.tool->refresh();
+    const int ofOther = rednessAt(above), ofActive = rednessAt(below);
+    stage.click("planeCutSwap");
+    QVERIFY(std::abs(rednessAt(above) - ofOther) < 4);
+    QVERIFY(rednessAt(below) > ofActive + 30);
+    stage.action()->trigger();
+    QVERIFY(std::abs(rednessAt(above) - ofOther) < 4);
+    QVERIFY(std::abs(rednessAt(below) - ofActive) < 4);
+}
+
+/// The plane stays where it was; the face that it has left looks as it does without the tool.
+void TestPlaneCutTool::newFace_isNotTinted()
+{
+    CutStage stage;
+    stage.action()->trigger();
+    const Vec3 normal = Vec3(0.3, 1, 0.2).normalized();
+    stage.gizmo()->setFrame(ui::GizmoFrame{{1, 4, 2}, Eigen::Quaterniond::FromTwoVectors(Vec3::UnitY(), normal)});
+    Q_EMIT stage.gizmo()->frameMoved();
+    stage.click("planeCutAway");
+    stage.volumeLeft();
+    stage.showMesh();
+    stage.tool->refresh();
+    stage.viewport->navigation()->turnTo(ui::OrbitCamera::Side::Top);
+    const QImage on = stage.picture();
+    stage.action()->trigger();
+    const QImage off = stage.picture();
+    const QPoint middle = stage.at({1, 4, 2}) * stage.viewport->devicePixelRatioF();
+    const int reach = static_cast<int>(15 * stage.viewport->camera().pixelsPerMm(Vec3::Zero()));
+    for (int y = -reach; y <= reach; y += 3) {
+        for (int x = -reach; x <= reach; x += 3)
+            QCOMPARE(on.pixel(middle + QPoint(x, y)), off.pixel(middle + QPoint(x, y)));
+    }
 }
 
 void TestPlaneCutTool::swap_keepsTheOtherSide()
