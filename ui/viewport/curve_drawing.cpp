@@ -266,7 +266,8 @@ void CurveDrawing::showHint()
 {
     m_hint->showText(hintFor(*m_use, *m_bar, isOutside()), width());
     m_bar->adjustSize();
-    m_bar->move((width() - m_bar->width()) / 2, m_hint->geometry().bottom() + barMargin);
+    const int left = (width() - m_bar->width()) / 2, below = m_hint->geometry().bottom() + barMargin;
+    m_bar->move(left, left < ViewHint::corner ? std::max(below, ViewHint::corner) : below);
 }
 
 /// Tints the area; in red what will be cut away. Draws a light line with dark edges, to be visible on every material.

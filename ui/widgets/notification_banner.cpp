@@ -1,5 +1,7 @@
 #include "ui/widgets/notification_banner.h"
 
+#include "ui/widgets/view_card.h"
+
 #include <QEvent>
 
 #include <algorithm>
@@ -59,10 +61,17 @@ void NotificationBanner::place()
     const int oneLine = fontMetrics().horizontalAdvance(text()) + 2 * 16 + 4;
     const int width = std::min(oneLine, max);
     const int height = heightForWidth(width);
-    QRect where((parentWidget()->width() - width) / 2, parentWidget()->height() - height - distance, width, height);
-    if (m_sibling && !m_sibling->isHidden() &&
-        where.adjusted(-between, -between, between, between).intersects(m_sibling->geometry()))
-        where.moveBottom(m_sibling->y() - between - 1);
-    setGeometry(where);
+    setGeometry((parentWidget()->width() - width) / 2, parentWidget()->height() - height - distance, width, height);
+    if (m_sibling && !m_sibling->isHidden())
+        moveAbove(m_sibling->geometry());
+    for (const ViewCard* card : parentWidget()->findChildren<ViewCard*>())
+        if (card->isVisible())
+            moveAbove({card->mapTo(parentWidget(), QPoint()), card->size()});
+}
+
+void NotificationBanner::moveAbove(const QRect& other)
+{
+    if (geometry().adjusted(-between, -between, between, between).intersects(other))
+        move(x(), other.top() - between - height());
 }
 } // namespace ui

@@ -5,7 +5,8 @@
 
 namespace ui
 {
-/// A message over the lower edge of its parent that disappears after a while. Transparent for the mouse.
+/// A message over the lower edge of its parent that disappears after a while. Stays above the cards of the view, whose
+/// buttons it must not cover. Transparent for the mouse.
 class NotificationBanner : public QLabel
 {
     Q_OBJECT
@@ -23,6 +24,7 @@ protected:
 
 private:
     void place();
+    void moveAbove(const QRect& other);
 
     QWidget* m_sibling = nullptr;
     QTimer m_timer;

@@ -1,5 +1,7 @@
 #include "ui/widgets/view_hint.h"
 
+#include <algorithm>
+
 namespace ui
 {
 namespace
@@ -20,9 +22,9 @@ void ViewHint::showText(const QString& text, int viewWidth)
     setText(text);
     setWordWrap(false);
     QSize size = sizeHint();
-    if (size.width() > viewWidth) {
+    if (const int most = std::max(viewWidth - 2 * corner, viewWidth / 2); size.width() > most) {
         setWordWrap(true);
-        size = {viewWidth, heightForWidth(viewWidth)};
+        size = {most, heightForWidth(most)};
     }
     setGeometry((viewWidth - size.width()) / 2, topMargin, size.width(), size.height());
 }

@@ -10,6 +10,7 @@
 #include "ui/actions/actions.h"
 #include "ui/viewport/area_bar.h"
 #include "ui/viewport/curve_drawing.h"
+#include "ui/viewport/navigation_cube.h"
 
 #include <QAction>
 #include <QLabel>
@@ -279,6 +280,20 @@ private Q_SLOTS:
         s.drag(s.at(-0.5, 0.5), s.at(0.5, -0.5), Qt::ShiftModifier);
         QVERIFY(std::get<core::Trim>(*s.requested).area.side == core::ViewArea::Side::Inside);
         QVERIFY(!s.button("areaBox")->isVisible());
+    }
+
+    /// In a narrow view the bar is below the cube in the corner.
+    void bar_leavesTheCubeFree()
+    {
+        Stage s;
+        for (const int width : {900, 380}) {
+            s.window.resize(width, 450);
+            QTRY_COMPARE(s.viewport->width(), width);
+            s.start("area.trim", "areaBox");
+            const auto* cube = s.viewport->findChild<ui::NavigationCube*>();
+            QVERIFY(cube->isVisible());
+            QVERIFY(!s.button("areaBox")->parentWidget()->geometry().intersects(cube->geometry()));
+        }
     }
 
     void keys_chooseInTheBar()
