@@ -10056,6 +10056,22 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Klicken Sie die Ecken eines Bereichs an; ein Doppelklick schließt ab.</translation>
     </message>
     <message>
+        <source>The box has no area: drag from one corner to the opposite one.</source>
+        <translation>Das Rechteck hat keine Fläche: Ziehen Sie von einer Ecke zur gegenüberliegenden.</translation>
+    </message>
+    <message>
+        <source>The line has no length: drag it across the model.</source>
+        <translation>Die Linie hat keine Länge: Ziehen Sie sie über das Modell.</translation>
+    </message>
+    <message>
+        <source>A polygon needs at least three corners that are not in one line.</source>
+        <translation>Ein Vieleck braucht mindestens drei Ecken, die nicht auf einer Linie liegen.</translation>
+    </message>
+    <message>
+        <source>The lasso has no area: drag it around something.</source>
+        <translation>Das Lasso hat keine Fläche: Ziehen Sie es um etwas herum.</translation>
+    </message>
+    <message>
         <source>What is inside is masked.</source>
         <translation>Was innen liegt, wird maskiert.</translation>
     </message>

@@ -10021,6 +10021,22 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>单击区域的各个角点；双击结束。</translation>
     </message>
     <message>
+        <source>The box has no area: drag from one corner to the opposite one.</source>
+        <translation>方框没有面积：请从一个角拖到对角。</translation>
+    </message>
+    <message>
+        <source>The line has no length: drag it across the model.</source>
+        <translation>直线没有长度：请把它拖过模型。</translation>
+    </message>
+    <message>
+        <source>A polygon needs at least three corners that are not in one line.</source>
+        <translation>多边形至少需要三个不在一条直线上的角点。</translation>
+    </message>
+    <message>
+        <source>The lasso has no area: drag it around something.</source>
+        <translation>套索没有面积：请拖动它圈住某处。</translation>
+    </message>
+    <message>
         <source>What is inside is masked.</source>
         <translation>里面的部分被遮罩。</translation>
     </message>

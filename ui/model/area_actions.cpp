@@ -52,8 +52,8 @@ core::ModelCommand commandFor(AreaUse use, const core::ViewArea& area)
 }
 } // namespace
 
-void connectAreas(const Actions& actions, Viewport* viewport, const BrushSettings* brush,
-                  const std::function<void(const core::ModelCommand&)>& request)
+CurveDrawing* connectAreas(const Actions& actions, Viewport* viewport, const BrushSettings* brush,
+                           const std::function<void(const core::ModelCommand&)>& request)
 {
     auto* drawing = new CurveDrawing(viewport);
     for (const auto& [id, use] : areaActions)
@@ -66,5 +66,6 @@ void connectAreas(const Actions& actions, Viewport* viewport, const BrushSetting
         area.symmetry = brush->stroke().symmetry;
         request(commandFor(drawn.use, area));
     });
+    return drawing;
 }
 } // namespace ui

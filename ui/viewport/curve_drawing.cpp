@@ -46,6 +46,22 @@ QString hintFor(AreaUse areaUse, const AreaBar& bar, bool isOutside)
         sentences << CurveDrawing::tr("Only what is in front counts.");
     return (sentences << CurveDrawing::tr("Shift: the other side. Esc cancels.")).join(QLatin1Char(' '));
 }
+
+/// Returns what a curve without area lacks.
+QString refusalOf(CurveShape shape)
+{
+    switch (shape) {
+    case CurveShape::Lasso:
+        break;
+    case CurveShape::Box:
+        return CurveDrawing::tr("The box has no area: drag from one corner to the opposite one.");
+    case CurveShape::Line:
+        return CurveDrawing::tr("The line has no length: drag it across the model.");
+    case CurveShape::Polygon:
+        return CurveDrawing::tr("A polygon needs at least three corners that are not in one line.");
+    }
+    return CurveDrawing::tr("The lasso has no area: drag it around something.");
+}
 } // namespace
 
 CurveDrawing::CurveDrawing(Viewport* viewport)
@@ -234,7 +250,7 @@ QPolygonF CurveDrawing::curve() const
     return m_points;
 }
 
-/// Ends the drawing. A curve without extent is begun again instead.
+/// Ends the drawing. A curve without area is begun again instead.
 void CurveDrawing::close()
 {
     const QPolygonF closed = simplified(curve());
@@ -242,7 +258,8 @@ void CurveDrawing::close()
     if (closed.size() < 3 || std::max(around.width(), around.height()) < minSize) {
         if (m_bar->shape() != CurveShape::Polygon)
             m_points.clear();
-        return update();
+        update();
+        return Q_EMIT refused(refusalOf(m_bar->shape()));
     }
     const DrawnArea area{*m_use, closed, isOutside(), m_bar->isFrontOnly()};
     cancel();

@@ -36,6 +36,8 @@ public:
 Q_SIGNALS:
     /// The user has closed the curve.
     void drawn(const ui::DrawnArea& area);
+    /// The curve has no area, and another one is awaited. `sentence`: the message for the user.
+    void refused(const QString& sentence);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

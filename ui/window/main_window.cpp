@@ -36,6 +36,7 @@
 #include "ui/shapes/tube_tool.h"
 #include "ui/util/error_messages.h"
 #include "ui/viewport/appearance_actions.h"
+#include "ui/viewport/curve_drawing.h"
 #include "ui/viewport/input_actions.h"
 #include "ui/viewport/view_actions.h"
 #include "ui/viewport/viewport.h"
@@ -257,7 +258,7 @@ void MainWindow::State::connectActions()
     const auto request = [this](const core::ModelCommand& command) { Q_EMIT q->commandRequested(command); };
     connectModel(
         actions, q, [this]() -> const ModelInfo& { return model; }, &brush, request);
-    connectAreas(actions, viewport, &brush, request);
+    connect(connectAreas(actions, viewport, &brush, request), &CurveDrawing::refused, q, &MainWindow::showNotice);
     connect(new TransformTool(actions, viewport), &TransformTool::requested, q, request);
     connect(new PlaneCutTool(actions, &brush, viewport), &PlaneCutTool::requested, q, request);
     connect(new TubeTool(actions, &brush, viewport), &TubeTool::requested, q, request);

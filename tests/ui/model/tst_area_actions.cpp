@@ -15,6 +15,8 @@
 #include <QAction>
 #include <QLabel>
 #include <QMainWindow>
+#include <QSet>
+#include <QSignalSpy>
 #include <QToolButton>
 
 #include <cmath>
@@ -280,6 +282,38 @@ private Q_SLOTS:
         s.drag(s.at(-0.5, 0.5), s.at(0.5, -0.5), Qt::ShiftModifier);
         QVERIFY(std::get<core::Trim>(*s.requested).area.side == core::ViewArea::Side::Inside);
         QVERIFY(!s.button("areaBox")->isVisible());
+    }
+
+    /// A curve without area says what it lacks; the tool stays ready.
+    void curveWithoutArea_saysWhatItLacks()
+    {
+        Stage s;
+        QSignalSpy refused(s.drawing(), &ui::CurveDrawing::refused);
+        QSet<QString> sentences;
+        const auto note = [&] {
+            QVERIFY(s.drawing()->isActive() && !s.requested);
+            QVERIFY(!refused.isEmpty());
+            sentences << refused.takeLast().front().toString();
+            QVERIFY(refused.isEmpty()); // once
+        };
+        s.start("area.trim", "areaLasso");
+        s.click(s.at(0, 0));
+        note();
+        s.drag(s.at(-0.5, 0), s.at(0.5, 0)); // there are two points only
+        note();
+        QCOMPARE(sentences.size(), 1);
+        s.start("area.trim", "areaBox");
+        s.click(s.at(0, 0));
+        note();
+        s.start("area.trim", "areaLine");
+        s.click(s.at(0, 0));
+        note();
+        s.start("area.trim", "areaPolygon");
+        s.click(s.at(0, 0));
+        s.click(s.at(0.5, 0));
+        QTest::keyClick(s.viewport, Qt::Key_Return);
+        note();
+        QCOMPARE(sentences.size(), 4);
     }
 
     /// In a narrow view the bar is below the cube in the corner.
