@@ -10372,6 +10372,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>Takes only what is seen first, not what is behind it (F).</source>
         <translation>Nimmt nur, was man zuerst sieht, nicht was dahinter liegt (F).</translation>
     </message>
+    <message>
+        <source>Coloured</source>
+        <translation>Farbig</translation>
+    </message>
+    <message>
+        <source>Gives the faces of the cut the paint colour (P).</source>
+        <translation>Gibt den Flächen des Schnitts die Malfarbe (P).</translation>
+    </message>
 </context>
 <context>
     <name>ui::ObjectsBar</name>
@@ -10420,6 +10428,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
 </context>
 <context>
     <name>ui::PlaneCutTool</name>
+    <message>
+        <source>Colour the cu&amp;t</source>
+        <translation>Den Schnitt &amp;färben</translation>
+    </message>
+    <message>
+        <source>Cut Away gives the flat face the paint colour.</source>
+        <translation>Wegschneiden gibt der ebenen Fläche die Malfarbe.</translation>
+    </message>
     <message>
         <source>&amp;Cut Away</source>
         <translation>&amp;Wegschneiden</translation>

@@ -10337,6 +10337,14 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <source>Takes only what is seen first, not what is behind it (F).</source>
         <translation>只取最先看到的部分，不取其后面的部分 (F)。</translation>
     </message>
+    <message>
+        <source>Coloured</source>
+        <translation>着色</translation>
+    </message>
+    <message>
+        <source>Gives the faces of the cut the paint colour (P).</source>
+        <translation>给切面涂上笔刷颜色 (P)。</translation>
+    </message>
 </context>
 <context>
     <name>ui::ObjectsBar</name>
@@ -10383,6 +10391,14 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
 </context>
 <context>
     <name>ui::PlaneCutTool</name>
+    <message>
+        <source>Colour the cu&amp;t</source>
+        <translation>切面着色(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Cut Away gives the flat face the paint colour.</source>
+        <translation>“切除”给平面涂上笔刷颜色。</translation>
+    </message>
     <message>
         <source>&amp;Cut Away</source>
         <translation>切除(&amp;C)</translation>

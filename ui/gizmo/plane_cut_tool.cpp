@@ -9,6 +9,7 @@
 #include "ui/widgets/view_card.h"
 
 #include <QAction>
+#include <QCheckBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -33,6 +34,8 @@ PlaneCutTool::PlaneCutTool(const Actions& actions, const BrushSettings* brush, V
     , m_action(actions.get(QStringLiteral("area.plane")))
     , m_gizmo(new Gizmo(viewport, GizmoShape::Handles::WithoutScale))
     , m_word(named(new QLabel, "planeCutWord"))
+    , m_colors(named(new QCheckBox(tr("Colour the cu&t")), "planeCutColors",
+                     tr("Cut Away gives the flat face the paint colour.")))
     , m_bar(makeBar())
 {
     m_gizmo->setObjectName(QStringLiteral("planeCutGizmo"));
@@ -50,6 +53,7 @@ ViewCard* PlaneCutTool::makeBar()
     auto* column = new QVBoxLayout(bar);
     column->setContentsMargins(gap, gap, gap, gap);
     column->addWidget(m_word);
+    column->addWidget(m_colors);
     auto* row = new QHBoxLayout;
     column->addLayout(row);
     const auto add = [&](const char* name, const QString& text, const QString& tip, const auto& callback) {
@@ -156,7 +160,9 @@ void PlaneCutTool::swapSides()
 void PlaneCutTool::request(bool splits)
 {
     const GizmoFrame& frame = *m_gizmo->frame();
-    const core::Trim trim = core::trimBeyond(frame.centre, frame.axis(normalAxis), *m_box, m_brush->stroke().symmetry);
+    core::Trim trim = core::trimBeyond(frame.centre, frame.axis(normalAxis), *m_box, m_brush->stroke().symmetry);
+    if (m_colors->isChecked())
+        trim.color = m_brush->stroke().color;
     Q_EMIT requested(splits ? core::ModelCommand(core::SplitPart{trim.area, {}}) : core::ModelCommand(trim));
 }
 } // namespace ui

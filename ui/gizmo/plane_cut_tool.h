@@ -11,6 +11,7 @@
 #include <optional>
 
 class QAction;
+class QCheckBox;
 class QLabel;
 
 namespace ui
@@ -60,6 +61,7 @@ private:
     QAction* m_action;
     Gizmo* m_gizmo;
     QLabel* m_word; ///< what symmetry does; hidden without it
+    QCheckBox* m_colors;
     ViewCard* m_bar;
     std::optional<core::Box> m_box;                    ///< of the part; nullopt: not known yet
     std::shared_ptr<const core::Footprint> m_vertices; ///< of the part

@@ -7,6 +7,7 @@
 
 #include <QAction>
 
+#include <optional>
 #include <utility>
 
 namespace ui
@@ -34,7 +35,7 @@ core::ViewArea areaOf(const QPolygonF& curve, const OrbitCamera& camera)
     return area;
 }
 
-core::ModelCommand commandFor(AreaUse use, const core::ViewArea& area)
+core::ModelCommand commandFor(AreaUse use, const core::ViewArea& area, const std::optional<core::Rgb>& color)
 {
     switch (use) {
     case AreaUse::Mask:
@@ -48,7 +49,7 @@ core::ModelCommand commandFor(AreaUse use, const core::ViewArea& area)
     case AreaUse::Split:
         return core::SplitPart{area, {}};
     }
-    return core::Trim{area};
+    return core::Trim{area, color};
 }
 } // namespace
 
@@ -63,8 +64,9 @@ CurveDrawing* connectAreas(const Actions& actions, Viewport* viewport, const Bru
         core::ViewArea area = areaOf(drawn.curve, viewport->camera());
         area.side = drawn.isOutside ? core::ViewArea::Side::Outside : core::ViewArea::Side::Inside;
         area.isFrontOnly = drawn.isFrontOnly;
-        area.symmetry = brush->stroke().symmetry;
-        request(commandFor(drawn.use, area));
+        const core::StrokeSettings stroke = brush->stroke();
+        area.symmetry = stroke.symmetry;
+        request(commandFor(drawn.use, area, drawn.isColored ? std::optional(stroke.color) : std::nullopt));
     });
     return drawing;
 }

@@ -35,6 +35,7 @@ AreaBar::AreaBar(QWidget* view) : QFrame(view), m_row(new QHBoxLayout(this))
         addButton("areaOutside", tr("Outside"), tr("Takes what is beside the curve instead (O, or hold Shift)."), {});
     m_front = addButton("areaFront", tr("Only in Front"),
                         tr("Takes only what is seen first, not what is behind it (F)."), {});
+    m_color = addButton("areaColor", tr("Coloured"), tr("Gives the faces of the cut the paint colour (P)."), {});
     connect(m_outside, &QToolButton::clicked, this, &AreaBar::extentChanged);
     connect(m_front, &QToolButton::clicked, this, &AreaBar::extentChanged);
     hide();
@@ -63,6 +64,16 @@ bool AreaBar::isFrontOnly() const
     return m_front->isChecked();
 }
 
+bool AreaBar::isColored() const
+{
+    return m_color->isVisibleTo(this) && m_color->isChecked();
+}
+
+void AreaBar::setUse(AreaUse use)
+{
+    m_color->setVisible(use == AreaUse::Trim);
+}
+
 void AreaBar::setShape(CurveShape shape)
 {
     m_shape = shape;
@@ -70,15 +81,29 @@ void AreaBar::setShape(CurveShape shape)
     Q_EMIT shapeChanged();
 }
 
+/// Returns the button of a key; null: none has it.
+QToolButton* AreaBar::buttonFor(int key) const
+{
+    switch (key) {
+    case Qt::Key_O:
+        return m_outside;
+    case Qt::Key_F:
+        return m_front;
+    case Qt::Key_P:
+        return m_color;
+    default:
+        return m_shapes.value(key - Qt::Key_1);
+    }
+}
+
 bool AreaBar::handleKey(const QKeyEvent& event)
 {
-    const int key = event.key();
-    const bool isShape = key >= Qt::Key_1 && key < Qt::Key_1 + m_shapes.size();
-    if ((!isShape && key != Qt::Key_O && key != Qt::Key_F) ||
+    QToolButton* button = buttonFor(event.key());
+    if (!button || !button->isVisibleTo(this) ||
         event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier))
         return false;
     if (event.type() == QEvent::KeyPress && !event.isAutoRepeat())
-        (isShape ? m_shapes[key - Qt::Key_1] : key == Qt::Key_O ? m_outside : m_front)->click();
+        button->click();
     return true;
 }
 } // namespace ui

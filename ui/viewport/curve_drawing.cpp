@@ -94,6 +94,7 @@ void CurveDrawing::begin(AreaUse use)
     if (!m_viewport->isVisible() || m_viewport->input()->strokeOpen() || m_viewport->input()->isPressPending())
         return;
     m_use = use;
+    m_bar->setUse(use);
     m_points.clear();
     m_isShiftHeld = false;
     m_releaseFollows = false;
@@ -261,7 +262,7 @@ void CurveDrawing::close()
         update();
         return Q_EMIT refused(refusalOf(m_bar->shape()));
     }
-    const DrawnArea area{*m_use, closed, isOutside(), m_bar->isFrontOnly()};
+    const DrawnArea area{*m_use, closed, isOutside(), m_bar->isFrontOnly(), m_bar->isColored()};
     cancel();
     Q_EMIT drawn(area);
 }

@@ -22,6 +22,7 @@ struct DrawnArea
     QPolygonF curve;          ///< closed; corners in the view, logical pixels
     bool isOutside = false;   ///< what is beside the curve counts
     bool isFrontOnly = false; ///< only what is seen first counts
+    bool isColored = false;   ///< a cut gets the paint colour
 };
 
 /// Returns the closed curve between two places of the pointer. Precondition: the shape is Box or Line. `view`: the size

@@ -12,6 +12,7 @@
 #include "ui/gizmo/transform_tool.h"
 
 #include <QAction>
+#include <QCheckBox>
 #include <QLabel>
 #include <QPushButton>
 
@@ -79,6 +80,7 @@ private Q_SLOTS:
     void plane_isMovedByTheHandles();
     void otherParts_areNotTinted();
     void newFace_isNotTinted();
+    void cut_hasThePaintColorIfWished();
     void swap_keepsTheOtherSide();
     void split_makesTwoParts();
     void symmetry_cutsBothSides();
@@ -169,6 +171,26 @@ void TestPlaneCutTool::newFace_isNotTinted()
     for (int y = -reach; y <= reach; y += 3) {
         for (int x = -reach; x <= reach; x += 3)
             QCOMPARE(on.pixel(middle + QPoint(x, y)), off.pixel(middle + QPoint(x, y)));
+    }
+}
+
+void TestPlaneCutTool::cut_hasThePaintColorIfWished()
+{
+    CutStage stage;
+    const core::Rgb color{20, 160, 90};
+    stage.brush.set(&core::StrokeSettings::color, color);
+    stage.action()->trigger();
+    stage.click("planeCutAway");
+    QVERIFY(!std::get<core::Trim>(stage.requests.back()).color);
+    stage.viewport->findChild<QCheckBox*>(QStringLiteral("planeCutColors"))->click();
+    stage.click("planeCutAway");
+    stage.volumeLeft();
+    for (const core::Slot v : stage.mesh->vertices()) {
+        const core::Vec3f p = stage.mesh->point(v);
+        if (p.y() > -0.01F && p.head<2>().norm() < 25)
+            QVERIFY(stage.mesh->color(v) == color || p.norm() > 29);
+        else if (p.y() < -1)
+            QVERIFY(stage.mesh->color(v) != color);
     }
 }
 

@@ -284,6 +284,25 @@ private Q_SLOTS:
         QVERIFY(!s.button("areaBox")->isVisible());
     }
 
+    /// Only a cut can be coloured, and the bar offers it only then.
+    void cut_hasThePaintColorIfWished()
+    {
+        Stage s;
+        s.brush.set(&core::StrokeSettings::color, core::Rgb{20, 160, 90});
+        const auto trim = [&] {
+            s.start("area.trim", "areaBox");
+            s.drag(s.at(-0.5, 0.5), s.at(0.5, -0.5));
+            return std::get<core::Trim>(s.requested.value());
+        };
+        QVERIFY(!trim().color);
+        s.start("area.trim", "areaBox");
+        QTest::keyClick(s.viewport, Qt::Key_P);
+        QVERIFY(s.button("areaColor")->isVisible() && s.button("areaColor")->isChecked());
+        QVERIFY(trim().color == s.brush.stroke().color);
+        s.start("area.split", "areaBox");
+        QVERIFY(!s.button("areaColor")->isVisible());
+    }
+
     /// A curve without area says what it lacks; the tool stays ready.
     void curveWithoutArea_saysWhatItLacks()
     {
