@@ -57,6 +57,15 @@ bool shouldLiftLimits(const DabContext& context)
     return std::has_single_bit(context.fallbackSteps) || context.fallbackSteps % maxLimitedSteps == 0;
 }
 
+/// Returns whether limits have kept the motion back that may still be made up for. A tool that moves vertices to a
+/// place must not move them past it, and a hand that drags must not be overtaken.
+bool lagsBehind(const DabContext& context)
+{
+    const Tool tool = context.settings.tool;
+    const bool movesByLength = tool == Tool::Pull || tool == Tool::Push || tool == Tool::Inflate;
+    return movesByLength && !context.report.isWhole() && !context.report.contact;
+}
+
 bool isDeep(const DabContext& context)
 {
     return context.report.asked > deepStamp * context.dab.radius;
@@ -138,6 +147,8 @@ void DabPipeline::deform(DabContext& context)
         }
         report.substeps += plan.substeps();
         plan.advance();
+        if (plan.isDone() && lagsBehind(context))
+            plan.addStep();
         if (result == Step::Fallback) {
             report.outcome = DabOutcome::Fallback;
             ++context.fallbackSteps;

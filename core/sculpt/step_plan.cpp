@@ -72,6 +72,14 @@ void StepPlan::advance()
     m_ticks = std::min({2 * m_ticks, m_maxTicks, m_ticksLeft});
 }
 
+void StepPlan::addStep()
+{
+    if (m_added < maxAdded * m_steps) {
+        ++m_added;
+        m_ticks = m_ticksLeft = ticksPerStep;
+    }
+}
+
 bool StepPlan::halveTransaction()
 {
     if (m_ticks <= ticksPerStep)

@@ -27,6 +27,9 @@ public:
     unsigned substeps() const { return std::max(m_ticks / ticksPerStep, 1u); }
     /// Advances past a committed transaction. The next one may do twice as many sub-steps.
     void advance();
+    /// Adds a sub-step to a plan that is done, because motion limits have kept vertices back. Has no effect if the plan
+    /// is a quarter longer already.
+    void addStep();
 
     // --- after a transaction that failed -----------------------------------------------------------------------------
     /// Halves the next transaction, to no less than one sub-step. Returns false if it does no more than one already.
@@ -42,6 +45,7 @@ private:
     static constexpr unsigned ticksPerStep = 8;
     static constexpr unsigned maxRetriesPerStep = 6,
                               maxRetriesPerDab = 12; ///< beyond these, the fallback step does the sub-step
+    static constexpr double maxAdded = 0.25;         ///< most sub-steps that may be added, by those of the plan
 
     double m_steps = 0;
     unsigned m_maxTicks = ticksPerStep; ///< largest number of ticks in a transaction
@@ -49,5 +53,6 @@ private:
     unsigned m_ticksLeft = 0;
     unsigned m_retries = 0;
     unsigned m_totalRetries = 0;
+    unsigned m_added = 0; ///< sub-steps added
 };
 } // namespace core
