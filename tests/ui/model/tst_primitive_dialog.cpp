@@ -199,14 +199,14 @@ void TestPrimitiveDialog::profile_isReadLineByLine()
     PrimitiveQuestion asking;
     asking.choose("kind", "Turned profile");
     auto* text = asking.in<QPlainTextEdit>("profile");
-    for (const char* bad : {"", "10 0", "10 0\n8 x", "10 0\n8", "10 0\n8 5 3", "-1 0\n8 5"}) {
+    for (const char* bad : {"", "10 0", "10 0\n8 x", "10 0\n8", "10 0\n8 5 3", "-1 0\n8 5", "1,000.5 0\n8 5"}) {
         text->setPlainText(QLatin1StringView(bad));
         QVERIFY2(!asking.accepting()->isEnabled(), bad);
     }
-    text->setPlainText(QStringLiteral("  10.5  0 \n\n8; 20\n0 30\n"));
+    text->setPlainText(QStringLiteral("  10.5  0 \n\n8,25; 20\n0 30\n"));
     QVERIFY(asking.accepting()->isEnabled());
     asking.accepting()->click();
-    const std::vector<ProfilePoint> expected = {{10.5, 0}, {8, 20}, {0, 30}};
+    const std::vector<ProfilePoint> expected = {{10.5, 0}, {8.25, 20}, {0, 30}};
     QVERIFY(asking.insertion->primitive->profile == expected);
 }
 
