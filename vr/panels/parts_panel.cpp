@@ -126,9 +126,8 @@ void PartsPanel::addListButtons(PanelBuilder& builder) const
         {{.text = tr("Isolate"), .icon = QStringLiteral("part-isolate"), .isChosen = isAlone && parts.size() > 1},
          PanelCommand::IsolatePart,
          !isBusy && parts.size() > 1});
-    builder.add(places[4], {{.text = tr("Show all"), .icon = QStringLiteral("part-shown")},
-                            PanelCommand::ShowAllParts,
-                            !isBusy && parts.size() > 1});
+    builder.add(places[4],
+                {{.text = tr("Show all"), .icon = QStringLiteral("part-shown")}, PanelCommand::ShowAllParts, !isBusy});
 }
 
 /// Adds the buttons that copy and delete; during a preview, those that end it.

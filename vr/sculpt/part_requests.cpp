@@ -19,14 +19,6 @@ core::ShowParts shown(const PartsPanel& panel, const ShowPart& change)
     return show;
 }
 
-core::ShowParts allShown(const PartsPanel& panel)
-{
-    core::ShowParts show;
-    for (const PartRow& row : panel.parts)
-        show.visible.push_back(row.part.id);
-    return show;
-}
-
 /// Returns the request after which a part's name, lock and tag are as `edit` makes them; none if the part is gone or
 /// nothing changes.
 template <class Edit>
@@ -65,7 +57,7 @@ std::optional<DocumentRequest> requestOf(const PartsPanel& panel, PanelCommand c
     case PanelCommand::IsolatePart:
         return IsolatePart{};
     case PanelCommand::ShowAllParts:
-        return ChangePart{panel.active, allShown(panel)};
+        return ChangePart{panel.active, core::Hide{core::Hide::What::NoPart}};
     case PanelCommand::DuplicatePart:
         return ChangePart{panel.active, core::DuplicatePart{panel.nameOfCopy().toStdString()}};
     case PanelCommand::DeletePart:
