@@ -796,6 +796,10 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
 <context>
     <name>app::HeadsetRequests</name>
     <message>
+        <source>Apply or cancel the preview first.</source>
+        <translation>Übernehmen Sie zuerst die Vorschau, oder brechen Sie sie ab.</translation>
+    </message>
+    <message>
         <source>The model was not restored: another operation on it is still running.</source>
         <translation>Das Modell wurde nicht zurückgesetzt: Daran läuft noch ein anderer Vorgang.</translation>
     </message>
@@ -10056,20 +10060,20 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Klicken Sie die Ecken eines Bereichs an; ein Doppelklick schließt ab.</translation>
     </message>
     <message>
-        <source>The box has no area: drag from one corner to the opposite one.</source>
-        <translation>Das Rechteck hat keine Fläche: Ziehen Sie von einer Ecke zur gegenüberliegenden.</translation>
+        <source>The box is too small: drag from one corner to the opposite one.</source>
+        <translation>Das Rechteck ist zu klein: Ziehen Sie von einer Ecke zur gegenüberliegenden.</translation>
     </message>
     <message>
-        <source>The line has no length: drag it across the model.</source>
-        <translation>Die Linie hat keine Länge: Ziehen Sie sie über das Modell.</translation>
+        <source>The line is too short: drag it across the model.</source>
+        <translation>Die Linie ist zu kurz: Ziehen Sie sie über das Modell.</translation>
     </message>
     <message>
         <source>A polygon needs at least three corners that are not in one line.</source>
         <translation>Ein Vieleck braucht mindestens drei Ecken, die nicht auf einer Linie liegen.</translation>
     </message>
     <message>
-        <source>The lasso has no area: drag it around something.</source>
-        <translation>Das Lasso hat keine Fläche: Ziehen Sie es um etwas herum.</translation>
+        <source>The lasso is too small: drag it around something.</source>
+        <translation>Das Lasso ist zu klein: Ziehen Sie es um etwas herum.</translation>
     </message>
     <message>
         <source>What is inside is masked.</source>
@@ -10614,10 +10618,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Trigger: chooses the part that you point at. Side button: moves the chosen part. Mark others to combine them with it.</source>
         <translation>Abzug: wählt das Teil, auf das Sie zeigen. Seitentaste: bewegt das gewählte Teil. Markieren Sie andere, um sie mit ihm zu verknüpfen.</translation>
-    </message>
-    <message>
-        <source>This is a preview. What the operation takes away is shown as glass.</source>
-        <translation>Dies ist eine Vorschau. Was die Operation entfernt, ist als Glas zu sehen.</translation>
     </message>
     <message>
         <source>Join with the part</source>

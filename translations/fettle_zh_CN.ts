@@ -787,6 +787,10 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
 <context>
     <name>app::HeadsetRequests</name>
     <message>
+        <source>Apply or cancel the preview first.</source>
+        <translation>请先应用或取消预览。</translation>
+    </message>
+    <message>
         <source>The model was not restored: another operation on it is still running.</source>
         <translation>模型未重置：模型正在进行其他操作。</translation>
     </message>
@@ -10021,20 +10025,20 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>单击区域的各个角点；双击结束。</translation>
     </message>
     <message>
-        <source>The box has no area: drag from one corner to the opposite one.</source>
-        <translation>方框没有面积：请从一个角拖到对角。</translation>
+        <source>The box is too small: drag from one corner to the opposite one.</source>
+        <translation>方框太小：请从一个角拖到对角。</translation>
     </message>
     <message>
-        <source>The line has no length: drag it across the model.</source>
-        <translation>直线没有长度：请把它拖过模型。</translation>
+        <source>The line is too short: drag it across the model.</source>
+        <translation>直线太短：请把它拖过模型。</translation>
     </message>
     <message>
         <source>A polygon needs at least three corners that are not in one line.</source>
         <translation>多边形至少需要三个不在一条直线上的角点。</translation>
     </message>
     <message>
-        <source>The lasso has no area: drag it around something.</source>
-        <translation>套索没有面积：请拖动它圈住某处。</translation>
+        <source>The lasso is too small: drag it around something.</source>
+        <translation>套索太小：请拖动鼠标圈出一个区域。</translation>
     </message>
     <message>
         <source>What is inside is masked.</source>
@@ -10339,7 +10343,7 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     </message>
     <message>
         <source>Coloured</source>
-        <translation>着色</translation>
+        <translation>上色</translation>
     </message>
     <message>
         <source>Gives the faces of the cut the paint colour (P).</source>
@@ -10393,11 +10397,11 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     <name>ui::PlaneCutTool</name>
     <message>
         <source>Colour the cu&amp;t</source>
-        <translation>切面着色(&amp;T)</translation>
+        <translation>切面上色(&amp;T)</translation>
     </message>
     <message>
         <source>Cut Away gives the flat face the paint colour.</source>
-        <translation>“切除”给平面涂上笔刷颜色。</translation>
+        <translation>“切除”给切出的平面涂上笔刷颜色。</translation>
     </message>
     <message>
         <source>&amp;Cut Away</source>
@@ -10577,10 +10581,6 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     <message>
         <source>Trigger: chooses the part that you point at. Side button: moves the chosen part. Mark others to combine them with it.</source>
         <translation>扳机：选择所指的部件。侧键：移动所选的部件。标记其他部件，可与它组合。</translation>
-    </message>
-    <message>
-        <source>This is a preview. What the operation takes away is shown as glass.</source>
-        <translation>这是预览。该操作去除的部分显示为玻璃。</translation>
     </message>
     <message>
         <source>Join with the part</source>

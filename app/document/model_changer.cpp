@@ -99,6 +99,7 @@ void ModelChanger::previewInstead(core::SetOperation operation)
     ModelChangeRequest request = m_preview->request;
     std::get<core::CombineParts>(request.command).operation = operation;
     takeBack();
+    Q_EMIT previewTakenBack();
     compute(request);
 }
 

@@ -50,6 +50,8 @@ public Q_SLOTS:
 Q_SIGNALS:
     /// `translucent`: the parts that the operation has taken away, mm.
     void previewed(core::SetOperation operation, const std::shared_ptr<const core::DrawArrays>& translucent);
+    /// Another result is being computed in the place of the one that was shown; previewed() or previewEnded() follows.
+    void previewTakenBack();
     void previewEnded();
     /// Emitted if the model to insert is not sound. insert() with InsertRequest::repair may succeed.
     void insertionRepairable(const ui::InsertRequest& insertion, const QString& problem);

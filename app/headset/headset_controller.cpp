@@ -67,11 +67,13 @@ void HeadsetController::connectDocument()
         m_update.translucent = translucent;
         scheduleUpdate();
     });
-    connect(changer, &ModelChanger::previewEnded, this, [this] {
+    const auto hidePreview = [this] {
         m_update.preview.reset();
         m_update.translucent.reset();
         onBusyChanged();
-    });
+    };
+    connect(changer, &ModelChanger::previewTakenBack, this, hidePreview);
+    connect(changer, &ModelChanger::previewEnded, this, hidePreview);
     connect(m_document, &Document::noticed, this, &HeadsetController::showNotice);
     connect(m_document, &Document::refused, this, &HeadsetController::showNotice);
     connect(&m_document->opener(), &ModelOpener::repairable, this, [this](const QString&, const QString& problem) {

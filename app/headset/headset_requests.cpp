@@ -25,10 +25,14 @@ HeadsetRequests::HeadsetRequests(Document* document, ui::MainWindow* window, Par
 void HeadsetRequests::enqueue(const std::shared_ptr<HeadsetPort>& port, std::deque<vr::DocumentRequest> requests)
 {
     for (vr::DocumentRequest& request : requests) {
-        const bool isRefused = isForbidden(request);
-        if (HeadsetPort::holdsStrokes(request))
+        const bool isRefused = isForbidden(request), holdsStrokes = HeadsetPort::holdsStrokes(request);
+        if (holdsStrokes && !isRefused && isPreviewing()) {
+            answerInPreview(request);
+            port->requestDone();
+        } else if (holdsStrokes) {
+            m_previews += !isRefused && std::holds_alternative<vr::PreviewParts>(request);
             m_turns.push_back({port, std::move(request), isRefused});
-        else if (isRefused)
+        } else if (isRefused)
             m_partner->refuse();
         else
             std::visit([this](const auto& what) { handle(what); }, request);
@@ -42,6 +46,21 @@ bool HeadsetRequests::isForbidden(const vr::DocumentRequest& request) const
 {
     return m_partner->isTakenOver() && !std::holds_alternative<vr::HeadsetSettings>(request) &&
            !std::holds_alternative<vr::SaveModel>(request);
+}
+
+/// Returns whether a preview is shown, being computed, or requested.
+bool HeadsetRequests::isPreviewing() const
+{
+    return m_previews > 0 || m_document->changer().isPreviewing();
+}
+
+/// Answers a request that comes during a preview, which has to end before the document goes on.
+void HeadsetRequests::answerInPreview(const vr::DocumentRequest& request)
+{
+    if (std::holds_alternative<vr::Undo>(request))
+        m_document->changer().dropPreview();
+    else
+        Q_EMIT refused(tr("Apply or cancel the preview first."));
 }
 
 /// Handles one request at a time, so that strokes between two requests reach the document before the second request.
@@ -58,16 +77,17 @@ void HeadsetRequests::handleNext()
             self->m_partner->refuse();
         else
             std::visit([self](const auto& request) { self->handle(request); }, turn.request);
-        self->m_document->queue().enqueue([self, port = turn.port] {
+        self->m_document->queue().enqueue([self, turn] { // after a preview that the request has begun
             if (self)
-                self->finish(port);
+                self->finish(turn);
         });
     });
 }
 
-void HeadsetRequests::finish(const std::shared_ptr<HeadsetPort>& port)
+void HeadsetRequests::finish(const Turn& turn)
 {
-    port->requestDone();
+    turn.port->requestDone();
+    m_previews -= !turn.isForbidden && std::holds_alternative<vr::PreviewParts>(turn.request);
     m_isHandling = false;
     handleNext();
 }

@@ -49,8 +49,10 @@ private:
     };
 
     bool isForbidden(const vr::DocumentRequest& request) const;
+    bool isPreviewing() const;
+    void answerInPreview(const vr::DocumentRequest& request);
     void handleNext();
-    void finish(const std::shared_ptr<HeadsetPort>& port);
+    void finish(const Turn& turn);
     /// Returns whether another job is running on the model; emits refused(sentence) if so.
     bool isBusy(const QString& sentence);
     void handle(const vr::ChooseBrush& request);
@@ -76,6 +78,7 @@ private:
     PartnerView* m_partner;
     std::deque<Turn> m_turns;
     bool m_isHandling = false; ///< whether one of the requests is being handled
+    int m_previews = 0;        ///< number of vr::PreviewParts that are not finished
     bool m_isChoosing = false;
 };
 } // namespace app

@@ -232,7 +232,7 @@ void connectParts(ui::MainWindow& window, Document& document)
 }
 
 /// Shows the result of combining parts before it becomes a step.
-void connectCombinations(ui::MainWindow& window, Document& document)
+void connectCombinations(ui::MainWindow& window, Document& document, Headset* headset)
 {
     using ui::CombinationCard;
     ModelChanger* changer = &document.changer();
@@ -244,10 +244,16 @@ void connectCombinations(ui::MainWindow& window, Document& document)
                          changer->preview(part, command);
                      });
     QObject::connect(changer, &ModelChanger::previewed, card,
-                     [card, view](core::SetOperation operation, const auto& translucent) {
+                     [card, view, headset](core::SetOperation operation, const auto& translucent) {
                          view->showTranslucent(translucent);
                          card->open(operation);
+                         if (!headset->isActive()) // otherwise somebody in VR may have asked for it
+                             card->setFocus();
                      });
+    QObject::connect(changer, &ModelChanger::previewTakenBack, card, [card, view] {
+        view->showTranslucent({});
+        card->setEnabled(false);
+    });
     QObject::connect(changer, &ModelChanger::previewEnded, card, [card, view] {
         view->showTranslucent({});
         card->close();
@@ -482,7 +488,7 @@ void connectAll(ui::MainWindow& window, Document& document, SculptWorker& worker
     connectHistory(window, document);
     connectHistoryPanel(window, document);
     connectParts(window, document);
-    connectCombinations(window, document);
+    connectCombinations(window, document, headset);
     connectTransform(window, document);
     for (ui::ViewTool* tool : window.viewport()->findChildren<ui::ViewTool*>())
         connectViewTool(tool, document);

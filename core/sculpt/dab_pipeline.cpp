@@ -140,6 +140,8 @@ void DabPipeline::deform(DabContext& context)
                 report.outcome = DabOutcome::Empty;
             break;
         }
+        if (plan.isExtended() && (result == Step::Failed || context.isCapped))
+            break; // the plan was done before
         if (result == Step::Failed || context.isCapped) {
             report.outcome = DabOutcome::EndedEarly;
             report.capped = isTooMuch || context.isCapped || work.isSpent();
@@ -148,7 +150,7 @@ void DabPipeline::deform(DabContext& context)
         report.substeps += plan.substeps();
         plan.advance();
         if (plan.isDone() && lagsBehind(context))
-            plan.addStep();
+            plan.extend(1 - report.reached / report.asked);
         if (result == Step::Fallback) {
             report.outcome = DabOutcome::Fallback;
             ++context.fallbackSteps;

@@ -72,12 +72,15 @@ void StepPlan::advance()
     m_ticks = std::min({2 * m_ticks, m_maxTicks, m_ticksLeft});
 }
 
-void StepPlan::addStep()
+void StepPlan::extend(double share)
 {
-    if (m_added < maxAdded * m_steps) {
-        ++m_added;
-        m_ticks = m_ticksLeft = ticksPerStep;
-    }
+    const double plan = ticksPerStep * m_steps, wanted = std::floor(share * plan),
+                 allowed = std::floor(maxExtension * plan) - m_addedTicks;
+    const double ticks = std::min({wanted, allowed, static_cast<double>(ticksPerStep)});
+    if (ticks < 1)
+        return;
+    m_ticks = m_ticksLeft = static_cast<unsigned>(ticks);
+    m_addedTicks += m_ticks;
 }
 
 bool StepPlan::halveTransaction()

@@ -27,9 +27,10 @@ public:
     unsigned substeps() const { return std::max(m_ticks / ticksPerStep, 1u); }
     /// Advances past a committed transaction. The next one may do twice as many sub-steps.
     void advance();
-    /// Adds a sub-step to a plan that is done, because motion limits have kept vertices back. Has no effect if the plan
-    /// is a quarter longer already.
-    void addStep();
+    /// Extends a plan that is done by up to this share of it, because motion limits have kept vertices back: by one
+    /// sub-step at most, and by a quarter of the plan at most in all.
+    void extend(double share);
+    bool isExtended() const { return m_addedTicks > 0; }
 
     // --- after a transaction that failed -----------------------------------------------------------------------------
     /// Halves the next transaction, to no less than one sub-step. Returns false if it does no more than one already.
@@ -45,7 +46,7 @@ private:
     static constexpr unsigned ticksPerStep = 8;
     static constexpr unsigned maxRetriesPerStep = 6,
                               maxRetriesPerDab = 12; ///< beyond these, the fallback step does the sub-step
-    static constexpr double maxAdded = 0.25;         ///< most sub-steps that may be added, by those of the plan
+    static constexpr double maxExtension = 0.25;     ///< share of the plan
 
     double m_steps = 0;
     unsigned m_maxTicks = ticksPerStep; ///< largest number of ticks in a transaction
@@ -53,6 +54,6 @@ private:
     unsigned m_ticksLeft = 0;
     unsigned m_retries = 0;
     unsigned m_totalRetries = 0;
-    unsigned m_added = 0; ///< sub-steps added
+    unsigned m_addedTicks = 0;
 };
 } // namespace core

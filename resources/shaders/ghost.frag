@@ -4,7 +4,7 @@ in vec3 toEye;
 in vec3 eyeNormal;
 in float solid;
 
-uniform vec3 color;  // sRGB
+uniform vec3 color;  // as the target encodes it
 uniform vec2 alphas; // where it faces the eye, and where it turns away
 
 out vec4 fragColor;

@@ -1,5 +1,5 @@
 #version 330 core
-// Somebody in the headset, seen from the desktop.
+// Translucent shapes: somebody in the headset seen from the desktop, or parts that a preview takes away.
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 normal;
 layout(location = 2) in vec4 color;

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace ui
 {
@@ -90,6 +91,7 @@ public:
         addPlace();
         m_problem = addText({});
         m_problem->setObjectName(QStringLiteral("problem"));
+        m_start = insertion();
         m_kind->setCurrentIndex(static_cast<int>(memory->kind));
         connect(m_kind, &QComboBox::currentIndexChanged, this, [this] { beginKind(); });
         beginKind();
@@ -97,7 +99,10 @@ public:
 
     void ask(const CommandCallback& callback)
     {
-        m_accept = openFor(ModelDialogs::tr("Insert"), callback, [this] { return insertion(); });
+        m_accept = openFor(ModelDialogs::tr("Insert"), callback, [this] {
+            m_memory->kind = kind();
+            return m_memory->inserted[kind()] = insertion();
+        });
         judge();
     }
 
@@ -174,10 +179,15 @@ private:
         return kind() != Primitive::Kind::Cuboid && kind() != Primitive::Kind::Ball && kind() != Primitive::Kind::Tube;
     }
 
+    /// Shows what the shape was inserted with. A shape that was not begins as the dialog did, if another was recalled.
     void beginKind()
     {
-        if (const auto last = m_memory->inserted.find(kind()); last != m_memory->inserted.end())
+        const auto last = m_memory->inserted.find(kind());
+        const bool wasRecalled = std::exchange(m_isRecalled, last != m_memory->inserted.end());
+        if (m_isRecalled)
             recall(last->second);
+        else if (wasRecalled)
+            recall(m_start);
         showKind();
     }
 
@@ -259,8 +269,6 @@ private:
         insert.primitive = primitive();
         if (insert.combination == core::Insert::Combination::Part)
             insert.name = PrimitiveMessages::kind(kind()).toStdString();
-        m_memory->inserted[kind()] = insert;
-        m_memory->kind = kind();
         return insert;
     }
 
@@ -278,6 +286,8 @@ private:
     QDoubleSpinBox* m_edge;
     Coordinates m_at;
     std::shared_ptr<PrimitiveMemory> m_memory;
+    core::Insert m_start;      ///< what the dialog shows first
+    bool m_isRecalled = false; ///< whether it shows what was inserted before
     QLabel* m_problem;
     QPushButton* m_accept = nullptr;
 };

@@ -28,10 +28,7 @@ CombinationCard::CombinationCard(QWidget* view) : ViewCard(view, "combinationCar
         button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
         button->setCheckable(true);
         button->setAutoExclusive(true);
-        connect(button, &QToolButton::clicked, this, [this, operation] {
-            setEnabled(false);
-            Q_EMIT operationChosen(operation);
-        });
+        connect(button, &QToolButton::clicked, this, [this, operation] { Q_EMIT operationChosen(operation); });
         operations->addWidget(button);
         m_operations[static_cast<std::size_t>(operation)] = button;
     };
@@ -55,7 +52,6 @@ void CombinationCard::open(core::SetOperation operation)
     m_operations[static_cast<std::size_t>(operation)]->setChecked(true);
     setEnabled(true);
     show();
-    setFocus();
 }
 
 void CombinationCard::close()

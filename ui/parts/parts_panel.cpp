@@ -173,7 +173,7 @@ void PartsPanel::setParts(const core::PartList& parts, core::PartId active)
     if (hasSameRows && isSameActive)
         return;
     if (QTreeWidgetItem* row = rowOf(active); row && m_list->selectedItems() != QList{row})
-        m_list->setCurrentItem(row);
+        m_list->setCurrentItem(row, Name, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
     if (hasSameRows)
         return;
     for (const core::PartId id : selected) {

@@ -54,13 +54,13 @@ QString refusalOf(CurveShape shape)
     case CurveShape::Lasso:
         break;
     case CurveShape::Box:
-        return CurveDrawing::tr("The box has no area: drag from one corner to the opposite one.");
+        return CurveDrawing::tr("The box is too small: drag from one corner to the opposite one.");
     case CurveShape::Line:
-        return CurveDrawing::tr("The line has no length: drag it across the model.");
+        return CurveDrawing::tr("The line is too short: drag it across the model.");
     case CurveShape::Polygon:
         return CurveDrawing::tr("A polygon needs at least three corners that are not in one line.");
     }
-    return CurveDrawing::tr("The lasso has no area: drag it around something.");
+    return CurveDrawing::tr("The lasso is too small: drag it around something.");
 }
 } // namespace
 

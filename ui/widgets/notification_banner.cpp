@@ -64,9 +64,13 @@ void NotificationBanner::place()
     setGeometry((parentWidget()->width() - width) / 2, parentWidget()->height() - height - distance, width, height);
     if (m_sibling && !m_sibling->isHidden())
         moveAbove(m_sibling->geometry());
-    for (const ViewCard* card : parentWidget()->findChildren<ViewCard*>())
-        if (card->isVisible())
-            moveAbove({card->mapTo(parentWidget(), QPoint()), card->size()});
+    const QList<ViewCard*> cards = parentWidget()->findChildren<ViewCard*>();
+    for (ViewCard* card : cards)
+        card->installEventFilter(this);
+    for (qsizetype i = 0; i < cards.size(); ++i) // above one it may meet another
+        for (const ViewCard* card : cards)
+            if (card->isVisible())
+                moveAbove({card->mapTo(parentWidget(), QPoint()), card->size()});
 }
 
 void NotificationBanner::moveAbove(const QRect& other)

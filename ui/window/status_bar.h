@@ -4,11 +4,12 @@
 
 namespace ui
 {
-/// A status bar that elides its message where the widgets at the right begin. Thread: gui.
+/// A status bar that elides its message where the widgets at the right begin, and does not keep a window from becoming
+/// narrow. Thread: gui.
 class StatusBar : public QStatusBar
 {
 public:
-    using QStatusBar::QStatusBar;
+    StatusBar() { setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); }
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -10,7 +10,8 @@ namespace vr
 namespace
 {
 constexpr double partsWidth = 980, rowHeight = 80, buttonHeight = 84, arrowWidth = 84, pageWidth = 120, iconWidth = 84,
-                 tagWidth = 44, titleWidth = 340, groupGap = 8, hintHeight = 124, shapeHeight = 110, noTagWidth = 240;
+                 tagWidth = 44, titleWidth = 340, intersectWidth = 350, groupGap = 8, hintHeight = 124,
+                 shapeHeight = 110, noTagWidth = 240;
 constexpr double partsDistance = 0.6; ///< metres from which the panel is read: arm's length
 constexpr std::size_t namesPerRow = 4, shapesPerRow = 4;
 /// Colours of which the user can choose one to mark a part
@@ -130,15 +131,10 @@ void PartsPanel::addListButtons(PanelBuilder& builder) const
                 {{.text = tr("Show all"), .icon = QStringLiteral("part-shown")}, PanelCommand::ShowAllParts, !isBusy});
 }
 
-/// Adds the buttons that copy and delete; during a preview, those that end it.
+/// Adds the buttons that copy and delete.
 void PartsPanel::addPartButtons(PanelBuilder& builder) const
 {
     const std::vector<QRectF> places = evenCells(builder.nextRow(buttonHeight), 2);
-    if (preview) {
-        builder.add(places[0], {{.text = tr("Apply")}, PanelCommand::ApplyPreview});
-        builder.add(places[1], {{.text = tr("Cancel")}, PanelCommand::CancelPreview});
-        return;
-    }
     builder.add(places[0],
                 {{.text = tr("Duplicate"), .icon = QStringLiteral("duplicate")}, PanelCommand::DuplicatePart, !isBusy});
     builder.add(places[1], {{.text = tr("Hold to delete"), .icon = QStringLiteral("trash")},
@@ -152,7 +148,7 @@ void PartsPanel::addCombinations(PanelBuilder& builder) const
 {
     using core::SetOperation;
     const bool isEnabled = preview || (!isBusy && !others().empty());
-    const std::vector<QRectF> places = evenCells(builder.nextRow(buttonHeight), 3);
+    const std::vector<QRectF> places = cells(builder.nextRow(buttonHeight), {0, 0, intersectWidth});
     const auto add = [&](const QRectF& place, const QString& text, const QString& icon, SetOperation operation) {
         builder.add(
             place,
@@ -197,9 +193,14 @@ void PartsPanel::addList(PanelBuilder& builder) const
     addListButtons(builder);
     addPartButtons(builder);
     addCombinations(builder);
-    const QString hint = preview ? tr("This is a preview. What the operation takes away is shown as glass.")
-                                 : tr("Trigger: chooses the part that you point at. Side button: moves the chosen "
-                                      "part. Mark others to combine them with it.");
+    if (preview) { // ended by buttons where no other button is before and after
+        const std::vector<QRectF> places = evenCells(builder.nextRow(hintHeight), 2);
+        builder.add(places[0], {{.text = tr("Apply")}, PanelCommand::ApplyPreview});
+        builder.add(places[1], {{.text = tr("Cancel")}, PanelCommand::CancelPreview});
+        return;
+    }
+    const QString hint = tr("Trigger: chooses the part that you point at. Side button: moves the chosen part. Mark "
+                            "others to combine them with it.");
     builder.add(builder.nextRow(hintHeight), TextLook{.text = hint, .role = TextRole::Faint, .lines = 3});
 }
 

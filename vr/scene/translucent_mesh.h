@@ -22,7 +22,7 @@ public:
     void destroy();
 
     /// Sets what is drawn, in document space, mm; null: nothing. A large mesh is uploaded in slices, one in each call,
-    /// and drawn when it is complete. To be called once a frame.
+    /// and drawn when it is complete. To be called once a frame. Cost: a copy of a mesh that is set.
     void prepare(const std::shared_ptr<const core::DrawArrays>& arrays);
     /// Draws both sides. `toRoom`: document space to room space. Precondition: blending is on, writing of depth off.
     void draw(const EyeUniforms& eye, const Eigen::Matrix4f& toRoom);

@@ -24,8 +24,8 @@ public:
     void move(const MovePart& move, core::PartId part, const ModelPlacement& placement);
     /// Ends the hold, and requests the change of the part: now, or in the step() that takes the document's answer.
     void release();
-    /// Ends the hold without a change, because another model is there now. The hand has to let go before it can hold
-    /// the new model's part.
+    /// Ends the hold without a change, because the part is not what it was. The hand has to let go before it can hold a
+    /// part again.
     void drop();
 
     /// Returns the transform to be shown; none if nothing is held, or if it is not known yet what moves.

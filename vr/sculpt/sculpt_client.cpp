@@ -37,15 +37,14 @@ bool isStep(const WandAction& action)
            isOneOf<OpenToolMenu, OpenColorPanel, Undo, Redo, SaveModel, RestoreModel, UseTip>(action);
 }
 
-/// Returns the request to the document for a command; none if the command concerns only the headset. A preview has to
-/// end before the document goes on: undo takes it back, and redo does nothing.
-std::optional<DocumentRequest> requestOf(PanelCommand command, bool isPreviewing)
+/// Returns the request to the document for a panel's command; none if the command concerns only the headset.
+std::optional<DocumentRequest> requestOf(PanelCommand command)
 {
     switch (command) {
     case PanelCommand::Undo:
-        return isPreviewing ? DocumentRequest(EndPreview{}) : DocumentRequest(Undo{});
+        return Undo{};
     case PanelCommand::Redo:
-        return isPreviewing ? std::nullopt : std::optional<DocumentRequest>(Redo{});
+        return Redo{};
     case PanelCommand::RestoreModel:
         return RestoreModel{};
     case PanelCommand::InvertMask:
@@ -233,7 +232,7 @@ void SculptClient::takeUpdate()
     m_placement.setModel(m_update.box);
     m_brush.take(m_update, m_placement);
     m_isPlaced = m_isPlaced && !isAnother;
-    if (isAnother)
+    if (isAnother || isPreviewNew)
         m_partHand.drop();
     if (isPreviewNew)
         handle(m_settings.wands.sculpting, ShowPanel{PanelKind::Parts}); // where it can be ended
@@ -373,8 +372,8 @@ void SculptClient::handle(const WandCommand& command)
         [&](const ReleasePart&) { m_partHand.release(); },
         [&](const PressPanel&) { act(m_panels.press(side)); },
         [&](const ReleasePanel& release) { act(m_panels.release(side, release.isClick)); },
-        [&](const Undo&) { handle(side, PanelCommand::Undo); },
-        [&](const Redo&) { handle(side, PanelCommand::Redo); },
+        [&](const Undo& undo) { m_port->request(undo); },
+        [&](const Redo& redo) { m_port->request(redo); },
         [&](const SaveModel& save) { m_port->request(save); },
         [&](const RestoreModel& restore) { m_port->request(restore); },
         [&](const auto& ofBrush) { m_brush.change(changed(m_brush.state(), ofBrush)); },
@@ -387,7 +386,7 @@ void SculptClient::handle(Side side, const PanelAction& action)
 {
     const core::Overloaded handler{
         [&](PanelCommand command) {
-            if (const auto request = requestOf(command, m_update.preview.has_value()))
+            if (const std::optional<DocumentRequest> request = requestOf(command))
                 m_port->request(*request);
             m_output.recentre = m_output.recentre || command == PanelCommand::Recentre;
             if (command == PanelCommand::LevelModel)

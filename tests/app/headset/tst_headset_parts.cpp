@@ -60,7 +60,7 @@ struct AtParts : Alone
         const auto connection = QObject::connect(&changer, &ModelChanger::previewed, &program.window,
                                                  [&](core::SetOperation what, const auto&) { shown = what; });
         const bool isAsked = choose(vr::CombineMarked{operation}, [&] {
-            return changer.isPreviewing() && QTest::qWaitFor([&] { return shown == operation; }, waitForPreview);
+            return QTest::qWaitFor([&] { return shown == operation; }, waitForPreview);
         });
         QObject::disconnect(connection);
         preview = shown;
@@ -70,7 +70,9 @@ struct AtParts : Alone
     /// Ends the preview by the panel.
     bool endPreview(PanelCommand command)
     {
-        const bool hasEnded = choose(command, [&] { return !program.document.changer().isPreviewing(); });
+        const bool hasEnded = choose(command, [&] {
+            return QTest::qWaitFor([&] { return !program.document.changer().isPreviewing(); }, waitForPreview);
+        });
         preview.reset();
         hand.settle();
         hand.waitForPanels();

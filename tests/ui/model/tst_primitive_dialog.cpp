@@ -172,6 +172,10 @@ void TestPrimitiveDialog::accepted_isRememberedByShape()
         asking.dialog->reject(); // is forgotten
     }
     QVERIFY(isSame(again(nullptr), cone));
+    PrimitiveQuestion fresh(std::make_shared<ui::PrimitiveMemory>());
+    fresh.choose("kind", "Torus");
+    fresh.accepting()->click();
+    QVERIFY(isSame(again("Torus"), *fresh.insertion)); // not as the cone was
     const Insert lathe = again("Turned profile");
     QCOMPARE(again("Turned profile").primitive->profile.size(), lathe.primitive->profile.size());
 }
