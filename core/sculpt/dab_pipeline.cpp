@@ -122,6 +122,7 @@ void DabPipeline::begin(DabContext& context)
 void DabPipeline::deform(DabContext& context)
 {
     StepPlan plan;
+    bool isExtended = false;
     WorkBudget& work = context.request.work;
     DabReport& report = context.report;
     report.outcome = DabOutcome::Committed;
@@ -140,7 +141,7 @@ void DabPipeline::deform(DabContext& context)
                 report.outcome = DabOutcome::Empty;
             break;
         }
-        if (plan.isExtended() && (result == Step::Failed || context.isCapped))
+        if (isExtended && (result == Step::Failed || context.isCapped))
             break; // the plan was done before
         if (result == Step::Failed || context.isCapped) {
             report.outcome = DabOutcome::EndedEarly;
@@ -150,7 +151,7 @@ void DabPipeline::deform(DabContext& context)
         report.substeps += plan.substeps();
         plan.advance();
         if (plan.isDone() && lagsBehind(context))
-            plan.extend(1 - report.reached / report.asked);
+            isExtended = plan.extend(1 - report.reached / report.asked) || isExtended;
         if (result == Step::Fallback) {
             report.outcome = DabOutcome::Fallback;
             ++context.fallbackSteps;

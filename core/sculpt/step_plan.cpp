@@ -72,15 +72,16 @@ void StepPlan::advance()
     m_ticks = std::min({2 * m_ticks, m_maxTicks, m_ticksLeft});
 }
 
-void StepPlan::extend(double share)
+bool StepPlan::extend(double share)
 {
     const double plan = ticksPerStep * m_steps, wanted = std::floor(share * plan),
                  allowed = std::floor(maxExtension * plan) - m_addedTicks;
     const double ticks = std::min({wanted, allowed, static_cast<double>(ticksPerStep)});
     if (ticks < 1)
-        return;
+        return false;
     m_ticks = m_ticksLeft = static_cast<unsigned>(ticks);
     m_addedTicks += m_ticks;
+    return true;
 }
 
 bool StepPlan::halveTransaction()

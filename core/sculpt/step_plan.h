@@ -28,9 +28,8 @@ public:
     /// Advances past a committed transaction. The next one may do twice as many sub-steps.
     void advance();
     /// Extends a plan that is done by up to this share of it, because motion limits have kept vertices back: by one
-    /// sub-step at most, and by a quarter of the plan at most in all.
-    void extend(double share);
-    bool isExtended() const { return m_addedTicks > 0; }
+    /// sub-step at most, and by a quarter of the plan at most in all. Returns false if nothing was added.
+    bool extend(double share);
 
     // --- after a transaction that failed -----------------------------------------------------------------------------
     /// Halves the next transaction, to no less than one sub-step. Returns false if it does no more than one already.

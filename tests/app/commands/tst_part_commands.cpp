@@ -207,8 +207,8 @@ void TestPartCommands::check_measuresTheUnion()
 
 void TestPartCommands::boolean_unitesOverlappingParts()
 {
-    core::writeMesh(at("box.stl"), shapes::moved(shapes::cube(4), Vec3f(-1, -1, -1)));
-    const Answer done = run(QStringLiteral("boolean intersect parts.glb box.stl -o out.stl"));
+    core::writeMesh(at("box.obj"), shapes::moved(shapes::cube(20), Vec3f(-5, -5, -5)));
+    const Answer done = run(QStringLiteral("boolean intersect parts.glb box.obj -o out.stl"));
     QVERIFY2(done.status == 0, qPrintable(done.err));
     const core::MeshReport report = core::checkMesh(core::readMesh(at("out.stl")));
     QVERIFY(report.printReady() && std::abs(*report.volume - 15) < 1e-4);
