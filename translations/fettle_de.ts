@@ -797,7 +797,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <name>app::HeadsetRequests</name>
     <message>
         <source>Apply or cancel the preview first.</source>
-        <translation>Übernehmen Sie zuerst die Vorschau, oder brechen Sie sie ab.</translation>
+        <translation>Wenden Sie die Vorschau zuerst an, oder brechen Sie sie ab.</translation>
     </message>
     <message>
         <source>The model was not restored: another operation on it is still running.</source>
@@ -10573,7 +10573,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Apply</source>
-        <translation>Übernehmen</translation>
+        <translation>Anwenden</translation>
     </message>
     <message>
         <source>Cancel</source>
