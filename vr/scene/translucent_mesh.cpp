@@ -6,9 +6,9 @@ namespace vr
 {
 namespace
 {
-const Eigen::Vector3f color(0.393F, 0.604F, 0.871F); // linear light, 0 to 1
-const Eigen::Vector2f alphas(0.14F, 0.70F);          // opacity where it faces the eye, and where it turns away, 0 to 1
-constexpr float depthOffset = 2;                     // units of glPolygonOffset
+const Eigen::Vector3f glassColor(0.393F, 0.604F, 0.871F); // linear light, 0 to 1
+const Eigen::Vector2f glassAlphas(0.14F, 0.70F); // opacity where it faces the eye, and where it turns away, 0 to 1
+constexpr float depthOffset = 2;                 // units of glPolygonOffset
 } // namespace
 
 bool TranslucentMesh::create(QOpenGLExtraFunctions* gl, DrawCallTimer* clock)
@@ -46,8 +46,8 @@ void TranslucentMesh::draw(const EyeUniforms& eye, const Eigen::Matrix4f& toRoom
     m_program.use();
     m_program.place.set(Eigen::Matrix4f(eye.view * toRoom));
     m_program.projection.set(eye.projection);
-    m_program.color.set(color);
-    m_program.alphas.set(alphas);
+    m_program.color.set(glassColor);
+    m_program.alphas.set(glassAlphas);
     m_gl->glDisable(GL_CULL_FACE);
     m_gl->glEnable(GL_POLYGON_OFFSET_FILL);
     m_gl->glPolygonOffset(depthOffset, depthOffset);

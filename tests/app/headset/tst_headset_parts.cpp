@@ -56,14 +56,14 @@ struct AtParts : Alone
     bool showCombined(core::SetOperation operation)
     {
         ModelChanger& changer = program.document.changer();
-        std::optional<core::SetOperation> shown;
+        std::optional<core::SetOperation> result;
         const auto connection = QObject::connect(&changer, &ModelChanger::previewed, &program.window,
-                                                 [&](core::SetOperation what, const auto&) { shown = what; });
+                                                 [&](core::SetOperation what, const auto&) { result = what; });
         const bool isAsked = choose(vr::CombineMarked{operation}, [&] {
-            return QTest::qWaitFor([&] { return shown == operation; }, waitForPreview);
+            return QTest::qWaitFor([&] { return result == operation; }, waitForPreview);
         });
         QObject::disconnect(connection);
-        preview = shown;
+        preview = result;
         hand.waitForPanels();
         return isAsked;
     }
