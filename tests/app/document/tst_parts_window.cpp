@@ -100,6 +100,22 @@ void openTwoBalls(Program& program, const QTemporaryDir& folder)
     apply(program, core::Move{{30, 0, 0}});
 }
 
+/// Shows two balls from the front, and makes the first active.
+void showTwoBalls(Program& program, const QTemporaryDir& folder)
+{
+    openTwoBalls(program, folder);
+    program.document.parts().activate(0);
+    trigger(program, "view.front");
+    trigger(program, "view.frame");
+}
+
+void clickAt(Program& program, const core::Vec3& place, Qt::KeyboardModifiers keys = {})
+{
+    ui::Viewport* view = program.window.viewport();
+    const auto pixel = view->camera().project(place);
+    QTest::mouseClick(view, Qt::LeftButton, keys, {static_cast<int>(pixel.x()), static_cast<int>(pixel.y())});
+}
+
 /// Writes three balls of radius 4 as objects. Returns the file's path.
 QString writeObjects(const QTemporaryDir& folder, const char* name, float distance)
 {
@@ -249,18 +265,10 @@ void TestPartsWindow::click_withAltChoosesThePart()
 {
     const QTemporaryDir folder;
     Program program;
-    openTwoBalls(program, folder);
-    program.document.parts().activate(0);
-    trigger(program, "view.front");
-    trigger(program, "view.frame");
-    ui::Viewport* view = program.window.viewport();
-    const auto at = [&](const core::Vec3& p) {
-        const auto pixel = view->camera().project(p);
-        return QPoint(static_cast<int>(pixel.x()), static_cast<int>(pixel.y()));
-    };
-    QTest::mouseClick(view, Qt::LeftButton, Qt::AltModifier, at({40, 0, 0}));
+    showTwoBalls(program, folder);
+    clickAt(program, {40, 0, 0}, Qt::AltModifier);
     QTRY_COMPARE(program.document.parts().active(), PartId(1));
-    QTest::mouseClick(view, Qt::LeftButton, Qt::AltModifier, at({-10, 0, 0}));
+    clickAt(program, {-10, 0, 0}, Qt::AltModifier);
     QTRY_COMPARE(program.document.parts().active(), PartId(0));
     QCOMPARE(program.document.history().stack().count(), 2); // neither click sculpted
 }
@@ -270,10 +278,7 @@ void TestPartsWindow::click_withoutKeysAfterTheCommand()
 {
     const QTemporaryDir folder;
     Program program;
-    openTwoBalls(program, folder);
-    program.document.parts().activate(0);
-    trigger(program, "view.front");
-    trigger(program, "view.frame");
+    showTwoBalls(program, folder);
     ui::Viewport* view = program.window.viewport();
     const QAction* action = program.window.action(QStringLiteral("parts.choose"));
     trigger(program, "parts.choose");
@@ -283,8 +288,7 @@ void TestPartsWindow::click_withoutKeysAfterTheCommand()
     QVERIFY(!action->isChecked());
     QCOMPARE(program.document.parts().active(), PartId(0));
     trigger(program, "parts.choose");
-    const auto pixel = view->camera().project({40, 0, 0});
-    QTest::mouseClick(view, Qt::LeftButton, {}, {static_cast<int>(pixel.x()), static_cast<int>(pixel.y())});
+    clickAt(program, {40, 0, 0});
     QTRY_COMPARE(program.document.parts().active(), PartId(1));
     QVERIFY(!action->isChecked());
     QVERIFY(view->cursor().shape() != Qt::PointingHandCursor);
