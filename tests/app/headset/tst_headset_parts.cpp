@@ -278,8 +278,8 @@ void TestHeadsetParts::combine_joinsTheMarked()
     QCOMPARE(v.complaints(), QString());
 }
 
-/// Shows a combination, another one in its place, and takes it back. What it takes away is seen as glass, and no stroke
-/// changes the preview. Applied it is one step.
+/// Shows a combination, another one in its place, and takes it back. What it takes away is seen as glass. Neither a
+/// stroke nor a request to save is done during the preview, or after it. Applied it is one step.
 void TestHeadsetParts::combine_isShownBefore()
 {
     const QString folder = qEnvironmentVariable("FETTLE_HEADSET_PICTURES");
@@ -307,6 +307,9 @@ void TestHeadsetParts::combine_isShownBefore()
              qPrintable(QStringLiteral("%1 %2 %3").arg(glass).arg(clay).arg(nothing)));
     v.pointAt({-30, 0, 40}, 0);
     QCOMPARE(v.hash(), shown);
+    const QStringList files = v.files();
+    v.hand.hold(Side::Left, "squeeze"); // saves, if nothing is previewed
+    v.hand.settle();
 
     QVERIFY(v.showCombined(core::SetOperation::Intersection));
     QVERIFY(v.box().min().x() > 9 && v.box().max().x() < 51);
@@ -318,6 +321,9 @@ void TestHeadsetParts::combine_isShownBefore()
     QVERIFY(v.showCombined(core::SetOperation::Difference) && v.endPreview(PanelCommand::ApplyPreview));
     QCOMPARE(v.hash(), shown);
     QCOMPARE(v.changes(), changes + 1);
+    QCOMPARE(v.files(), files);
+    v.hand.hold(Side::Left, "squeeze");
+    QTRY_VERIFY(v.files().size() > files.size());
     QCOMPARE(v.complaints(), QString());
 }
 
