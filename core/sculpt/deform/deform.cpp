@@ -151,7 +151,8 @@ Field pinch(const FieldInput& d)
 }
 
 /// Returns the field of Crease. Pinches, and cuts a V-shaped groove with the profile (1 - x)^4, where x is the distance
-/// from the line in radii. Inverted, it raises a ridge.
+/// from the line in radii. Inverted, it raises a ridge. Steep walls are pinched less: otherwise they close to a slit,
+/// whose bottom wanders sideways.
 Field crease(const FieldInput& d)
 {
     const Vec3 normal = meanNormal(d.region, d.mesh);
@@ -160,7 +161,8 @@ Field crease(const FieldInput& d)
     return [&d, across = acrossLine(d, normal), normal, share, depth](Slot v, double w) -> Vec3 {
         const Vec3 r = across(v);
         const double inside = 1 - std::min(r.norm() / d.dab.radius, 1.0), inside2 = inside * inside;
-        return -share * w * r - depth * w * inside2 * inside2 * normal;
+        const double levelness = std::max(unitNormal(d.mesh, v).dot(normal), 0.0);
+        return -share * w * levelness * r - depth * w * inside2 * inside2 * normal;
     };
 }
 

@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 using core::DabOutcome;
 using core::DabReport;
@@ -113,6 +114,56 @@ std::vector<double> sharpestAlong(const Mesh& mesh, double halfWidth, double fro
     return bins;
 }
 
+struct Segment
+{
+    Vec3 from, to;
+};
+
+/// Returns the edges within `reach` of the plane y = 0, in the half space z > 0, turned back by `turn`.
+std::vector<Segment> edgesAlong(const Mesh& mesh, const Eigen::Quaterniond& turn, double reach)
+{
+    std::vector<Segment> edges;
+    for (Slot e = 0; e < mesh.slots().edges; ++e) {
+        if (!mesh.isEdge(e))
+            continue;
+        const Segment edge = {turn.inverse() * mesh.point(mesh.to(2 * e)).cast<double>(),
+                              turn.inverse() * mesh.point(mesh.to(2 * e + 1)).cast<double>()};
+        if (std::max(std::abs(edge.from.y()), std::abs(edge.to.y())) < reach && edge.from.z() > 0)
+            edges.push_back(edge);
+    }
+    return edges;
+}
+
+/// Returns the point of a section of the ball that is nearest to its centre, or farthest from it. The section contains
+/// the y axis and is `angle` radians from the z axis. `edges`: what may be cut.
+Vec3 crestAt(double angle, const std::vector<Segment>& edges, bool farthest)
+{
+    const Vec3 along(std::cos(angle), 0, -std::sin(angle));
+    std::optional<Vec3> crest;
+    for (const auto& [from, to] : edges) {
+        const double before = from.dot(along), after = to.dot(along);
+        if (before * after > 0 || before == after)
+            continue;
+        const Vec3 p = from + before / (before - after) * (to - from);
+        if (!crest || (farthest ? p.norm() > crest->norm() : p.norm() < crest->norm()))
+            crest = p;
+    }
+    return crest.value();
+}
+
+double meanLengthNear(const Vec3& place, double distance, const std::vector<Segment>& edges)
+{
+    double sum = 0;
+    int count = 0;
+    for (const auto& [from, to] : edges) {
+        if ((0.5 * (from + to) - place).norm() < distance) {
+            sum += (to - from).norm();
+            ++count;
+        }
+    }
+    return sum / count;
+}
+
 double dullest(const std::vector<double>& bins)
 {
     return *std::ranges::max_element(bins);
@@ -132,6 +183,8 @@ private Q_SLOTS:
     void pinch_drawsTogether();
     void crease_isSharp_data();
     void crease_isSharp();
+    void crease_isStraight_data();
+    void crease_isStraight();
     void crease_staysSharp();
     void grab_movesWhatItHeld();
     void grab_keepsTheMeshAsFineAsItWas();
@@ -270,6 +323,46 @@ void TestTools::crease_isSharp()
     QVERIFY2(angle < 60, qPrintable(QString::number(angle)));
     QVERIFY(inverted ? highest(sculptor->mesh()) > ballRadius + 1 : lowest(sculptor->mesh()) < ballRadius - 1);
     QVERIFY(isSound(*sculptor));
+}
+
+void TestTools::crease_isStraight_data()
+{
+    QTest::addColumn<double>("radius");
+    QTest::addColumn<bool>("inverted");
+    QTest::addColumn<double>("turn");
+    for (const double radius : {3.0, 6.0, 10.0}) {
+        for (const bool inverted : {false, true}) {
+            for (const double turn : {0.0, 0.4}) {
+                QTest::addRow("%s of radius %g, turned by %g", inverted ? "ridge" : "groove", radius, turn)
+                    << radius << inverted << turn;
+            }
+        }
+    }
+}
+
+/// The lowest line of a groove, and the highest of a ridge, must be within a fifth of an edge of the path.
+void TestTools::crease_isStraight()
+{
+    QFETCH(double, radius);
+    QFETCH(bool, inverted);
+    QFETCH(double, turn);
+    const Eigen::Quaterniond turned = Eigen::Quaterniond(1, turn, turn / 2, -turn).normalized();
+    StrokeSettings settings = settingsOf(Tool::Crease, radius);
+    settings.inverted = inverted;
+    std::vector<Vec3> path = arc(-60, 60, 200);
+    for (Vec3& place : path)
+        place = turned * place;
+    const auto sculptor = ball();
+    stroke(*sculptor, settings, path);
+    const std::vector<Segment> edges = edgesAlong(sculptor->mesh(), turned, 0.7 * radius);
+    for (double degrees = -45; degrees <= 45; degrees += 0.25) {
+        const Vec3 crest = crestAt(degrees * pi / 180, edges, inverted);
+        const double edgeLength = meanLengthNear(crest, 0.3 * radius, edges);
+        QVERIFY2(
+            std::abs(crest.y()) < 0.2 * edgeLength,
+            qPrintable(
+                QStringLiteral("%1 mm, edges of %2 mm, at %3 degrees").arg(crest.y()).arg(edgeLength).arg(degrees)));
+    }
 }
 
 /// Strokes of other tools three radii away, and across the ends of the crease, must not blunt it.
