@@ -27,9 +27,13 @@ using mesh_asserts::sculptable;
 
 namespace
 {
-/// A run ends if its mesh has more or fewer faces: a larger one only takes more time, and a smaller one has been
-/// sculpted away.
-constexpr Slot maxFaces = 10'000, minFaces = 64;
+/// A run ends if its mesh has fewer faces, because it has been sculpted away, or more, because it only takes more time.
+constexpr Slot minFaces = 64;
+Slot maxFaces()
+{
+    return byEffort<Slot>(3'000, 10'000);
+}
+
 constexpr int dabsPerPairCheck = 8, dabsPerJudge = 100;
 /// Average number of steps per command to the whole model, and per undo.
 constexpr std::uint64_t stepsPerCommand = 40, stepsPerUndo = 8;
@@ -106,14 +110,14 @@ std::optional<FuzzStart> FuzzRun::grown() const
     FuzzStart end = {m_start.shape.starts_with("grown ") ? m_start.shape : "grown " + m_start.shape,
                      mesh_asserts::surfaceOf(mesh), m_start.plane};
     const bool fits = core::Lattice::forExtent(largestCoordinate(end.mesh)).exponent() >= mesh.lattice().exponent();
-    return fits && mesh.live().faces >= minFaces && mesh.live().faces < maxFaces / 2 ? std::optional(end)
-                                                                                     : std::nullopt;
+    return fits && mesh.live().faces >= minFaces && mesh.live().faces < maxFaces() / 2 ? std::optional(end)
+                                                                                       : std::nullopt;
 }
 
 bool FuzzRun::mayGoOn() const
 {
     const Slot faces = m_sculptor.mesh().live().faces;
-    return ok() && faces >= minFaces && faces < maxFaces;
+    return ok() && faces >= minFaces && faces < maxFaces();
 }
 
 void FuzzRun::go(std::uint64_t dabs, AtEnd atEnd)

@@ -115,7 +115,8 @@ namespace
 {
 constexpr std::uint64_t dabsPerLine = 10'000, seedsPerPart = 1'000'000;
 constexpr int fuzzParts = 4;
-/// One in four runs of a soak is replayed. Replaying takes as long as the run and finds only non-determinism.
+/// After the first dabs, of which every run is replayed, one in four runs is. Replaying takes as long as the run and
+/// finds only non-determinism.
 constexpr std::uint64_t runsPerReplay = 4;
 
 /// Start meshes of the fuzzer's runs. The sequence repeats: two plain shapes, a symmetric one, and one grown in an
@@ -178,9 +179,9 @@ void TestSculptor::randomStrokes_keepThePromise()
 {
     QFETCH(int, part);
     const auto dabsPerRun = byEffort<std::uint64_t>(100, 250);
-    const auto usualDabs = isSlowBuild ? std::uint64_t(300) : byEffort<std::uint64_t>(fuzzParts * 4 * 100, 20'000);
-    const std::uint64_t dabs =
-        numberFromEnvironment("FETTLE_DABS", effort() == Effort::Soak ? 1'000'000 : usualDabs) / fuzzParts;
+    const auto replayed = byEffort<std::uint64_t>(1'600, 20'000) / fuzzParts;
+    const auto usualDabs = isSlowBuild ? std::uint64_t(300) : byEffort<std::uint64_t>(20'000, 20'000, 1'000'000);
+    const std::uint64_t dabs = numberFromEnvironment("FETTLE_DABS", usualDabs) / fuzzParts;
     const std::uint64_t seed =
         numberFromEnvironment("FETTLE_SEED", 20240812) + seedsPerPart * static_cast<std::uint64_t>(part);
     FuzzStarts starts;
@@ -188,7 +189,7 @@ void TestSculptor::randomStrokes_keepThePromise()
     for (std::uint64_t run = 0, line = dabsPerLine; tally.dabs < dabs; ++run) {
         const FuzzStart start = starts.next();
         FuzzRun fuzz(start, seed + run, tally);
-        const bool replays = tally.dabs < usualDabs / fuzzParts || run % runsPerReplay == 0;
+        const bool replays = tally.dabs < replayed || run % runsPerReplay == 0;
         fuzz.go(std::min(dabsPerRun, dabs - tally.dabs),
                 replays ? FuzzRun::AtEnd::UndoAndReplay : FuzzRun::AtEnd::Undo);
         if (!fuzz.ok() || tally.dabs >= std::min(line, dabs)) {
