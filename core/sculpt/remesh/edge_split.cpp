@@ -109,7 +109,23 @@ void EdgeSplit::select(Slot m, const Sphere& ball)
 {
     const double distance2 = (m_pass.point(m) - ball.center).squaredNorm();
     if (distance2 <= ball.radius * ball.radius)
-        m_pass.region().add(m, std::sqrt(distance2));
+        m_pass.region().add(m, std::sqrt(distance2), Vec3::Zero(), imageDistance(m, ball));
+}
+
+/// Returns what Region::carried() is for a new vertex with a mirror: the distance of its image from the ball's centre;
+/// twice the radius if no neighbour has a selected image. Returns 0 without a mirror.
+double EdgeSplit::imageDistance(Slot m, const Sphere& ball)
+{
+    const MirrorMap* mirror = m_pass.edit().mirror();
+    if (!mirror)
+        return 0;
+    const Region& region = m_pass.region();
+    bool isSelected = false;
+    m_mesh.forEachOutgoing(m, [&](Slot h) {
+        const Slot other = m_mesh.to(h);
+        isSelected = isSelected || (region.contains(other) && region.carried(other) <= ball.radius);
+    });
+    return isSelected ? (mirror->imageOf(m_pass.point(m)) - ball.center).norm() : 2 * ball.radius;
 }
 
 /// Splits the edge unless both ends are masked. Returns the new vertex, or noSlot if the split was refused or rolled

@@ -25,6 +25,7 @@ private:
     std::vector<RemeshEdge> tooLongIn(std::span<const Slot> faces, const Sphere& ball) const;
     void splitFacesAcross(std::vector<Slot>& faces, const Sphere& ball);
     void select(Slot m, const Sphere& ball);
+    double imageDistance(Slot m, const Sphere& ball);
     Slot split(const RemeshEdge& e);
 
     RemeshPass& m_pass;

@@ -2,6 +2,7 @@
 //
 // FETTLE_SEED=n: another seed. FETTLE_DABS=n: number of dabs for each shape and plane.
 
+#include "core/analysis/surface_distance.h"
 #include "core/operations/model_command.h"
 #include "core/sculpt/sculptor.h"
 #include "tests/support/clay.h"
@@ -15,9 +16,12 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <iostream>
+#include <iterator>
 
 using clay::dabOnce;
+using clay::stroke;
 using clay::unitBall;
 using core::Dab;
 using core::DabOutcome;
@@ -161,6 +165,8 @@ private Q_SLOTS:
     void eitherSide_givesTheSameBits();
     void dabAcrossThePlane_movesNothingOffIt();
     void dabAwayFromThePlane_isTwoDabs();
+    void strokeAwayFromThePlane_isTheStrokeAlone_data();
+    void strokeAwayFromThePlane_isTheStrokeAlone();
     void edgeAcrossThePlane_isPartedOnIt();
     void paint_coloursBothSides();
     void asymmetricModel_getsBothDabs();
@@ -272,6 +278,45 @@ void TestMirrorMap::dabAwayFromThePlane_isTwoDabs()
     QVERIFY(reachIn(sculptor->mesh(), image) == reachIn(sculptor->mesh(), aside));
     QVERIFY(reachIn(plain->mesh(), image) < 1.001);
     VERIFY_SYMMETRIC(sculptor->mesh(), Symmetry::X);
+}
+
+void TestMirrorMap::strokeAwayFromThePlane_isTheStrokeAlone_data()
+{
+    QTest::addColumn<Tool>("tool");
+    QTest::addColumn<core::BrushShape>("brush");
+    for (const Tool tool : {Tool::Pull, Tool::Push, Tool::Inflate, Tool::Clay, Tool::Layer, Tool::Flatten, Tool::Scrape,
+                            Tool::Smooth, Tool::Pinch, Tool::Crease, Tool::Grab, Tool::SnakeHook, Tool::Twist}) {
+        for (const core::BrushShape brush : {core::BrushShape::Sphere, core::BrushShape::Ray})
+            QTest::addRow("%s, %s", core::name(tool).data(), core::name(brush).data()) << tool << brush;
+    }
+}
+
+/// Snake Hook used to leave spikes at its root: vertices that the refinement had added moved by the mirrored motion.
+void TestMirrorMap::strokeAwayFromThePlane_isTheStrokeAlone()
+{
+    QFETCH(Tool, tool);
+    QFETCH(core::BrushShape, brush);
+    StrokeSettings settings = mirroredSettings(tool, 0.2);
+    settings.brush = brush;
+    std::vector<Vec3> path;
+    for (int i = 0; i < 20; ++i)
+        path.push_back(isDragTool(tool) ? Vec3((1 + 0.02 * i) * aside)
+                                        : Vec3((aside + 0.02 * i * Vec3::UnitY()).normalized()));
+    const auto both = unitBall(), alone = unitBall();
+    stroke(*both, settings, path);
+    settings.symmetry = Symmetry::None;
+    stroke(*alone, settings, path);
+    const core::TriangleMesh one = mesh_asserts::surfaceOf(both->mesh()),
+                             other = mesh_asserts::surfaceOf(alone->mesh());
+    for (const auto& [from, to] : {std::pair(&one, &other), std::pair(&other, &one)}) {
+        std::vector<core::Vec3f> points;
+        std::ranges::copy_if(from->points, std::back_inserter(points),
+                             [](const core::Vec3f& p) { return p.x() > 0.1; });
+        const float farthest = std::ranges::max(core::distancesTo(*to, points));
+        QVERIFY2(farthest < 0.015, qPrintable(QString::number(farthest)));
+    }
+    VERIFY_SYMMETRIC(both->mesh(), Symmetry::X);
+    VERIFY_VALID(both->mesh());
 }
 
 void TestMirrorMap::edgeAcrossThePlane_isPartedOnIt()
