@@ -235,7 +235,7 @@ void TestPrintCheck::thin_isNeverMoreThanAll_data()
     QTest::addRow("wedge") << wedge(30);
     QTest::addRow("head") << core::starterModel(core::Starter::Head);
     QTest::addRow("star") << [] { // every third vertex is a spike, so the model is sharp everywhere
-        TriangleMesh mesh = core::icosphere(2, 10);
+        TriangleMesh mesh = core::icosphere(1, 10);
         for (std::size_t i = 0; i < mesh.points.size(); i += 3)
             mesh.points[i] *= 2;
         return mesh;
