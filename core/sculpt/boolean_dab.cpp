@@ -1,10 +1,14 @@
 #include "core/sculpt/boolean_dab.h"
 
+#include "core/sculpt/fuse/mirrored_join.h"
 #include "core/sculpt/verified_remesh.h"
 #include "core/sculpt/verify/mesh_transaction.h"
 #include "core/util/phase_timer.h"
 
 #include <algorithm>
+#include <iterator>
+#include <map>
+#include <span>
 
 namespace core
 {
@@ -15,31 +19,115 @@ namespace
 constexpr int maxTries = 3;
 const Vec3 growth(3, 5, 7);
 
-/// Returns the mirror image of the surgery.
-Surgery imageOf(const Surgery& surgery, MirrorMap& mirror)
+/// Returns whether the points are the mirror images of each other, in any order.
+bool areOwnImage(std::vector<Vec3> points, const MirrorMap& mirror)
 {
-    Surgery image;
-    image.nearby = mirror.imageOf(surgery.nearby);
-    for (Slot f : surgery.removed)
-        image.removed.push_back(mirror.imageOfFace(f));
-    for (Surgery::Vertex vertex : surgery.vertices) {
-        vertex.point = mirror.imageOf(vertex.point);
-        image.vertices.push_back(vertex);
-    }
-    const auto imageOfCorner = [&](Slot corner) { return Surgery::isNew(corner) ? corner : mirror.imageOf(corner); };
-    for (const auto& [a, b, c] : surgery.faces)
-        image.faces.push_back({imageOfCorner(a), imageOfCorner(c), imageOfCorner(b)});
-    return image;
+    const auto before = [](const Vec3& a, const Vec3& b) { return std::ranges::lexicographical_compare(a, b); };
+    std::vector<Vec3> images;
+    std::ranges::transform(points, std::back_inserter(images), [&](const Vec3& p) { return mirror.imageOf(p); });
+    std::ranges::sort(points, before);
+    std::ranges::sort(images, before);
+    return points == images;
 }
 
-/// Applies the surgery, and its image with a mirror, and selects the vertices of the new faces. Returns false if the
-/// result would not be a closed 2-manifold; the mesh may have changed then.
+/// Splits the edges of the faces that cross the mirror plane. Returns whether there were any.
+bool splitAcrossPlane(DabContext& context, const std::vector<Slot>& faces)
+{
+    const Mesh& mesh = context.mesh();
+    MeshEditor edit = verifiedEditor(context);
+    RemeshCounts counts;
+    for (Slot f : faces) {
+        const Slot first = mesh.faceHalfedge(f);
+        for (Slot h : {first, mesh.next(first), mesh.prev(first)}) {
+            if (!context.mirror->isAcross(h / 2) || !mesh.mayBeSplit(h / 2))
+                continue;
+            const Slot middle = edit.split(h / 2);
+            if (middle == noSlot)
+                continue;
+            ++counts.splits;
+            if (context.rest())
+                context.rest()->noteNew(middle);
+            break;
+        }
+    }
+    context.count(counts);
+    return counts.splits > 0;
+}
+
+/// Returns the part of the surgery on the mirror's positive side, plane included; nothing if a face crosses the plane
+/// or lies in it.
+std::optional<Surgery> positiveHalf(const Surgery& surgery, const Mesh& mesh, const MirrorMap& mirror)
+{
+    const auto heightOf = [&](Slot corner) {
+        return Surgery::isNew(corner) ? mirror.height(surgery.vertices[Surgery::newIndex(corner)].point)
+                                      : mirror.height(corner);
+    };
+    bool isDivided = true;
+    const auto isInHalf = [&](const Triangle& face) {
+        const auto [least, most] = std::minmax({heightOf(face[0]), heightOf(face[1]), heightOf(face[2])});
+        isDivided = isDivided && (least >= 0 || most <= 0) && least != most;
+        return most > 0;
+    };
+    Surgery half;
+    half.nearby = surgery.nearby;
+    std::ranges::copy_if(surgery.removed, std::back_inserter(half.removed),
+                         [&](Slot f) { return isInHalf(mesh.corners(f)); });
+    std::vector<Slot> renamed(surgery.vertices.size(), noSlot);
+    for (Triangle face : surgery.faces) {
+        if (!isInHalf(face))
+            continue;
+        for (Slot& corner : face) {
+            if (!Surgery::isNew(corner))
+                continue;
+            Slot& name = renamed[Surgery::newIndex(corner)];
+            if (name == noSlot) {
+                name = Surgery::newVertex(half.vertices.size());
+                half.vertices.push_back(surgery.vertices[Surgery::newIndex(corner)]);
+            }
+            corner = name;
+        }
+        half.faces.push_back(face);
+    }
+    return isDivided ? std::optional(std::move(half)) : std::nullopt;
+}
+
+/// Returns the surgery on the mirror's positive side: all of it, or its half if the solid is its own image. Returns
+/// nothing if it does not fit in there, or if a face to be removed has no image.
+std::optional<Surgery> halfToMirror(DabContext& context, Surgery surgery, bool isOwnImage)
+{
+    const Mesh& mesh = context.mesh();
+    MirrorMap& mirror = *context.mirror;
+    if (isOwnImage) {
+        std::optional<Surgery> half = positiveHalf(surgery, mesh, mirror);
+        if (!half)
+            return std::nullopt;
+        surgery = std::move(*half);
+    }
+    const bool isInHalf =
+        std::ranges::all_of(surgery.removed, [&](Slot f) { return mirror.isInHalf(mesh.corners(f)); });
+    return isInHalf && mirror.learn(surgery.removed, context.surface.octree()) ? std::optional(std::move(surgery))
+                                                                               : std::nullopt;
+}
+
+/// Stores which of the added vertices are each other's images. `added`: the vertices of withImage(half), in its order.
+void pairAdded(MirrorMap& mirror, const Surgery& half, const std::vector<Slot>& added)
+{
+    std::size_t image = half.vertices.size();
+    for (std::size_t i = 0; i < half.vertices.size(); ++i) {
+        if (mirror.height(half.vertices[i].point) > 0)
+            mirror.pair(added[i], added[image++]);
+    }
+}
+
+/// Applies the surgery, and its image with a mirror, and selects the vertices of the new faces. Returns false, with the
+/// mesh unchanged, if the result would not be a closed 2-manifold.
 bool exchange(DabContext& context, const Surgery& surgery)
 {
     Mesh& mesh = context.surface.mesh();
     Region& region = context.region;
     MirrorMap* mirror = context.mirror;
-    if (!isSurgeryOk(mesh, surgery))
+    const std::optional<Surgery> both = mirror ? withImage(mesh, *mirror, surgery) : std::nullopt;
+    if (mirror ? !both : !isSurgeryOk(mesh, surgery))
         return false;
     const auto distance = [&](Slot v) { return (mesh.point(v).cast<double>() - context.ball.center).norm(); };
     region.clear();
@@ -51,35 +139,19 @@ bool exchange(DabContext& context, const Surgery& surgery)
     }
     if (context.rest())
         context.rest()->measure(region, mesh);
-    std::optional<Surgery> image;
+    const std::vector<Slot> added = mesh.replaceFaces(both ? *both : surgery);
     if (mirror)
-        image = imageOf(surgery, *mirror);
-    const std::vector<Slot> added = mesh.replaceFaces(surgery);
-    if (image) {
-        if (!isSurgeryOk(mesh, *image))
-            return false;
-        const std::vector<Slot> images = mesh.replaceFaces(*image);
-        for (std::size_t i = 0; i < added.size(); ++i)
-            mirror->pair(added[i], images[i]);
-    }
+        pairAdded(*mirror, surgery, added);
     region.forEach([&](Slot v) {
         if (!mesh.isVertex(v))
             region.remove(v);
     });
-    for (Slot v : added) {
+    for (Slot v : std::span(added).first(surgery.vertices.size())) {
         region.add(v, distance(v));
         if (context.rest())
             context.rest()->noteNew(v);
     }
     return true;
-}
-
-/// Returns whether the faces are on the mirror's positive side and have mirror images.
-bool canMirror(DabContext& context, const std::vector<Slot>& faces)
-{
-    MirrorMap& mirror = *context.mirror;
-    return std::ranges::all_of(faces, [&](Slot f) { return mirror.isInHalf(context.mesh().corners(f)); }) &&
-           mirror.learn(faces, context.surface.octree());
 }
 
 /// Returns whether a face to be removed has a masked corner.
@@ -129,9 +201,35 @@ void PlacedSolid::addImage(const MirrorMap& mirror)
     }
 }
 
+bool PlacedSolid::divideAtPlane(const MirrorMap& mirror)
+{
+    if (!areOwnImage(places, mirror))
+        return false;
+    const auto heightOf = [&](Slot v) { return places[v].dot(mirror.normal()); };
+    std::map<std::pair<Slot, Slot>, Slot> middles;
+    for (std::size_t f = 0, count = mesh.triangles.size(); f < count; ++f) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Slot a = mesh.triangles[f][i], b = mesh.triangles[f][(i + 1) % 3], c = mesh.triangles[f][(i + 2) % 3];
+            if (heightOf(a) * heightOf(b) >= 0)
+                continue;
+            const auto [middle, isNew] = middles.try_emplace(std::minmax(a, b), static_cast<Slot>(places.size()));
+            if (isNew) {
+                mesh.points.push_back(mesh.points[a]);
+                places.push_back(mirror.onPlane(places[a]));
+                outward.push_back(mirror.onPlane(outward[a]));
+            }
+            mesh.triangles[f] = {a, middle->second, c};
+            mesh.triangles.push_back({middle->second, b, c});
+            break;
+        }
+    }
+    return true;
+}
+
 BooleanOutcome applyBoolean(DabContext& context, PlacedSolid solid, BooleanOperation operation)
 {
     const Lattice& lattice = context.mesh().lattice();
+    const bool isOwnImage = context.mirror && solid.divideAtPlane(*context.mirror);
     for (int i = 0; i < maxTries; ++i) {
         for (std::size_t v = 0; v < solid.places.size(); ++v) {
             const Vec3 p = solid.places[v] + i * lattice.unit() * growth.cwiseProduct(solid.outward[v]);
@@ -142,14 +240,19 @@ BooleanOutcome applyBoolean(DabContext& context, PlacedSolid solid, BooleanOpera
         std::optional<Surgery> surgery;
         {
             const PhaseTimer timer(context.report.deformMs);
-            const SolidBoolean boolean(context.surface, solid.mesh);
-            if (!boolean.areCrossing())
+            std::optional<SolidBoolean> boolean(std::in_place, context.surface, solid.mesh);
+            if (!boolean->areCrossing())
                 return BooleanOutcome::Apart;
-            surgery = boolean.surgery(operation);
+            if (isOwnImage && splitAcrossPlane(context, boolean->candidates()))
+                boolean.emplace(context.surface, solid.mesh);
+            surgery = boolean->surgery(operation);
             if (surgery && touchesMask(context.mesh(), *surgery))
                 return BooleanOutcome::Masked;
-            if (surgery && context.mirror && !canMirror(context, surgery->removed))
-                return BooleanOutcome::Failed;
+            if (surgery && context.mirror) {
+                surgery = halfToMirror(context, std::move(*surgery), isOwnImage);
+                if (!surgery)
+                    return BooleanOutcome::Failed;
+            }
         }
         MeshTransaction transaction(context.surface, context.region);
         if (surgery && exchange(context, *surgery) && transaction.commit()) {

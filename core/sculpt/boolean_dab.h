@@ -6,7 +6,8 @@
 namespace core
 {
 /// The outcome of a boolean dab. Apart: the surfaces do not cross. Masked: masked faces would be removed. Apart, Masked
-/// and Failed leave the mesh unchanged.
+/// and Failed leave the surface as it is; with a solid that is its own mirror image, Masked and Failed may have split
+/// edges across the plane.
 enum class BooleanOutcome { Done, Apart, Masked, Failed };
 
 /// A solid of one or two shells, and the positions at which the dab is to place its points.
@@ -16,6 +17,9 @@ struct PlacedSolid
     PlacedSolid(TriangleMesh ofMesh, std::vector<Vec3> ofPlaces, const Vec3& center);
     /// Adds the solid's mirror image as a second shell, which may cross the first.
     void addImage(const MirrorMap& mirror);
+    /// If the solid is its own mirror image, divides the faces that cross the plane, and returns true. Otherwise
+    /// returns false.
+    bool divideAtPlane(const MirrorMap& mirror);
 
     TriangleMesh mesh;
     std::vector<Vec3> places;
@@ -25,8 +29,8 @@ struct PlacedSolid
 
 /// Unites the model with a solid, or subtracts the solid from it, as one step that counts as one fusion. Then makes the
 /// mesh near the cut quasi-uniform; the curves in which the surfaces met stay sharp. The context's region becomes the
-/// changed vertices. With a mirror the solid's image is united or subtracted too. Fails if the solid and its image
-/// would change the same faces, or if the solid leaves the working volume.
+/// changed vertices. With a mirror the solid's image is united or subtracted too, unless the solid is its own image.
+/// Fails if the solid and its image would change the same faces, or if the solid leaves the working volume.
 BooleanOutcome applyBoolean(DabContext& context, PlacedSolid solid, BooleanOperation operation);
 /// Unites the model with a solid as applyBoolean() does. If that fails with a mirror, unites the solid and its image in
 /// one operation. Its result is not exactly symmetric, so the report is marked asymmetric.

@@ -38,11 +38,24 @@ void selectWholeGrabbed(Region& whole, const Region& half, MirrorMap& mirror, do
     });
 }
 
+namespace
+{
+/// Returns the weight that the dab's image has at the dab's centre, for Snake Hook; 0 for other tools.
+double imageWeight(const MirrorMap& mirror, const DeformInput& input)
+{
+    const Dab& dab = input.dab;
+    if (input.settings.tool != Tool::SnakeHook)
+        return 0;
+    return weightAt((mirror.imageOf(dab.position) - dab.position).norm(), input.settings, dab);
+}
+} // namespace
+
 double planMirrored(Region& half, Region& whole, MirrorMap& mirror, const DeformInput& input)
 {
     planDeformation(whole, input);
     const DabWeights shares(whole, input.mesh, input.settings, input.dab);
     const bool isLayer = input.settings.tool == Tool::Layer;
+    const double least = 1 + imageWeight(mirror, input);
     double longest2 = 0;
     half.forEach([&](Slot v) {
         Vec3 plan = whole.plan(v);
@@ -52,7 +65,7 @@ double planMirrored(Region& half, Region& whole, MirrorMap& mirror, const Deform
             const double length = plan.norm(), otherLength = other.norm(), sum = length + otherLength;
             plan += other;
             if (!isLayer)
-                plan /= std::max(1.0, shares.of(v) + shares.of(image));
+                plan /= std::max(least, shares.of(v) + shares.of(image));
             else if (sum > 0)
                 plan *= std::max(length, otherLength) / sum;
         }

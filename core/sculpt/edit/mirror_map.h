@@ -28,6 +28,15 @@ public:
     /// Returns the point or its image, whichever is on the positive side.
     template <class Vector> Vector folded(const Vector& p) const { return p[m_axis] < 0 ? imageOf(p) : p; }
 
+    /// Returns the point of the plane nearest to p, or the part of a vector in the plane.
+    template <class Vector> Vector onPlane(Vector p) const
+    {
+        p[m_axis] = 0;
+        return p;
+    }
+    /// Returns the plane's normal, a unit vector.
+    Vec3 normal() const { return Vec3::Unit(m_axis); }
+
     /// Returns the dab's mirror image. Its turn is reversed, too.
     Dab imageOf(Dab dab) const;
 

@@ -122,6 +122,8 @@ private Q_SLOTS:
     void snakeHookToAWall_staysInIt_data();
     void snakeHookToAWall_staysInIt();
     void snakeHookLedBack_isSymmetric();
+    void snakeHookAtThePlane_isAHandle_data();
+    void snakeHookAtThePlane_isAHandle();
     void joints_areQuasiUniform_data();
     void joints_areQuasiUniform();
     void eggThroughAPlate_isOneSeam_data();
@@ -271,6 +273,45 @@ void TestJoints::snakeHookLedBack_isSymmetric()
     QVERIFY(report.printReady());
     QVERIFY(report.genus.value() == 2 && report.components == 1);
     VERIFY_SYMMETRIC(sculptor.mesh(), core::Symmetry::X);
+}
+
+void TestJoints::snakeHookAtThePlane_isAHandle_data()
+{
+    constexpr double radius = 0.18;
+    QTest::addColumn<std::vector<Vec3>>("path");
+    for (const double degrees : {90.0, 60.0, 45.0}) { // to meet its image
+        std::vector<Vec3> path = line({0.4, 0, 0.9}, {0.4, 0, 1.4}, 0.1 * radius);
+        const double angle = degrees * M_PI / 180;
+        const std::vector<Vec3> rest = line({0.4, 0, 1.4}, {-0.2, 0, 1.4 + 0.6 / std::tan(angle)}, 0.1 * radius);
+        path.insert(path.end(), rest.begin(), rest.end());
+        QTest::addRow("two tentacles, %g degrees from the plane", degrees) << path;
+    }
+    for (const double aside : {0.0, 0.02, 0.05}) { // back to the ball
+        std::vector<Vec3> path = arc({1, 0, 0}, 0.4, -M_PI / 2, M_PI / 2 + 0.9, 0.1 * radius);
+        for (Vec3& p : path)
+            p = {aside, p.y(), p.x()};
+        QTest::addRow("one tentacle, %g beside the plane", aside) << path;
+    }
+}
+
+/// Tentacles that meet at the mirror plane, or a tentacle in it that is led back, must join in one handle by a
+/// single union.
+void TestJoints::snakeHookAtThePlane_isAHandle()
+{
+    QFETCH(std::vector<Vec3>, path);
+    StrokeSettings settings;
+    settings.tool = Tool::SnakeHook;
+    settings.radius = 0.18;
+    settings.topology = core::Topology::Refine;
+    settings.symmetry = core::Symmetry::X;
+    Sculptor sculptor(mesh_asserts::sculptable(core::icosphere(5, 1)));
+    drag(sculptor, settings, path);
+    const core::MeshReport report = judged(sculptor);
+    QVERIFY(report.printReady());
+    QVERIFY2(report.genus.value() == 1 && report.components == 1,
+             qPrintable(QStringLiteral("genus %1, components %2").arg(report.genus.value()).arg(report.components)));
+    VERIFY_SYMMETRIC(sculptor.mesh(), core::Symmetry::X);
+    QCOMPARE(sculptor.totals().fusions, 1u);
 }
 
 void TestJoints::joints_areQuasiUniform_data()

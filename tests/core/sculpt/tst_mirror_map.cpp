@@ -173,6 +173,7 @@ private Q_SLOTS:
     void asymmetricModel_onThePlane_getsOneDab();
     void addedSphere_comesWithItsImage();
     void addedSphere_onThePlane_isItsOwnImage();
+    void joinedSphere_onThePlane_isItsOwnImage();
     void addedSphere_touchingItsImageIsRefused();
     void fingers_joinAcrossThePlane();
     void fingers_joinAlongThePlane();
@@ -402,6 +403,21 @@ void TestMirrorMap::addedSphere_onThePlane_isItsOwnImage()
     QCOMPARE(core::name(dabOnce(*sculptor, settings, {0, 0.3, 1.9}).outcome), core::name(DabOutcome::Added));
     QCOMPARE(mesh_asserts::eulerNumber(sculptor->mesh()), 4);
     VERIFY_SYMMETRIC(sculptor->mesh(), Symmetry::X);
+}
+
+void TestMirrorMap::joinedSphere_onThePlane_isItsOwnImage()
+{
+    const auto sculptor = unitBall();
+    StrokeSettings settings = mirroredSettings(Tool::Pull);
+    settings.add = settings.join = true;
+    for (const Vec3& place : {Vec3(0, 0.3, 1), Vec3(0, -1, 0.2), Vec3(0, 0.2, 1.25)}) {
+        const DabReport report = dabOnce(*sculptor, settings, place);
+        QCOMPARE(core::name(report.outcome), core::name(DabOutcome::Added));
+        QVERIFY(!report.asymmetric);
+        QCOMPARE(mesh_asserts::eulerNumber(sculptor->mesh()), 2);
+        VERIFY_SYMMETRIC(sculptor->mesh(), Symmetry::X);
+        VERIFY_VALID(sculptor->mesh());
+    }
 }
 
 void TestMirrorMap::addedSphere_touchingItsImageIsRefused()
