@@ -277,7 +277,9 @@ void DabPipeline::finish(DabContext& context)
                                            context.mirror);
     if (!keepsSelection(context.settings.tool) || context.region.empty())
         return;
-    grab.keep(context.mesh(), context.mirror != nullptr);
+    const double share = report.asked > 0 ? report.reached / report.asked : 0;
+    grab.keep(context.mesh(), context.mirror != nullptr,
+              share * std::min(context.dab.strength, 1.0) * context.dab.motion);
     if (context.limits.inUse() && report.isWhole()) // otherwise these limits are too tight to be reused
         grab.noteLimits(context.dab, std::move(context.limits), context.fallbackSteps);
 }

@@ -62,7 +62,7 @@ bool isGrabMirrored(DabContext& context)
 {
     if (!context.grab.state.isHalf)
         return false;
-    context.grab.grow(context.settings, context.mesh(), context.dab.radius);
+    context.grab.grow(context.settings, context.mesh(), context.dab);
     context.candidates = context.grab.faces(context.mesh());
     return areMirrored(context);
 }
@@ -87,7 +87,7 @@ void selectRegion(DabContext& context)
 {
     if (!context.grab.state.isOn)
         return selectUnderBrush(context);
-    context.grab.grow(context.settings, context.mesh(), context.dab.radius);
+    context.grab.grow(context.settings, context.mesh(), context.dab);
     context.candidates = context.grab.faces(context.mesh());
 }
 

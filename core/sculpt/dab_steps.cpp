@@ -168,7 +168,8 @@ double DabSteps::plan(DabContext& context)
         if (whole.contains(v))
             whole.setCarried(v, 1);
     }
-    const DeformInput input = {context.mesh(), settings, context.dab, context.request.displacements};
+    const DeformInput input = {context.mesh(), settings, context.dab, context.request.displacements,
+                               context.grab.state.moved};
     return context.mirror ? planMirrored(context.region, m_whole, *context.mirror, input)
                           : planDeformation(context.region, input);
 }

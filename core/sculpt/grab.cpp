@@ -2,6 +2,7 @@
 
 #include "core/sculpt/dab_bounds.h"
 #include "core/sculpt/deform/deform.h"
+#include "core/sculpt/deform/grab_push.h"
 
 #include <algorithm>
 
@@ -41,20 +42,20 @@ void Grab::measure(const Mesh& mesh)
     state.detail = detailPerMeanEdge * meanEdge(region, mesh);
 }
 
-void Grab::keep(const Mesh& mesh, bool isHalf)
+void Grab::keep(const Mesh& mesh, bool isHalf, const Vec3& motion)
 {
-    state = {true, isHalf, state.axis, state.detail, mesh.removedVertices().size()};
+    state = {true, isHalf, state.axis, state.moved + motion, state.detail, mesh.removedVertices().size()};
 }
 
-void Grab::grow(const StrokeSettings& settings, const Mesh& mesh, double radius)
+void Grab::grow(const StrokeSettings& settings, const Mesh& mesh, const Dab& dab)
 {
     if (settings.falloff == 0) // without falloff every vertex of the region has weight 1
         return;
-    const EdgeBounds brushBounds = dabBounds(settings, mesh, radius);
+    const EdgeBounds brushBounds = dabBounds(settings, mesh, dab.radius);
     const double detail = state.limits.inUse() ? brushBounds.detail : bounds(settings, mesh, brushBounds).detail;
     std::vector<Slot> rim;
     region.forEach([&](Slot v) {
-        if (region.distance(v) >= radius && !(state.isHalf && region.carried(v) < radius))
+        if (region.distance(v) >= dab.radius && !(state.isHalf && region.carried(v) < dab.radius))
             return; // this vertex was added by grow() itself
         mesh.forEachOutgoing(v, [&](Slot h) {
             const Slot other = mesh.to(h);
@@ -64,7 +65,31 @@ void Grab::grow(const StrokeSettings& settings, const Mesh& mesh, double radius)
         });
     });
     for (Slot v : rim)
-        region.add(v, radius, Vec3::Zero(), 2 * radius);
+        region.add(v, dab.radius, Vec3::Zero(), 2 * dab.radius);
+    if (settings.tool == Tool::Grab && !state.moved.isZero(0))
+        growPushed(settings, mesh, dab, detail);
+}
+
+/// Adds the vertices that the dab pushes, as far as edges connect them with the part that the hand holds, and the
+/// vertices at the far ends of edges longer than `detail`, mm.
+void Grab::growPushed(const StrokeSettings& settings, const Mesh& mesh, const Dab& dab, double detail)
+{
+    const GrabPush push(settings, dab, state.moved);
+    SlotSet part = heldPart(region, mesh);
+    for (std::size_t i = 0; i < part.size(); ++i) { // the set grows during the loop
+        const Vec3 place = mesh.point(part.slots()[i]).cast<double>();
+        const double weight = weightAt(region.distance(part.slots()[i]), settings, dab);
+        if (push.at(place, weight) == 0)
+            continue;
+        mesh.forEachOutgoing(part.slots()[i], [&](Slot h) {
+            const Slot v = mesh.to(h);
+            const Vec3 end = mesh.point(v).cast<double>();
+            if (region.contains(v) || (push.at(end, 0) == 0 && (end - place).squaredNorm() <= detail * detail))
+                return;
+            region.add(v, dab.radius, Vec3::Zero(), 2 * dab.radius);
+            part.add(v);
+        });
+    }
 }
 
 void Grab::dropRemoved(const Mesh& mesh)

@@ -14,8 +14,9 @@ struct GrabState
     /// mirrored stroke: the region holds only the grabbed vertices on the mirror's positive side and represents both
     /// sides
     bool isHalf = false;
-    Vec3 axis = Vec3::Zero(); ///< mean normal of the region at the time of grabbing, of unit length, or zero
-    double detail = 0;        ///< d_detail, mm, with which remeshing keeps the mesh as fine as it was when grabbed
+    Vec3 axis = Vec3::Zero();  ///< mean normal of the region at the time of grabbing, of unit length, or zero
+    Vec3 moved = Vec3::Zero(); ///< motion of the stroke so far, mm
+    double detail = 0;         ///< d_detail, mm, with which remeshing keeps the mesh as fine as it was when grabbed
     /// number of entries of Mesh::removedVertices() that have been dropped from the region already
     std::size_t known = 0;
     /// motion of the last dab; if the next dab moves in nearly this direction, `limits` are still valid
@@ -30,13 +31,15 @@ struct Grab
 {
     /// Stores the mean normal and the mean edge length of the region just selected; keep() needs them.
     void measure(const Mesh& mesh);
-    /// Marks the region as grabbed, for the following dabs of the stroke.
-    void keep(const Mesh& mesh, bool isHalf);
+    /// Marks the region as grabbed, for the following dabs of the stroke. `motion`: by which the dab has moved a vertex
+    /// of weight 1, mm.
+    void keep(const Mesh& mesh, bool isHalf, const Vec3& motion);
     void release() { state = {}; }
 
     /// Adds the vertices at the far ends of long edges that leave the region, with weight zero. Otherwise such an edge
-    /// would never be split and would soon limit the motion.
-    void grow(const StrokeSettings& settings, const Mesh& mesh, double radius);
+    /// would never be split and would soon limit the motion. With Grab, also adds the vertices that it pushes
+    /// (GrabPush).
+    void grow(const StrokeSettings& settings, const Mesh& mesh, const Dab& dab);
     /// Removes the vertices that other dabs have deleted from the mesh. Their slots may already be used by new
     /// vertices.
     void dropRemoved(const Mesh& mesh);
@@ -57,6 +60,9 @@ struct Grab
 
     Region region;
     GrabState state;
+
+private:
+    void growPushed(const StrokeSettings& settings, const Mesh& mesh, const Dab& dab, double detail);
 };
 
 /// The grabs of a stroke in one sector. A mirrored stroke on a model that is not symmetric needs one grab per side.

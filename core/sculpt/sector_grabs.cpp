@@ -50,8 +50,10 @@ GrabSnapshot SectorGrabs::snapshot(const GrabPair& grabs, const Dab& dab, Symmet
         if (!mirror.isOnPlane(v) && region.carried(v) <= dab.radius)
             snapshot.ownPoints.push_back({isOver ? point : image, region.carried(v)});
     });
-    if (isOver)
+    if (isOver) {
         snapshot.own.axis = mirror.imageOf(snapshot.own.axis);
+        snapshot.own.moved = mirror.imageOf(snapshot.own.moved);
+    }
     return snapshot;
 }
 
@@ -65,8 +67,9 @@ void SectorGrabs::separate(std::size_t sector, const GrabSnapshot& snapshot, con
         return grabHalf(grabs, snapshot, turn, symmetry);
     const Turn back = {turn.cosine, -turn.sine};
     const std::size_t known = m_surface.mesh().removedVertices().size();
-    grabs.own.state = {true, false, turn * snapshot.own.axis, snapshot.own.detail, known};
-    grabs.image.state = {snapshot.image.isOn, false, back * snapshot.image.axis, snapshot.image.detail, known};
+    grabs.own.state = {true, false, turn * snapshot.own.axis, turn * snapshot.own.moved, snapshot.own.detail, known};
+    grabs.image.state = {snapshot.image.isOn,   false, back * snapshot.image.axis, back * snapshot.image.moved,
+                         snapshot.image.detail, known};
     grabPoints(grabs.own.region, snapshot.ownPoints, turn);
     grabPoints(grabs.image.region, snapshot.imagePoints, back);
 }
@@ -78,9 +81,14 @@ void SectorGrabs::grabHalf(GrabPair& grabs, const GrabSnapshot& snapshot, const 
     const Mesh& mesh = m_surface.mesh();
     MirrorMap mirror(mesh);
     mirror.setPlane(symmetry);
-    const Vec3 position = turn * snapshot.dab.position, axis = turn * snapshot.own.axis;
+    const Vec3 position = turn * snapshot.dab.position;
     const bool isOver = mirror.folded(position) != position; // the dab is on the mirror's negative side
-    grabs.own.state = {true, true, isOver ? mirror.imageOf(axis) : axis, snapshot.own.detail,
+    const auto turned = [&](const Vec3& p) { return isOver ? mirror.imageOf(Vec3(turn * p)) : Vec3(turn * p); };
+    grabs.own.state = {true,
+                       true,
+                       turned(snapshot.own.axis),
+                       turned(snapshot.own.moved),
+                       snapshot.own.detail,
                        mesh.removedVertices().size()};
     grabs.image.release();
     grabs.image.region.clear();

@@ -5,7 +5,8 @@
 
 namespace core
 {
-DabWeights::DabWeights(const Region& region, const Mesh& mesh, const StrokeSettings& settings, const Dab& dab)
+DabWeights::DabWeights(const Region& region, const Mesh& mesh, const StrokeSettings& settings, const Dab& dab,
+                       const Vec3& moved)
     : m_region(region)
     , m_mesh(mesh)
     , m_settings(settings)
@@ -16,6 +17,10 @@ DabWeights::DabWeights(const Region& region, const Mesh& mesh, const StrokeSetti
         m_frame = frameOn(region, mesh, settings, dab);
     if (settings.tool == Tool::Stamp)
         m_stamp.emplace(m_frame, settings, dab);
+    if (settings.tool == Tool::Grab && !moved.isZero(0)) {
+        m_push.emplace(settings, dab, moved);
+        m_held = heldPart(region, mesh);
+    }
 }
 
 double DabWeights::at(const Vec3& p, double distance) const

@@ -280,7 +280,7 @@ double planDeformation(Region& region, const DeformInput& input)
     const Mesh& mesh = input.mesh;
     const FieldInput fieldInput = {input, region};
     const Field field = fieldOf(fieldInput);
-    const DabWeights weights(region, mesh, input.settings, input.dab);
+    const DabWeights weights(region, mesh, input.settings, input.dab, input.moved);
     const std::vector<Slot>& slots = region.slots();
     std::vector<double> longest2(1 + chunksOf(slots.size(), plannedPerChunk), 0.0);
     forEachChunk(slots.size(), plannedPerChunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {

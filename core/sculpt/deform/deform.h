@@ -22,6 +22,7 @@ struct DeformInput
     const Dab& dab;
     /// displacements by the stroke so far; for Layer, fill() must have been called for the region
     const StrokeDisplacements& displacements;
+    Vec3 moved = Vec3::Zero(); ///< Grab: the motion of the stroke so far, mm
 };
 
 /// Plans the displacement of each vertex of the region by the tool's field (see the functions in deform.cpp). The

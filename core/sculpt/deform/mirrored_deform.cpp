@@ -53,7 +53,7 @@ double imageWeight(const MirrorMap& mirror, const DeformInput& input)
 double planMirrored(Region& half, Region& whole, MirrorMap& mirror, const DeformInput& input)
 {
     planDeformation(whole, input);
-    const DabWeights shares(whole, input.mesh, input.settings, input.dab);
+    const DabWeights shares(whole, input.mesh, input.settings, input.dab, input.moved);
     const bool isLayer = input.settings.tool == Tool::Layer;
     const double least = 1 + imageWeight(mirror, input);
     double longest2 = 0;

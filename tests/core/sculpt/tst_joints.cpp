@@ -1,6 +1,7 @@
 // Tests the joints that fusion makes where surfaces meet: one seam without additional handles, tunnels or voids.
 #include "core/analysis/mesh_check.h"
 #include "core/mesh/mesh_builder.h"
+#include "core/mesh/normals.h"
 #include "tests/support/clay.h"
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/mirror_asserts.h"
@@ -11,6 +12,7 @@
 #include <QTest>
 
 #include <cmath>
+#include <map>
 
 using core::Sculptor;
 using core::StrokeSettings;
@@ -132,6 +134,8 @@ private Q_SLOTS:
     void fineForkIntoAPlate_joins();
     void grabAlongTheSurface_staysInOnePiece_data();
     void grabAlongTheSurface_staysInOnePiece();
+    void grabAlongTheSurface_leavesNoTeeth_data();
+    void grabAlongTheSurface_leavesNoTeeth();
     void endsOfARing_joinInOneSeam_data();
     void endsOfARing_joinInOneSeam();
     void strongDabs_reachWhatWasAsked();
@@ -277,17 +281,17 @@ void TestJoints::snakeHookLedBack_isSymmetric()
 
 void TestJoints::snakeHookAtThePlane_isAHandle_data()
 {
-    constexpr double radius = 0.18;
+    constexpr double step = 0.018; // a tenth of the radius
     QTest::addColumn<std::vector<Vec3>>("path");
     for (const double degrees : {90.0, 60.0, 45.0}) { // to meet its image
-        std::vector<Vec3> path = line({0.4, 0, 0.9}, {0.4, 0, 1.4}, 0.1 * radius);
+        std::vector<Vec3> path = line({0.4, 0, 0.9}, {0.4, 0, 1.4}, step);
         const double angle = degrees * M_PI / 180;
-        const std::vector<Vec3> rest = line({0.4, 0, 1.4}, {-0.2, 0, 1.4 + 0.6 / std::tan(angle)}, 0.1 * radius);
+        const std::vector<Vec3> rest = line({0.4, 0, 1.4}, {-0.2, 0, 1.4 + 0.6 / std::tan(angle)}, step);
         path.insert(path.end(), rest.begin(), rest.end());
         QTest::addRow("two tentacles, %g degrees from the plane", degrees) << path;
     }
     for (const double aside : {0.0, 0.02, 0.05}) { // back to the ball
-        std::vector<Vec3> path = arc({1, 0, 0}, 0.4, -M_PI / 2, M_PI / 2 + 0.9, 0.1 * radius);
+        std::vector<Vec3> path = arc({1, 0, 0}, 0.4, -M_PI / 2, M_PI / 2 + 0.9, step);
         for (Vec3& p : path)
             p = {aside, p.y(), p.x()};
         QTest::addRow("one tentacle, %g beside the plane", aside) << path;
@@ -462,6 +466,62 @@ void TestJoints::grabAlongTheSurface_staysInOnePiece()
         const double share = std::clamp(middle.dot(way) / way.squaredNorm(), 0.0, 1.0);
         if ((middle - share * way).norm() < 0.9 * radius)
             QVERIFY2((a - b).norm() <= longest, qPrintable(QString::number((a - b).norm() / longest)));
+    }
+}
+
+void TestJoints::grabAlongTheSurface_leavesNoTeeth_data()
+{
+    QTest::addColumn<core::TriangleMesh>("model");
+    QTest::addColumn<Vec3>("start");
+    QTest::addColumn<Vec3>("way");
+    QTest::addColumn<double>("radius");
+    for (const double radii : {0.5, 1.0}) {
+        QTest::addRow("ball, %g radii", radii)
+            << core::icosphere(5, 1) << Vec3(0, 0, 1) << Vec3(0, 0.46 * radii, 0) << 0.46;
+        QTest::addRow("fine ball, %g radii", radii)
+            << core::icosphere(6, 1) << Vec3(0, 0, 1) << Vec3(0.12 * radii, 0.16 * radii, 0) << 0.2;
+    }
+    for (const double radii : {0.5, 1.0, 2.0, 4.0})
+        QTest::addRow("plate, %g radii", radii)
+            << clay::slab(5, 0.5, 50) << Vec3(0.1, 0.25, 1) << Vec3(0, 0, -0.46 * radii) << 0.46;
+}
+
+/// A drag along the surface pushes what lies before it. It must go all its way, and where it leaves an edge sharper
+/// than 60 degrees, the line of such edges must turn by less than 40 degrees at each vertex.
+void TestJoints::grabAlongTheSurface_leavesNoTeeth()
+{
+    QFETCH(core::TriangleMesh, model);
+    QFETCH(Vec3, start);
+    QFETCH(Vec3, way);
+    QFETCH(double, radius);
+    Sculptor sculptor(mesh_asserts::sculptable(model));
+    bool isWhole = true;
+    sculptor.setAfterDab([&](const core::DabReport& report) {
+        isWhole = isWhole && report.isWhole() && report.outcome == core::DabOutcome::Committed;
+    });
+    drag(sculptor, Tool::Grab, radius, line(start, start + way, 0.05 * radius));
+    QVERIFY(isWhole);
+    const core::Mesh& mesh = sculptor.mesh();
+    std::map<core::Slot, std::vector<core::Slot>> lines; // the other ends of each vertex's sharp edges
+    for (core::Slot e = 0; e < mesh.slots().edges; ++e) {
+        if (!mesh.isEdge(e))
+            continue;
+        const core::Slot a = mesh.to(2 * e), b = mesh.to(2 * e + 1);
+        const Vec3 middle = 0.5 * (mesh.point(a) + mesh.point(b)).cast<double>();
+        const double share = std::clamp((middle - start).dot(way) / way.squaredNorm(), 0.0, 1.0);
+        const Vec3 left = core::faceNormal(mesh, mesh.face(2 * e)),
+                   right = core::faceNormal(mesh, mesh.face(2 * e + 1));
+        if ((middle - start - share * way).norm() > 1.3 * radius || left.dot(right) > 0.5 * left.norm() * right.norm())
+            continue;
+        lines[a].push_back(b);
+        lines[b].push_back(a);
+    }
+    for (const auto& [v, ends] : lines) {
+        if (ends.size() != 2)
+            continue;
+        const Vec3 in = (mesh.point(v) - mesh.point(ends[0])).cast<double>(),
+                   out = (mesh.point(ends[1]) - mesh.point(v)).cast<double>();
+        QVERIFY(in.dot(out) > std::cos(40 * M_PI / 180) * in.norm() * out.norm());
     }
 }
 
