@@ -23,8 +23,8 @@ constexpr double oneWithImage = 0.5;
 /// Range of distances behind the tip, in radii, within which vertices are used to measure its cross-section.
 constexpr double sectionBegin = 0.3, sectionEnd = 0.6;
 /// Largest distance from the section's centre to a surface in reach, and to the first surface straight ahead, both in
-/// radii of the section.
-/// reachDistance is more than 1, so that the union comes before the rim of the tip touches the surface.
+/// radii of the section. reachDistance is more than 1, so that the union comes before the rim of the tip touches the
+/// surface.
 constexpr double reachDistance = 1.3, maxGap = 4;
 /// Distance within which faces are examined, in radii of the section.
 constexpr double farthest = maxGap + 2;
@@ -167,8 +167,8 @@ std::optional<double> reachOfPlane(const DabContext& context, const Section& sec
     const double cosine = -section.heading.dot(normal), height = section.center.dot(normal);
     if (cosine < minTowardsPlane)
         return std::nullopt;
-    const double lean =
-        capsuleRadius * section.radius * std::sqrt(1 - cosine * cosine); // of the section's nearest point
+    const double lean = capsuleRadius * section.radius *
+                        std::sqrt(std::max(1 - cosine * cosine, 0.0)); // of the section's nearest point
     return height > lean && height < lean + reachDistance * section.radius * cosine ? std::optional(height / cosine)
                                                                                     : std::nullopt;
 }
@@ -187,7 +187,8 @@ PlacedSolid tubeToImage(const Section& section, const MirrorMap& mirror)
         const double rear = std::max(behind - tubeShare, 0.0) / (1 - tubeShare);
         const Vec3 aside(p.dot(right), p.dot(up), 0);
         const double width =
-            aside.isZero(0) ? 0 : capsuleRadius * section.radius * std::sqrt(1 - rear * rear) / aside.norm();
+            aside.isZero(0) ? 0
+                            : capsuleRadius * section.radius * std::sqrt(std::max(1 - rear * rear, 0.0)) / aside.norm();
         const Vec3 around = section.center + width * (aside.x() * acrossRight + aside.y() * acrossUp);
         const double toPlane = -around.dot(normal) / section.heading.dot(normal), from = -section.radius * overlap;
         const double along = behind < tubeShare ? toPlane + behind / tubeShare * (from - toPlane)
