@@ -30,26 +30,74 @@ bool areOwnImage(std::vector<Vec3> points, const MirrorMap& mirror)
     return points == images;
 }
 
-/// Splits the edges of the faces that cross the mirror plane. Returns whether there were any.
-bool splitAcrossPlane(DabContext& context, const std::vector<Slot>& faces)
+/// Adds the solid's mirror image as a second shell, which may cross the first.
+void addImage(PlacedSolid& solid, const MirrorMap& mirror)
 {
-    const Mesh& mesh = context.mesh();
-    MeshEditor edit = verifiedEditor(context);
-    RemeshCounts counts;
-    for (Slot f : faces) {
-        const Slot first = mesh.faceHalfedge(f);
-        for (Slot h : {first, mesh.next(first), mesh.prev(first)}) {
-            if (!context.mirror->isAcross(h / 2) || !mesh.mayBeSplit(h / 2))
-                continue;
-            const Slot middle = edit.split(h / 2);
-            if (middle == noSlot)
-                continue;
-            ++counts.splits;
-            if (context.rest())
-                context.rest()->noteNew(middle);
-            break;
-        }
+    TriangleMesh& mesh = solid.mesh;
+    std::vector<Vec3>&places = solid.places, &outward = solid.outward;
+    const std::size_t count = places.size(), faces = mesh.triangles.size();
+    for (std::size_t v = 0; v < count; ++v) {
+        mesh.points.push_back(mesh.points[v]);
+        places.push_back(mirror.imageOf(places[v]));
+        // without the factor 2, the grown solid and its grown image could touch along edges or in corners
+        outward.push_back(2 * mirror.imageOf(outward[v]));
     }
+    const auto first = static_cast<Slot>(count);
+    for (std::size_t f = 0; f < faces; ++f) {
+        const auto [a, b, c] = mesh.triangles[f];
+        mesh.triangles.push_back({first + a, first + c, first + b});
+    }
+}
+
+/// If the solid is its own mirror image, divides the faces that cross the plane, and returns true. Otherwise returns
+/// false, with nothing changed.
+bool divideAtPlane(PlacedSolid& solid, const MirrorMap& mirror)
+{
+    TriangleMesh& mesh = solid.mesh;
+    std::vector<Vec3>&places = solid.places, &outward = solid.outward;
+    const auto isAcross = [&](Slot a, Slot b) { return mirror.height(places[a]) * mirror.height(places[b]) < 0; };
+    const auto forEachAcross = [&](auto visit) { // a face has one such edge at most
+        for (std::size_t f = 0, count = mesh.triangles.size(); f < count; ++f) {
+            const Triangle face = mesh.triangles[f];
+            for (std::size_t i = 0; i < 3; ++i) {
+                if (isAcross(face[i], face[(i + 1) % 3]))
+                    visit(f, i);
+            }
+        }
+    };
+    bool isOwnImage = areOwnImage(places, mirror);
+    forEachAcross([&](std::size_t f, std::size_t i) {
+        const Triangle& face = mesh.triangles[f];
+        isOwnImage = isOwnImage && places[face[(i + 1) % 3]] == mirror.imageOf(places[face[i]]);
+    });
+    if (!isOwnImage)
+        return false;
+    std::map<std::pair<Slot, Slot>, Slot> middles;
+    forEachAcross([&](std::size_t f, std::size_t i) {
+        const Triangle face = mesh.triangles[f];
+        const Slot a = face[i], b = face[(i + 1) % 3], c = face[(i + 2) % 3];
+        const auto [middle, isNew] = middles.try_emplace(std::minmax(a, b), static_cast<Slot>(places.size()));
+        if (isNew) {
+            mesh.points.push_back(Vec3f(mesh.points[a]));
+            places.push_back(mirror.onPlane(places[a]));
+            outward.push_back(mirror.onPlane(outward[a]));
+        }
+        mesh.triangles[f] = {a, middle->second, c};
+        mesh.triangles.push_back({middle->second, b, c});
+    });
+    return true;
+}
+
+/// Splits the edges across the mirror plane of these faces. Returns whether there were any.
+bool splitAcrossPlane(DabContext& context, std::vector<Slot> faces)
+{
+    MeshEditor edit = verifiedEditor(context);
+    const std::size_t before = faces.size();
+    const RemeshCounts counts =
+        splitFacesAcross(edit, context.region, faces, context.ball, context.bounds, context.rest());
+    context.candidates.insert(context.candidates.end(), faces.begin() + static_cast<std::ptrdiff_t>(before),
+                              faces.end());
+    context.request.displacements.doubt(context.region.remeshed());
     context.count(counts);
     return counts.splits > 0;
 }
@@ -65,7 +113,7 @@ std::optional<Surgery> positiveHalf(const Surgery& surgery, const Mesh& mesh, co
     bool isDivided = true;
     const auto isInHalf = [&](const Triangle& face) {
         const auto [least, most] = std::minmax({heightOf(face[0]), heightOf(face[1]), heightOf(face[2])});
-        isDivided = isDivided && (least >= 0 || most <= 0) && least != most;
+        isDivided = isDivided && (least >= 0 || most <= 0) && (least != 0 || most != 0);
         return most > 0;
     };
     Surgery half;
@@ -185,51 +233,10 @@ PlacedSolid::PlacedSolid(TriangleMesh ofMesh, std::vector<Vec3> ofPlaces, const 
         outward.push_back((p - center).cwiseSign());
 }
 
-void PlacedSolid::addImage(const MirrorMap& mirror)
-{
-    const std::size_t count = places.size(), faces = mesh.triangles.size();
-    for (std::size_t v = 0; v < count; ++v) {
-        mesh.points.push_back(mesh.points[v]);
-        places.push_back(mirror.imageOf(places[v]));
-        // without the factor 2, the grown solid and its grown image could touch along edges or in corners
-        outward.push_back(2 * mirror.imageOf(outward[v]));
-    }
-    const auto first = static_cast<Slot>(count);
-    for (std::size_t f = 0; f < faces; ++f) {
-        const auto [a, b, c] = mesh.triangles[f];
-        mesh.triangles.push_back({first + a, first + c, first + b});
-    }
-}
-
-bool PlacedSolid::divideAtPlane(const MirrorMap& mirror)
-{
-    if (!areOwnImage(places, mirror))
-        return false;
-    const auto heightOf = [&](Slot v) { return places[v].dot(mirror.normal()); };
-    std::map<std::pair<Slot, Slot>, Slot> middles;
-    for (std::size_t f = 0, count = mesh.triangles.size(); f < count; ++f) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            const Slot a = mesh.triangles[f][i], b = mesh.triangles[f][(i + 1) % 3], c = mesh.triangles[f][(i + 2) % 3];
-            if (heightOf(a) * heightOf(b) >= 0)
-                continue;
-            const auto [middle, isNew] = middles.try_emplace(std::minmax(a, b), static_cast<Slot>(places.size()));
-            if (isNew) {
-                mesh.points.push_back(mesh.points[a]);
-                places.push_back(mirror.onPlane(places[a]));
-                outward.push_back(mirror.onPlane(outward[a]));
-            }
-            mesh.triangles[f] = {a, middle->second, c};
-            mesh.triangles.push_back({middle->second, b, c});
-            break;
-        }
-    }
-    return true;
-}
-
 BooleanOutcome applyBoolean(DabContext& context, PlacedSolid solid, BooleanOperation operation)
 {
     const Lattice& lattice = context.mesh().lattice();
-    const bool isOwnImage = context.mirror && solid.divideAtPlane(*context.mirror);
+    const bool isOwnImage = context.mirror && divideAtPlane(solid, *context.mirror);
     for (int i = 0; i < maxTries; ++i) {
         for (std::size_t v = 0; v < solid.places.size(); ++v) {
             const Vec3 p = solid.places[v] + i * lattice.unit() * growth.cwiseProduct(solid.outward[v]);
@@ -250,8 +257,8 @@ BooleanOutcome applyBoolean(DabContext& context, PlacedSolid solid, BooleanOpera
                 return BooleanOutcome::Masked;
             if (surgery && context.mirror) {
                 surgery = halfToMirror(context, std::move(*surgery), isOwnImage);
-                if (!surgery)
-                    return BooleanOutcome::Failed;
+                if (!surgery && !isOwnImage)
+                    return BooleanOutcome::Failed; // a half of a larger solid could fit
             }
         }
         MeshTransaction transaction(context.surface, context.region);
@@ -271,7 +278,7 @@ BooleanOutcome uniteOnBothSides(DabContext& context, PlacedSolid solid)
         return outcome;
     MirrorMap* mirror = std::exchange(context.mirror, nullptr);
     if (mirror->imageOf(context.dab.position) != context.dab.position)
-        solid.addImage(*mirror);
+        addImage(solid, *mirror);
     outcome = applyBoolean(context, std::move(solid), BooleanOperation::Unite);
     context.report.asymmetric = outcome == BooleanOutcome::Done;
     if (outcome != BooleanOutcome::Done)

@@ -15,11 +15,6 @@ struct PlacedSolid
 {
     /// `places`: positions of the mesh's points, mm. `center`: retries grow the solid away from this point.
     PlacedSolid(TriangleMesh ofMesh, std::vector<Vec3> ofPlaces, const Vec3& center);
-    /// Adds the solid's mirror image as a second shell, which may cross the first.
-    void addImage(const MirrorMap& mirror);
-    /// If the solid is its own mirror image, divides the faces that cross the plane, and returns true. Otherwise
-    /// returns false.
-    bool divideAtPlane(const MirrorMap& mirror);
 
     TriangleMesh mesh;
     std::vector<Vec3> places;

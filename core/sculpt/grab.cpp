@@ -86,7 +86,7 @@ void Grab::growPushed(const StrokeSettings& settings, const Mesh& mesh, const Da
             const Vec3 end = mesh.point(v).cast<double>();
             if (region.contains(v) || (push.at(end, 0) == 0 && (end - place).squaredNorm() <= detail * detail))
                 return;
-            region.add(v, dab.radius, Vec3::Zero(), 2 * dab.radius);
+            region.add(v, dab.radius, Vec3::Zero(), dab.radius); // its image may be pushed, too
             part.add(v);
         });
     }

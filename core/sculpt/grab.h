@@ -15,7 +15,7 @@ struct GrabState
     /// sides
     bool isHalf = false;
     Vec3 axis = Vec3::Zero();  ///< mean normal of the region at the time of grabbing, of unit length, or zero
-    Vec3 moved = Vec3::Zero(); ///< motion of the stroke so far, mm
+    Vec3 moved = Vec3::Zero(); ///< Grab: motion of the stroke so far, mm
     double detail = 0;         ///< d_detail, mm, with which remeshing keeps the mesh as fine as it was when grabbed
     /// number of entries of Mesh::removedVertices() that have been dropped from the region already
     std::size_t known = 0;

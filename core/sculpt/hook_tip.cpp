@@ -18,8 +18,6 @@ namespace
 /// Shortest distance, in radii, between a tip and the place where the stroke took hold for the tip to join. A closer
 /// tip would join the surface around its own root.
 constexpr double minWay = 1;
-/// A tip whose centre is nearer than this to the mirror plane, in radii of the section, is one with its mirror image.
-constexpr double oneWithImage = 0.5;
 /// Range of distances behind the tip, in radii, within which vertices are used to measure its cross-section.
 constexpr double sectionBegin = 0.3, sectionEnd = 0.6;
 /// Largest distance from the section's centre to a surface in reach, and to the first surface straight ahead, both in
@@ -37,7 +35,8 @@ constexpr double minAhead = 0.2, minTowardsPlane = 0.5;
 constexpr double capsuleRadius = 1.03, rearLength = 0.5, overlap = 0.6;
 /// Largest depth of the capsule in the reached surface, as a share of the wall's thickness.
 constexpr double maxDepthShare = 0.5;
-/// Distance of the ray straight ahead from the mirror plane, in radii of the section, so that it hits no edge there.
+/// With a mirror, distance of the ray straight ahead from the section's centre, in radii of the section: a ray in the
+/// plane would meet edges.
 constexpr double startAside = 0.02;
 /// Height of the part of a half sphere that becomes the tube to the mirror plane; the rest becomes its rear end.
 constexpr double tubeShare = 0.6;
@@ -70,7 +69,7 @@ Section sectionAt(const Vec3& tip, const Vec3& heading, const DabContext& contex
     context.region.forEach([&](Slot v) {
         const Vec3 p = context.mesh().point(v).cast<double>();
         add(p);
-        if (isOnPlane) // the region has only the half of the tip on the positive side
+        if (isOnPlane && !context.mirror->isOnPlane(v)) // the region has only the half on the positive side
             add(context.mirror->imageOf(p));
     });
     if (around.empty())
@@ -84,17 +83,17 @@ Section sectionAt(const Vec3& tip, const Vec3& heading, const DabContext& contex
     return section;
 }
 
-/// Measures the tip's cross-section. A tip that is one with its mirror image is measured with it, in the plane.
+/// Measures the tip's cross-section. A tip that moves along the mirror plane and reaches it is one with its image, and
+/// is measured with it, in the plane.
 Section sectionOf(const DabContext& context)
 {
     const Dab& dab = context.dab;
     const Section section = sectionAt(dab.position, dab.heading, context);
     const MirrorMap* mirror = context.mirror;
-    const Vec3 along = mirror ? mirror->onPlane(dab.heading) : Vec3(Vec3::Zero());
-    const Vec3 tip = mirror ? mirror->onPlane(dab.position) : dab.position;
-    if (!mirror || (dab.position - tip).norm() > oneWithImage * section.radius || along.isZero(0))
+    if (!mirror || std::abs(mirror->height(dab.position)) > capsuleRadius * section.radius ||
+        std::abs(mirror->height(dab.heading)) > minTowardsPlane)
         return section;
-    return sectionAt(tip, along.normalized(), context);
+    return sectionAt(mirror->onPlane(dab.position), mirror->onPlane(dab.heading).normalized(), context);
 }
 
 /// The path from the tip into a surface, along the heading.
@@ -118,7 +117,7 @@ std::optional<Reach> reachOf(const DabContext& context, const Section& section)
     std::vector<double> exits; // distances at which the ray leaves the solid, mm
     for (Slot f : Selector(mesh, context.surface.octree()).facesIn({section.center, farthest * section.radius})) {
         const Triangle& t = mesh.corners(f);
-        if ((context.mirror && !context.mirror->isInHalf(t)) ||
+        if ((context.mirror && std::ranges::all_of(t, [&](Slot v) { return context.mirror->height(v) <= 0; })) ||
             std::ranges::any_of(t, [&](Slot v) { return context.region.contains(v); }))
             continue;
         const auto point = [&](std::size_t i) { return Vec3(mesh.point(t[i]).cast<double>()); };
@@ -164,7 +163,7 @@ PlacedSolid capsuleOver(const Section& section, const Reach& reach)
 std::optional<double> reachOfPlane(const DabContext& context, const Section& section)
 {
     const Vec3 normal = context.mirror->normal();
-    const double cosine = -section.heading.dot(normal), height = section.center.dot(normal);
+    const double cosine = -section.heading.dot(normal), height = context.mirror->height(section.center);
     if (cosine < minTowardsPlane)
         return std::nullopt;
     const double lean = capsuleRadius * section.radius *

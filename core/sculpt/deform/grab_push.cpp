@@ -40,7 +40,7 @@ double GrabPush::at(const Vec3& place, double weight) const
     for (std::size_t i = 1; i <= steps && m_weights[i - 1] > least; ++i) {
         const double now = outside(i);
         if (now <= 0)
-            return std::max(least, std::lerp(m_weights[i - 1], m_weights[i], before / (before - now)));
+            return std::max(least, m_weights[i - 1] + before / (before - now) * (m_weights[i] - m_weights[i - 1]));
         before = now;
     }
     return least;
@@ -50,7 +50,7 @@ double GrabPush::byHand(double distance) const
 {
     const double at = std::min(handFactor * distance / m_step, static_cast<double>(steps));
     const std::size_t i = std::min(static_cast<std::size_t>(at), steps - 1);
-    return std::lerp(m_weights[i], m_weights[i + 1], at - static_cast<double>(i));
+    return m_weights[i] + (at - static_cast<double>(i)) * (m_weights[i + 1] - m_weights[i]);
 }
 
 SlotSet heldPart(const Region& region, const Mesh& mesh)

@@ -3,6 +3,8 @@
 #include "core/sculpt/deform/dab_weights.h"
 #include "core/sculpt/deform/deform.h"
 
+#include <algorithm>
+
 namespace core
 {
 void keepHalf(Region& region, const MirrorMap& mirror)
@@ -40,13 +42,21 @@ void selectWholeGrabbed(Region& whole, const Region& half, MirrorMap& mirror, do
 
 namespace
 {
-/// Returns the weight that the dab's image has at the dab's centre, for Snake Hook; 0 for other tools.
+/// Returns the weight that the dab's image has at the dab's centre, for Grab and Snake Hook; 0 for other tools.
 double imageWeight(const MirrorMap& mirror, const DeformInput& input)
 {
     const Dab& dab = input.dab;
-    if (input.settings.tool != Tool::SnakeHook)
+    if (input.settings.tool != Tool::Grab && input.settings.tool != Tool::SnakeHook)
         return 0;
     return weightAt((mirror.imageOf(dab.position) - dab.position).norm(), input.settings, dab);
+}
+
+/// Returns the divisor of the sum of two displacements with these weights. `imageAtCenter`: imageWeight().
+double divisor(double weight, double other, double imageAtCenter)
+{
+    const auto [least, most] = std::minmax(weight, other);
+    const double shared = most > 0 ? imageAtCenter * least / most : 0;
+    return std::max(1 + shared, weight + other);
 }
 } // namespace
 
@@ -55,7 +65,7 @@ double planMirrored(Region& half, Region& whole, MirrorMap& mirror, const Deform
     planDeformation(whole, input);
     const DabWeights shares(whole, input.mesh, input.settings, input.dab, input.moved);
     const bool isLayer = input.settings.tool == Tool::Layer;
-    const double least = 1 + imageWeight(mirror, input);
+    const double imageAtCenter = imageWeight(mirror, input);
     double longest2 = 0;
     half.forEach([&](Slot v) {
         Vec3 plan = whole.plan(v);
@@ -65,7 +75,7 @@ double planMirrored(Region& half, Region& whole, MirrorMap& mirror, const Deform
             const double length = plan.norm(), otherLength = other.norm(), sum = length + otherLength;
             plan += other;
             if (!isLayer)
-                plan /= std::max(least, shares.of(v) + shares.of(image));
+                plan /= divisor(shares.of(v), shares.of(image), imageAtCenter);
             else if (sum > 0)
                 plan *= std::max(length, otherLength) / sum;
         }

@@ -20,8 +20,8 @@ void selectWholeGrabbed(Region& whole, const Region& half, MirrorMap& mirror, do
 /// displacements d1 and d2 and weights w1 and w2. Where they overlap they are combined into one field:
 ///   D = (w1 d1 + w2 d2) / max(1, w1 + w2)
 /// Vertices on the plane therefore stay in it. Layer has a fixed height, so its D is only as long as the longer of the
-/// two displacements. For Snake Hook the divisor is at least 1 + c, where c is the weight of the image at the dab's
-/// centre: a tentacle drawn in the plane is as thick as one drawn without a mirror.
+/// two displacements. For Grab and Snake Hook the divisor is at least 1 + c min(w1, w2) / max(w1, w2), where c is the
+/// weight of the image at the dab's centre: what is dragged in the plane moves as without a mirror.
 /// `whole`: the selection of the dab alone, on both sides of the plane; contains every vertex of `half`. Its plans are
 /// overwritten. Returns the longest displacement planned, in mm.
 double planMirrored(Region& half, Region& whole, MirrorMap& mirror, const DeformInput& input);

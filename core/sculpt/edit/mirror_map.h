@@ -42,6 +42,7 @@ public:
 
     /// Returns the signed distance from the plane, in mm.
     float height(const Vec3f& p) const { return p[m_axis]; }
+    double height(const Vec3& p) const { return p[m_axis]; }
     float height(Slot v) const { return height(m_mesh.point(v)); }
     bool isOnPlane(Slot v) const { return height(v) == 0; }
     bool isInHalf(Slot v) const { return height(v) >= 0; }

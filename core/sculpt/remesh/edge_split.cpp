@@ -86,7 +86,6 @@ void EdgeSplit::refine(std::span<const Slot> candidates, const Sphere& ball)
     }
 }
 
-/// Splits the edges that cross the mirror's plane. Appends the new faces to `faces`.
 void EdgeSplit::splitFacesAcross(std::vector<Slot>& faces, const Sphere& ball)
 {
     const MirrorMap& mirror = *m_pass.edit().mirror();

@@ -128,6 +128,14 @@ RemeshCounts refine(MeshEditor& edit, Region& region, std::span<const Slot> cand
     return pass.counts;
 }
 
+RemeshCounts splitFacesAcross(MeshEditor& edit, Region& region, std::vector<Slot>& faces, const Sphere& ball,
+                              const EdgeBounds& bounds, RestLengths* rest)
+{
+    RemeshPass pass(edit, region, bounds, rest);
+    EdgeSplit(pass).splitFacesAcross(faces, ball);
+    return pass.counts;
+}
+
 RemeshCounts optimise(MeshEditor& edit, Region& region, const EdgeBounds& bounds, RestLengths* rest)
 {
     RemeshPass pass(edit, region, bounds, rest);

@@ -28,6 +28,11 @@ struct RemeshCounts
 RemeshCounts refine(MeshEditor& edit, Region& region, std::span<const Slot> candidates, const Sphere& ball,
                     const EdgeBounds& bounds, RestLengths* rest = nullptr);
 
+/// Splits the edges of these faces that cross the mirror's plane. Adds the new faces to `faces`, and the new vertices
+/// in the ball to the region. Precondition: the editor has a mirror.
+RemeshCounts splitFacesAcross(MeshEditor& edit, Region& region, std::vector<Slot>& faces, const Sphere& ball,
+                              const EdgeBounds& bounds, RestLengths* rest = nullptr);
+
 /// Makes the edges with both ends in the region quasi-uniform (paper, section 3.2). Splits edges longer than d_detail,
 /// until none is left except for refused splits or a reached operation limit. Collapses edges shorter than d. Flips
 /// edges whose opposite angles sum to more than 180 degrees. Relaxes vertices around the changes along the surface.

@@ -290,7 +290,7 @@ void TestJoints::snakeHookAtThePlane_isAHandle_data()
         path.insert(path.end(), rest.begin(), rest.end());
         QTest::addRow("two tentacles, %g degrees from the plane", degrees) << path;
     }
-    for (const double aside : {0.0, 0.02, 0.05}) { // back to the ball
+    for (const double aside : {0.0, 0.02, 0.05, 0.08}) { // back to the ball
         std::vector<Vec3> path = arc({1, 0, 0}, 0.4, -M_PI / 2, M_PI / 2 + 0.9, step);
         for (Vec3& p : path)
             p = {aside, p.y(), p.x()};
@@ -475,15 +475,21 @@ void TestJoints::grabAlongTheSurface_leavesNoTeeth_data()
     QTest::addColumn<Vec3>("start");
     QTest::addColumn<Vec3>("way");
     QTest::addColumn<double>("radius");
+    QTest::addColumn<core::Symmetry>("symmetry");
     for (const double radii : {0.5, 1.0}) {
         QTest::addRow("ball, %g radii", radii)
-            << core::icosphere(5, 1) << Vec3(0, 0, 1) << Vec3(0, 0.46 * radii, 0) << 0.46;
+            << core::icosphere(5, 1) << Vec3(0, 0, 1) << Vec3(0, 0.46 * radii, 0) << 0.46 << core::Symmetry::None;
         QTest::addRow("fine ball, %g radii", radii)
-            << core::icosphere(6, 1) << Vec3(0, 0, 1) << Vec3(0.12 * radii, 0.16 * radii, 0) << 0.2;
+            << core::icosphere(6, 1) << Vec3(0, 0, 1) << Vec3(0.12 * radii, 0.16 * radii, 0) << 0.2
+            << core::Symmetry::None;
+    }
+    for (const double radii : {0.5, 1.0}) {
+        QTest::addRow("ball, in the mirror plane, %g radii", radii)
+            << core::icosphere(5, 1) << Vec3(0, 0, 1) << Vec3(0, 0.3 * radii, 0) << 0.3 << core::Symmetry::X;
     }
     for (const double radii : {0.5, 1.0, 2.0, 4.0})
-        QTest::addRow("plate, %g radii", radii)
-            << clay::slab(5, 0.5, 50) << Vec3(0.1, 0.25, 1) << Vec3(0, 0, -0.46 * radii) << 0.46;
+        QTest::addRow("plate, %g radii", radii) << clay::slab(5, 0.5, 50) << Vec3(0.1, 0.25, 1)
+                                                << Vec3(0, 0, -0.46 * radii) << 0.46 << core::Symmetry::None;
 }
 
 /// A drag along the surface pushes what lies before it. It must go all its way, and where it leaves an edge sharper
@@ -494,12 +500,18 @@ void TestJoints::grabAlongTheSurface_leavesNoTeeth()
     QFETCH(Vec3, start);
     QFETCH(Vec3, way);
     QFETCH(double, radius);
+    QFETCH(core::Symmetry, symmetry);
+    StrokeSettings settings;
+    settings.tool = Tool::Grab;
+    settings.radius = radius;
+    settings.topology = core::Topology::Refine;
+    settings.symmetry = symmetry;
     Sculptor sculptor(mesh_asserts::sculptable(model));
     bool isWhole = true;
     sculptor.setAfterDab([&](const core::DabReport& report) {
         isWhole = isWhole && report.isWhole() && report.outcome == core::DabOutcome::Committed;
     });
-    drag(sculptor, Tool::Grab, radius, line(start, start + way, 0.05 * radius));
+    drag(sculptor, settings, line(start, start + way, 0.05 * radius));
     QVERIFY(isWhole);
     const core::Mesh& mesh = sculptor.mesh();
     std::map<core::Slot, std::vector<core::Slot>> lines; // the other ends of each vertex's sharp edges

@@ -174,6 +174,7 @@ private Q_SLOTS:
     void addedSphere_comesWithItsImage();
     void addedSphere_onThePlane_isItsOwnImage();
     void joinedSphere_onThePlane_isItsOwnImage();
+    void joinedSphere_wideAsTheModel_isItsOwnImage();
     void addedSphere_touchingItsImageIsRefused();
     void fingers_joinAcrossThePlane();
     void fingers_joinAlongThePlane();
@@ -418,6 +419,19 @@ void TestMirrorMap::joinedSphere_onThePlane_isItsOwnImage()
         VERIFY_SYMMETRIC(sculptor->mesh(), Symmetry::X);
         VERIFY_VALID(sculptor->mesh());
     }
+}
+
+/// The ball cuts a wall that is parallel to the plane: faces in parallel planes must not count as faces in the plane.
+void TestMirrorMap::joinedSphere_wideAsTheModel_isItsOwnImage()
+{
+    Sculptor sculptor(sculptable(symmetrized(clay::slab(1, 1, 10), Symmetry::X)));
+    StrokeSettings settings = mirroredSettings(Tool::Pull, 0.7);
+    settings.add = settings.join = true;
+    const DabReport report = dabOnce(sculptor, settings, {0, 0.3, 0});
+    QCOMPARE(core::name(report.outcome), core::name(DabOutcome::Added));
+    QVERIFY(!report.asymmetric);
+    VERIFY_SYMMETRIC(sculptor.mesh(), Symmetry::X);
+    VERIFY_VALID(sculptor.mesh());
 }
 
 void TestMirrorMap::addedSphere_touchingItsImageIsRefused()

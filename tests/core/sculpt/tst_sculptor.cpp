@@ -115,8 +115,8 @@ namespace
 {
 constexpr std::uint64_t dabsPerLine = 10'000, seedsPerPart = 1'000'000;
 constexpr int fuzzParts = 4;
-/// After the first dabs, of which every run is replayed, one in four runs is. Replaying takes as long as the run and
-/// finds only non-determinism.
+/// Every run is replayed until `replayed` dabs are done, then one in four. Replaying takes as long as the run and finds
+/// only non-determinism.
 constexpr std::uint64_t runsPerReplay = 4;
 
 /// Start meshes of the fuzzer's runs. The sequence repeats: two plain shapes, a symmetric one, and one grown in an
