@@ -258,7 +258,7 @@ BooleanOutcome applyBoolean(DabContext& context, PlacedSolid solid, BooleanOpera
             if (surgery && context.mirror) {
                 surgery = halfToMirror(context, std::move(*surgery), isOwnImage);
                 if (!surgery && !isOwnImage)
-                    return BooleanOutcome::Failed; // a half of a larger solid could fit
+                    return BooleanOutcome::Failed; // a larger solid would not fit either
             }
         }
         MeshTransaction transaction(context.surface, context.region);

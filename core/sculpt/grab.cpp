@@ -74,8 +74,8 @@ void Grab::grow(const StrokeSettings& settings, const Mesh& mesh, const Dab& dab
 /// vertices at the far ends of edges longer than `detail`, mm.
 void Grab::growPushed(const StrokeSettings& settings, const Mesh& mesh, const Dab& dab, double detail)
 {
-    const GrabPush push(settings, dab, state.moved);
-    SlotSet part = heldPart(region, mesh);
+    const GrabPush push(region, mesh, settings, dab, state.moved);
+    SlotSet part = push.held();
     for (std::size_t i = 0; i < part.size(); ++i) { // the set grows during the loop
         const Vec3 place = mesh.point(part.slots()[i]).cast<double>();
         const double weight = weightAt(region.distance(part.slots()[i]), settings, dab);

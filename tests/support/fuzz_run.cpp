@@ -27,7 +27,8 @@ using mesh_asserts::sculptable;
 
 namespace
 {
-/// A run ends if its mesh has fewer faces, because it has been sculpted away, or more, because it only takes more time.
+/// A run ends if its mesh has fewer than minFaces faces, because it has been sculpted away, or maxFaces() or more,
+/// because it only takes more time.
 constexpr Slot minFaces = 64;
 Slot maxFaces()
 {

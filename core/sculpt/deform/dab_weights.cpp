@@ -17,10 +17,8 @@ DabWeights::DabWeights(const Region& region, const Mesh& mesh, const StrokeSetti
         m_frame = frameOn(region, mesh, settings, dab);
     if (settings.tool == Tool::Stamp)
         m_stamp.emplace(m_frame, settings, dab);
-    if (settings.tool == Tool::Grab && !moved.isZero(0)) {
-        m_push.emplace(settings, dab, moved);
-        m_held = heldPart(region, mesh);
-    }
+    if (settings.tool == Tool::Grab && !moved.isZero(0))
+        m_push.emplace(region, mesh, settings, dab, moved);
 }
 
 double DabWeights::at(const Vec3& p, double distance) const

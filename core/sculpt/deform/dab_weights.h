@@ -23,7 +23,7 @@ public:
         if (m_stamp)
             return m_region.carried(v) == 0 && m_stamp->depthAt(p) != 0 ? 1 : 0;
         const double weight = at(p, m_region.distance(v));
-        return m_push && m_held.contains(v) ? m_push->at(p, weight) : weight;
+        return m_push && m_push->held().contains(v) ? m_push->at(p, weight) : weight;
     }
 
 private:
@@ -37,6 +37,5 @@ private:
     DabFrame m_frame;
     std::optional<StampShape> m_stamp;
     std::optional<GrabPush> m_push;
-    SlotSet m_held; ///< if m_push: the part that it may push
 };
 } // namespace core

@@ -14,8 +14,9 @@ namespace
 constexpr double handFactor = 1.5;
 } // namespace
 
-GrabPush::GrabPush(const StrokeSettings& settings, const Dab& dab, const Vec3& moved)
-    : m_held(dab.position)
+GrabPush::GrabPush(const Region& region, const Mesh& mesh, const StrokeSettings& settings, const Dab& dab,
+                   const Vec3& moved)
+    : m_center(dab.position)
     , m_moved(moved)
     , m_step(dab.radius / steps)
 {
@@ -23,11 +24,12 @@ GrabPush::GrabPush(const StrokeSettings& settings, const Dab& dab, const Vec3& m
         return;
     for (std::size_t i = 0; i <= steps; ++i)
         m_weights[i] = weightAt(static_cast<double>(i) * m_step, settings, dab);
+    findHeld(region, mesh);
 }
 
 double GrabPush::at(const Vec3& place, double weight) const
 {
-    const Vec3 p = place - m_held;
+    const Vec3 p = place - m_center;
     const double along = p.dot(m_moved), way2 = m_moved.squaredNorm(), p2 = p.squaredNorm();
     if (along <= weight * way2) // behind the ball of its weight, and so outside those of larger weights
         return weight;
@@ -53,22 +55,20 @@ double GrabPush::byHand(double distance) const
     return m_weights[i] + (at - static_cast<double>(i)) * (m_weights[i + 1] - m_weights[i]);
 }
 
-SlotSet heldPart(const Region& region, const Mesh& mesh)
+void GrabPush::findHeld(const Region& region, const Mesh& mesh)
 {
     Slot nearest = noSlot;
     region.forEach([&](Slot v) {
         if (nearest == noSlot || region.distance(v) < region.distance(nearest))
             nearest = v;
     });
-    SlotSet part;
     if (nearest != noSlot)
-        part.add(nearest);
-    for (std::size_t i = 0; i < part.size(); ++i) { // the set grows during the loop
-        mesh.forEachOutgoing(part.slots()[i], [&](Slot h) {
+        m_held.add(nearest);
+    for (std::size_t i = 0; i < m_held.size(); ++i) { // the set grows during the loop
+        mesh.forEachOutgoing(m_held.slots()[i], [&](Slot h) {
             if (region.contains(mesh.to(h)))
-                part.add(mesh.to(h));
+                m_held.add(mesh.to(h));
         });
     }
-    return part;
 }
 } // namespace core

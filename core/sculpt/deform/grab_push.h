@@ -20,23 +20,25 @@ namespace core
 class GrabPush
 {
 public:
-    /// `moved`: m, mm.
-    GrabPush(const StrokeSettings& settings, const Dab& dab, const Vec3& moved);
+    /// `region`: what the stroke took hold of. `moved`: m, mm.
+    GrabPush(const Region& region, const Mesh& mesh, const StrokeSettings& settings, const Dab& dab, const Vec3& moved);
 
-    /// Returns the weight, 0 to 1, of a vertex at this place that the brush gives `weight`; not less than that.
+    /// Returns the vertices of the region that the hand holds: edges within the region connect them with the vertex
+    /// nearest to the brush's centre.
+    const SlotSet& held() const { return m_held; }
+    /// Returns the weight, 0 to 1, of a held vertex at this place that the brush gives `weight`; not less than that.
     double at(const Vec3& place, double weight) const;
 
 private:
     static constexpr std::size_t steps = 32;
 
+    void findHeld(const Region& region, const Mesh& mesh);
     double byHand(double distance) const;
 
-    Vec3 m_held; ///< where the stroke took hold
+    SlotSet m_held;
+    Vec3 m_center; ///< where the stroke took hold
     Vec3 m_moved;
     double m_step;                             ///< by which the balls' radii differ, mm
     std::array<double, steps + 1> m_weights{}; ///< of the balls, the smallest first
 };
-
-/// Returns the vertices of the region that edges within it connect with the vertex nearest to the brush's centre.
-SlotSet heldPart(const Region& region, const Mesh& mesh);
 } // namespace core

@@ -238,6 +238,7 @@ void TestTransform::recentre_putsTheMiddleAtTheOrigin()
 void TestTransform::fill_setsEveryColour()
 {
     const auto mesh = sculpted(icosphere(3, 50), 8);
+    apply(*mesh, core::MaskOperation{core::MaskOperation::Kind::Clear, {}}); // masked clay keeps its colour
     const TriangleMesh before = extractMesh(*mesh);
     const Rgb red{200, 10, 10};
     QVERIFY(apply(*mesh, Fill{red}));

@@ -438,9 +438,9 @@ void TestJoints::grabAlongTheSurface_staysInOnePiece_data()
     QTest::addColumn<Vec3>("way");
     for (const double radii : {0.5, 1.0, 2.0, 4.0})
         QTest::addRow("ball, %g radii", radii) << core::icosphere(5, 1) << Vec3(0, 0, 1) << Vec3(0, 0.46 * radii, 0);
-    for (const double radii : {0.5, 1.0, 2.0})
+    for (const double radii : {0.5, 1.0, 2.0, 4.0})
         QTest::addRow("plate, %g radii", radii)
-            << clay::slab(4, 0.5, 40) << Vec3(0.1, 0.25, 0.5) << Vec3(0, 0, -0.46 * radii);
+            << clay::slab(5, 0.5, 50) << Vec3(0.1, 0.25, 1) << Vec3(0, 0, -0.46 * radii);
 }
 
 /// Dragging along the surface must leave one part, however thin, without an edge longer than 1.5 d_detail.
