@@ -18,7 +18,7 @@ void Region::clear()
     m_live = 0;
 }
 
-void Region::add(Slot v, double distance, const Vec3& plan, double carried)
+void Region::add(Slot v, double distance, Vec3 plan, double carried)
 {
     const Slot i = m_index.add(v);
     if (i == m_plan.size()) {

@@ -22,8 +22,9 @@ public:
     bool contains(Slot v) const { return m_present.contains(v); }
 
     /// Adds a vertex, or overwrites its values. `distance`: from the brush's centre, as the brush measures it, mm (r_i
-    /// in the paper). `carried`: see carried().
-    void add(Slot v, double distance, const Vec3& plan = Vec3::Zero(), double carried = 0);
+    /// in the paper). `plan`: a copy, because the plan of another vertex of this region may move in memory. `carried`:
+    /// see carried().
+    void add(Slot v, double distance, Vec3 plan = Vec3::Zero(), double carried = 0);
     /// Adds a vertex in the middle of a and b, with the means of their values. Precondition: the region contains a and
     /// b.
     void addBetween(Slot v, Slot a, Slot b);
