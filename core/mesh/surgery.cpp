@@ -9,6 +9,7 @@
 #include "core/mesh/unpaired_halfedges.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace core
 {
@@ -138,6 +139,31 @@ bool sidesPair(const Mesh& mesh, const Surgery& surgery, const std::vector<Slot>
     return closed;
 }
 } // namespace
+
+Surgery partOf(const Surgery& surgery, const Mesh& mesh, const std::function<bool(const Triangle&)>& isTaken)
+{
+    Surgery part;
+    part.nearby = surgery.nearby;
+    std::ranges::copy_if(surgery.removed, std::back_inserter(part.removed),
+                         [&](Slot f) { return isTaken(mesh.corners(f)); });
+    std::vector<Slot> renamed(surgery.vertices.size(), noSlot);
+    for (Triangle face : surgery.faces) {
+        if (!isTaken(face))
+            continue;
+        for (Slot& corner : face) {
+            if (!Surgery::isNew(corner))
+                continue;
+            Slot& name = renamed[Surgery::newIndex(corner)];
+            if (name == noSlot) {
+                name = Surgery::newVertex(part.vertices.size());
+                part.vertices.push_back(surgery.vertices[Surgery::newIndex(corner)]);
+            }
+            corner = name;
+        }
+        part.faces.push_back(face);
+    }
+    return part;
+}
 
 Surgery additionOf(const TriangleMesh& shell, Slot nearby)
 {

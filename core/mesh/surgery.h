@@ -2,6 +2,7 @@
 
 #include "core/geometry/triangle_mesh.h"
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -37,6 +38,10 @@ private:
 /// Returns the surgery that adds a shell. Precondition: the shell is closed, manifold and consistently oriented, and
 /// its points are on the lattice.
 Surgery additionOf(const TriangleMesh& shell, Slot nearby);
+
+/// Returns the part of a surgery whose faces, removed and added, satisfy `isTaken`, with the new vertices that these
+/// use. `isTaken`: called with the corners of each face, the removed ones first.
+Surgery partOf(const Surgery& surgery, const Mesh& mesh, const std::function<bool(const Triangle&)>& isTaken);
 
 /// Returns whether the mesh after the surgery is a closed 2-manifold, consistently oriented: each half-edge has its
 /// opposite, no two faces share a half-edge, and the faces around each vertex form one umbrella. Cost: a sort of the

@@ -270,27 +270,6 @@ std::vector<bool> CutPieces::seenFirst(const ViewArea& area) const
 
 Surgery CutPieces::taking(const std::vector<bool>& pieces) const
 {
-    const auto isTaken = [&](Slot corner) { return pieces[m_pieceOf[keyOf(corner)]]; };
-    Surgery part;
-    part.nearby = m_whole.nearby;
-    std::ranges::copy_if(m_whole.removed, std::back_inserter(part.removed),
-                         [&](Slot f) { return isTaken(m_mesh.corners(f)[0]); });
-    std::vector<Slot> index(m_whole.vertices.size(), noSlot);
-    for (Triangle t : m_whole.faces) {
-        if (!isTaken(t[0]))
-            continue;
-        for (Slot& corner : t) {
-            if (!Surgery::isNew(corner))
-                continue;
-            Slot& at = index[Surgery::newIndex(corner)];
-            if (at == noSlot) {
-                at = Surgery::newVertex(part.vertices.size());
-                part.vertices.push_back(m_whole.vertices[Surgery::newIndex(corner)]);
-            }
-            corner = at;
-        }
-        part.faces.push_back(t);
-    }
-    return part;
+    return partOf(m_whole, m_mesh, [&](const Triangle& face) { return pieces[m_pieceOf[keyOf(face[0])]]; });
 }
 } // namespace core

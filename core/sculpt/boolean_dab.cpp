@@ -116,26 +116,7 @@ std::optional<Surgery> positiveHalf(const Surgery& surgery, const Mesh& mesh, co
         isDivided = isDivided && (least >= 0 || most <= 0) && (least != 0 || most != 0);
         return most > 0;
     };
-    Surgery half;
-    half.nearby = surgery.nearby;
-    std::ranges::copy_if(surgery.removed, std::back_inserter(half.removed),
-                         [&](Slot f) { return isInHalf(mesh.corners(f)); });
-    std::vector<Slot> renamed(surgery.vertices.size(), noSlot);
-    for (Triangle face : surgery.faces) {
-        if (!isInHalf(face))
-            continue;
-        for (Slot& corner : face) {
-            if (!Surgery::isNew(corner))
-                continue;
-            Slot& name = renamed[Surgery::newIndex(corner)];
-            if (name == noSlot) {
-                name = Surgery::newVertex(half.vertices.size());
-                half.vertices.push_back(surgery.vertices[Surgery::newIndex(corner)]);
-            }
-            corner = name;
-        }
-        half.faces.push_back(face);
-    }
+    Surgery half = partOf(surgery, mesh, isInHalf);
     return isDivided ? std::optional(std::move(half)) : std::nullopt;
 }
 
