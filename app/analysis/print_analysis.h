@@ -2,9 +2,9 @@
 
 #include "app/analysis/idle_analysis.h"
 
-#include "core/analysis/print_check.h"
 #include "core/mesh/footprint.h"
 #include "core/operations/part_union.h"
+#include "core/print/print_check.h"
 #include "ui/util/background_thread.h"
 
 #include <optional>

@@ -5,10 +5,10 @@
 #include "app/commands/standard_files.h"
 #include "app/commands/text_table.h"
 
-#include "core/analysis/print_check.h"
 #include "core/io/mesh_io.h"
 #include "core/operations/part_union.h"
 #include "core/parts/part_split.h"
+#include "core/print/print_check.h"
 #include "ui/util/error_messages.h"
 #include "ui/util/path_display.h"
 

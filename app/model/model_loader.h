@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/analysis/print_check.h"
 #include "core/io/document_metadata.h"
 #include "core/primitives/starter_models.h"
+#include "core/print/print_check.h"
 #include "core/util/job_control.h"
 #include "ui/model/repair_doubt.h"
 #include "ui/settings/model_info.h"

@@ -10,14 +10,14 @@ namespace core
 {
 namespace
 {
-using Corners = std::array<Vec3, 3>;
+using FaceCorners = std::array<Vec3, 3>;
 
 /// Divides a triangle into n x n equal ones.
-std::vector<Corners> piecesOf(const Corners& corners, int n)
+std::vector<FaceCorners> piecesOf(const FaceCorners& corners, int n)
 {
     const Vec3 u = (corners[1] - corners[0]) / n, v = (corners[2] - corners[0]) / n;
     const auto at = [&](int i, int j) -> Vec3 { return corners[0] + i * u + j * v; };
-    std::vector<Corners> pieces;
+    std::vector<FaceCorners> pieces;
     for (int i = 0; i < n; ++i)
         for (int j = 0; i + j < n; ++j) {
             pieces.push_back({at(i, j), at(i + 1, j), at(i, j + 1)});
@@ -38,7 +38,7 @@ public:
     {}
 
     /// Returns whether, of all sheets that coincide at a piece of the face, the face itself is the one to keep.
-    bool keeps(Slot face, const Corners& piece) const
+    bool keeps(Slot face, const FaceCorners& piece) const
     {
         const Vec3 p = 0.31 * piece[0] + 0.24 * piece[1] + 0.45 * piece[2]; // not on an edge of another face's pieces
         const Vec3 normal = (piece[1] - piece[0]).cross(piece[2] - piece[0]).normalized();
@@ -61,7 +61,7 @@ private:
     int wayAt(Slot face, const Vec3& p, const Vec3& normal) const
     {
         constexpr double parallel = 0.9; // cosine
-        Corners corners = cornersOf(m_mesh, face);
+        FaceCorners corners = cornersOf(m_mesh, face);
         for (Vec3& corner : corners)
             corner -= p;
         const auto& [a, b, c] = corners;
@@ -81,11 +81,12 @@ private:
 };
 
 /// Appends the part of a face that is kept.
-void appendKept(const Sheets& sheets, Slot face, const Corners& corners, bool isSmall, std::vector<Corners>& kept)
+void appendKept(const Sheets& sheets, Slot face, const FaceCorners& corners, bool isSmall,
+                std::vector<FaceCorners>& kept)
 {
     constexpr int coarse = 4, fine = 16; // a face is cut into 16 pieces for the test, 256 for the result
-    std::vector<Corners> pieces = isSmall ? std::vector{corners} : piecesOf(corners, coarse);
-    const auto isKept = [&](const Corners& piece) { return sheets.keeps(face, piece); };
+    std::vector<FaceCorners> pieces = isSmall ? std::vector{corners} : piecesOf(corners, coarse);
+    const auto isKept = [&](const FaceCorners& piece) { return sheets.keeps(face, piece); };
     const auto count = static_cast<std::size_t>(std::ranges::count_if(pieces, isKept));
     if (count == pieces.size())
         kept.push_back(corners);
@@ -100,18 +101,18 @@ TriangleMesh singleSheets(const TriangleMesh& mesh, double nearby)
     constexpr std::size_t perChunk = 64;
     const double size = boxOf(mesh).sizes().maxCoeff();
     const Sheets sheets(mesh, nearby);
-    const std::vector<Corners> kept = joinChunks<std::vector<Corners>>(
-        mesh.triangles.size(), perChunk, [&](std::size_t begin, std::size_t end, std::vector<Corners>& part) {
+    const std::vector<FaceCorners> kept = joinChunks<std::vector<FaceCorners>>(
+        mesh.triangles.size(), perChunk, [&](std::size_t begin, std::size_t end, std::vector<FaceCorners>& part) {
             for (std::size_t i = begin; i < end; ++i) {
                 const auto face = static_cast<Slot>(i);
-                const Corners corners = cornersOf(mesh, face);
+                const FaceCorners corners = cornersOf(mesh, face);
                 const auto& [a, b, c] = corners;
                 const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
                 appendKept(sheets, face, corners, longest < small * size, part);
             }
         });
     TriangleMesh single;
-    for (const Corners& corners : kept) {
+    for (const FaceCorners& corners : kept) {
         const auto first = static_cast<Slot>(single.points.size());
         for (const Vec3& corner : corners)
             single.points.push_back(corner.cast<float>());

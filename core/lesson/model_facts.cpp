@@ -1,8 +1,8 @@
 #include "core/lesson/model_facts.h"
 
 #include "core/analysis/nesting.h"
-#include "core/analysis/print_check.h"
 #include "core/geometry/face_geometry.h"
+#include "core/print/print_check.h"
 
 #include <algorithm>
 #include <array>

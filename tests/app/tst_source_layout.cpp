@@ -28,6 +28,7 @@ const FolderRule folderRules[] = {
     {"core/geometry", "core/util"},
     {"core/parts", "core/geometry"},
     {"core/analysis", "core/util core/geometry core/parts"},
+    {"core/print", "core/util core/geometry core/analysis"},
     {"core/stroke", "core/geometry"},
     {"core/mesh", "core/util core/geometry core/parts core/analysis"},
     {"core/repair", "core/util core/geometry core/analysis"},
@@ -56,12 +57,13 @@ const FolderRule folderRules[] = {
     {"core/io", "core/util core/geometry core/parts core/analysis core/stroke core/mesh core/io/mesh"},
     {"core/journal", "core/util core/mesh core/operations core/io/stroke core/io"},
     {"core/lesson",
-     "core/primitives core/util core/geometry core/analysis core/mesh core/sculpt core/operations core/io/stroke "
-     "core/io/mesh core/io"},
+     "core/primitives core/util core/geometry core/analysis core/print core/mesh core/sculpt core/operations "
+     "core/io/stroke core/io/mesh core/io"},
     {"core/preset",
      "core/primitives core/stroke core/mesh core/drawing core/sculpt/deform core/sculpt core/operations"},
-    {"ui/util", "core/util core/geometry core/parts core/analysis core/stroke core/repair core/io/stroke core/io"},
-    {"ui/settings", "core/geometry core/analysis core/stroke core/sculpt/deform core/io ui/util"},
+    {"ui/util",
+     "core/util core/geometry core/parts core/analysis core/print core/stroke core/repair core/io/stroke core/io"},
+    {"ui/settings", "core/geometry core/print core/stroke core/sculpt/deform core/io ui/util"},
     {"ui/widgets", "ui/util ui/settings"},
     {"ui/actions", "ui/settings ui/widgets"},
     {"ui/scene", "core/geometry core/parts core/stroke core/mesh core/render core/io ui/settings"},
@@ -72,7 +74,8 @@ const FolderRule folderRules[] = {
      "core/geometry core/parts core/stroke core/operations ui/util ui/settings ui/widgets ui/actions ui/scene ui/input "
      "ui/viewport"},
     {"ui/model",
-     "core/primitives core/analysis core/repair core/operations ui/settings ui/widgets ui/actions ui/viewport"},
+     "core/primitives core/analysis core/print core/repair core/operations ui/settings ui/widgets ui/actions "
+     "ui/viewport"},
     {"ui/shapes", "core/geometry core/primitives core/mesh core/operations ui/util ui/settings ui/widgets ui/actions "
                   "ui/scene ui/input ui/viewport ui/model"},
     {"ui/files", "core/primitives core/util core/drawing core/operations core/io ui/util ui/settings ui/widgets "
@@ -83,7 +86,7 @@ const FolderRule folderRules[] = {
                  "ui/actions ui/viewport"},
     {"ui/reference", "core/io ui/util ui/settings ui/widgets ui/actions ui/scene ui/viewport ui/files"},
     {"ui/drawing", "core/util core/drawing ui/util ui/settings ui/widgets ui/actions"},
-    {"ui/print", "core/analysis core/mesh ui/util ui/settings ui/widgets ui/actions ui/viewport"},
+    {"ui/print", "core/print core/mesh ui/util ui/settings ui/widgets ui/actions ui/viewport"},
     {"ui/history", "ui/settings ui/widgets"},
     {"ui/parts", "core/geometry core/parts core/operations ui/util ui/widgets ui/actions"},
     {"ui/lesson", "core/primitives core/operations core/lesson ui/widgets ui/actions"},
@@ -113,10 +116,10 @@ const FolderRule folderRules[] = {
     {"vr/simulator", "vr/util"},
     {"app/platform", "core/util"},
     {"app/import", "core/util core/geometry core/parts core/io/mesh core/io app/platform"},
-    {"app/model", "core/primitives core/util core/geometry core/parts core/analysis core/boolean core/mesh "
-                  "core/drawing core/repair core/sculpt "
-                  "core/decimation core/operations core/io/stroke core/io ui/util ui/settings ui/model ui/files "
-                  "ui/brush app/import"},
+    {"app/model",
+     "core/primitives core/util core/geometry core/parts core/analysis core/print core/boolean core/mesh core/drawing "
+     "core/repair core/sculpt core/decimation core/operations core/io/stroke core/io ui/util ui/settings ui/model "
+     "ui/files ui/brush app/import"},
     {"app/worker", "core/util core/stroke core/mesh core/drawing core/sculpt core/io/stroke core/journal ui/util "
                    "ui/drawing"},
     {"app/recovery", "core/sculpt core/journal ui/util app/platform app/model"},
@@ -125,8 +128,8 @@ const FolderRule folderRules[] = {
      "core/io core/journal core/geometry core/parts core/analysis ui/util ui/settings ui/widgets ui/viewport ui/model "
      "ui/brush ui/history ui/window app/model app/worker app/recovery"},
     {"app/analysis",
-     "core/util core/geometry core/parts core/analysis core/mesh core/sculpt core/operations ui/util ui/print "
-     "app/worker app/document"},
+     "core/util core/geometry core/parts core/analysis core/print core/mesh core/sculpt core/operations ui/util "
+     "ui/print app/worker app/document"},
     {"app/lesson",
      "core/primitives core/util core/mesh core/drawing core/sculpt/deform core/sculpt core/operations core/io "
      "core/journal core/lesson ui/util ui/settings ui/widgets ui/viewport ui/lesson ui/help ui/window app/model "
@@ -136,10 +139,9 @@ const FolderRule folderRules[] = {
      "ui/widgets ui/viewport ui/files ui/lesson ui/classroom ui/window app/model app/worker app/recovery "
      "app/document app/lesson"},
     {"app/commands",
-     "core/primitives core/util core/geometry core/parts core/analysis core/mesh core/repair core/boolean core/sculpt "
-     "core/decimation core/operations core/io/stroke core/io core/lesson ui/util ui/brush ui/drawing app/platform "
-     "app/model "
-     "app/document app/classroom app/lesson"},
+     "core/primitives core/util core/geometry core/parts core/analysis core/print core/mesh core/repair core/boolean "
+     "core/sculpt core/decimation core/operations core/io/stroke core/io core/lesson ui/util ui/brush ui/drawing "
+     "app/platform app/model app/document app/classroom app/lesson"},
     {"app/headset",
      "core/sculpt core/operations ui/util ui/settings ui/scene ui/viewport ui/files ui/brush "
      "ui/lesson ui/headset ui/window vr/openxr vr/input vr/frame vr/scene vr/panels vr/sculpt vr/simulator app/worker "

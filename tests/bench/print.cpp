@@ -1,7 +1,7 @@
 // Measures the print check of a model of a million vertices.
 #include "tests/bench/bench_models.h"
 
-#include "core/analysis/print_check.h"
+#include "core/print/print_check.h"
 #include "tests/support/shapes.h"
 
 #include <benchmark/benchmark.h>

@@ -2,7 +2,7 @@
 
 #include "ui/widgets/message_bar.h"
 
-#include "core/analysis/print_check.h"
+#include "core/print/print_check.h"
 
 namespace ui
 {

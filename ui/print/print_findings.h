@@ -2,7 +2,7 @@
 
 #include "ui/settings/printer_presets.h"
 
-#include "core/analysis/print_check.h"
+#include "core/print/print_check.h"
 
 #include <QList>
 #include <QString>

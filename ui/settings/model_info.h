@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/analysis/print_check.h"
 #include "core/io/document_metadata.h"
+#include "core/print/print_check.h"
 
 #include <QString>
 

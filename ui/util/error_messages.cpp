@@ -6,8 +6,8 @@
 #include "ui/util/path_display.h"
 
 #include "core/analysis/mesh_check.h"
-#include "core/analysis/print_check.h"
 #include "core/io/mesh_io.h"
+#include "core/print/print_check.h"
 
 #include <QDir>
 #include <QLocale>

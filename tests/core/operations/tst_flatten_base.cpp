@@ -1,9 +1,9 @@
 // Tests the flat base and placing on the bed: exact results on named solids, CGAL's verdict on random ones.
 
-#include "core/analysis/print_check.h"
 #include "core/geometry/polygon_triangulation.h"
 #include "core/mesh/mesh_builder.h"
 #include "core/operations/model_command.h"
+#include "core/print/print_check.h"
 #include "tests/support/clay.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solid_asserts.h"

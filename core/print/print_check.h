@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/analysis/mesh_check.h"
-#include "core/analysis/wall_thickness.h"
+#include "core/print/wall_thickness.h"
 
 #include <optional>
 

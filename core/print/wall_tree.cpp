@@ -1,4 +1,4 @@
-#include "core/analysis/wall_tree.h"
+#include "core/print/wall_tree.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/analysis/wall_edges.h"
+#include "core/print/wall_edges.h"
 
 #include "core/geometry/face_geometry.h"
 
@@ -14,16 +14,16 @@ namespace
 constexpr double pointed = 0.1;
 
 /// A side of a face, stored at the lower of its two vertices. `across`: index of the opposite corner.
-struct Side
+struct EdgeSide
 {
     Slot high, face, across;
 };
 
 /// The sides of all faces, grouped by lower vertex: those of vertex v are [first[v], first[v + 1]).
-struct Sides
+struct EdgeSides
 {
     std::vector<std::size_t> first;
-    std::vector<Side> sides;
+    std::vector<EdgeSide> sides;
 };
 
 std::pair<Slot, Slot> endsOf(const Triangle& triangle, Slot side)
@@ -31,9 +31,9 @@ std::pair<Slot, Slot> endsOf(const Triangle& triangle, Slot side)
     return std::minmax(Slot(triangle[(side + 1) % 3]), Slot(triangle[(side + 2) % 3]));
 }
 
-Sides sidesOf(const TriangleMesh& mesh)
+EdgeSides sidesOf(const TriangleMesh& mesh)
 {
-    Sides all;
+    EdgeSides all;
     all.first.assign(mesh.points.size() + 2, 0);
     for (const Triangle& triangle : mesh.triangles)
         for (Slot i = 0; i < 3; ++i)
@@ -85,10 +85,10 @@ WallEdges::WallEdges(const TriangleMesh& mesh)
 
 void WallEdges::findEdges(const TriangleMesh& mesh)
 {
-    Sides all = sidesOf(mesh);
+    EdgeSides all = sidesOf(mesh);
     for (std::size_t v = 0; v + 1 < all.first.size(); ++v) {
-        const std::span<Side> sides(all.sides.data() + all.first[v], all.first[v + 1] - all.first[v]);
-        std::ranges::stable_sort(sides, {}, &Side::high);
+        const std::span<EdgeSide> sides(all.sides.data() + all.first[v], all.first[v + 1] - all.first[v]);
+        std::ranges::stable_sort(sides, {}, &EdgeSide::high);
         for (std::size_t i = 0; i + 1 < sides.size(); ++i)
             if (sides[i].high == sides[i + 1].high) {
                 addEdge(mesh, {sides[i].face, sides[i + 1].face}, {sides[i].across, sides[i + 1].across});

@@ -1,10 +1,10 @@
 // Checks whether a model will print. Walls are measured by wall_thickness; everything else is one pass over the faces.
 
-#include "core/analysis/print_check.h"
+#include "core/print/print_check.h"
 
-#include "core/analysis/print_places.h"
 #include "core/geometry/face_geometry.h"
 #include "core/geometry/point_triangle.h"
+#include "core/print/print_places.h"
 
 #include <algorithm>
 #include <cmath>

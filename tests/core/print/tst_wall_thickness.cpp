@@ -5,11 +5,11 @@
 #include "tests/support/shapes.h"
 #include "tests/support/test_main.h"
 
-#include "core/analysis/print_check.h"
 #include "core/geometry/face_geometry.h"
 #include "core/geometry/point_triangle.h"
 #include "core/geometry/polygon_triangulation.h"
 #include "core/geometry/triangle_distance.h"
+#include "core/print/print_check.h"
 #include "core/util/worker_pool.h"
 
 #include <QTest>

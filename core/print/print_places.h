@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/analysis/print_check.h"
+#include "core/print/print_check.h"
 #include "core/util/disjoint_sets.h"
 
 #include <vector>

@@ -2,7 +2,7 @@
 // Its diameter is |q - p| / c, where c is the cosine between chord and normal. Pairs of segments are halved until the
 // shortest chord of a pair leaves both within the allowed angle (branch and bound).
 
-#include "core/analysis/wall_ridges.h"
+#include "core/print/wall_ridges.h"
 
 #include "core/geometry/triangle_distance.h"
 

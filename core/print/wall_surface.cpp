@@ -1,4 +1,4 @@
-#include "core/analysis/wall_surface.h"
+#include "core/print/wall_surface.h"
 
 #include "core/geometry/face_geometry.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/analysis/wall_surface.h"
+#include "core/print/wall_surface.h"
 
 namespace core
 {

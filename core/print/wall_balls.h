@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/analysis/wall_rays.h"
 #include "core/geometry/triangle_distance.h"
+#include "core/print/wall_rays.h"
 
 #include <optional>
 #include <span>

@@ -1,4 +1,4 @@
-#include "core/analysis/print_places.h"
+#include "core/print/print_places.h"
 
 #include "core/geometry/face_geometry.h"
 #include "core/geometry/triangle_distance.h"

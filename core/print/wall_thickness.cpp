@@ -1,10 +1,10 @@
 // Measures walls: every face at its centre, and faces that are large for their thickness in parts.
 
-#include "core/analysis/wall_thickness.h"
+#include "core/print/wall_thickness.h"
 
-#include "core/analysis/wall_balls.h"
-#include "core/analysis/wall_parts.h"
-#include "core/analysis/wall_ridges.h"
+#include "core/print/wall_balls.h"
+#include "core/print/wall_parts.h"
+#include "core/print/wall_ridges.h"
 #include "core/util/parallel.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/analysis/wall_balls.h"
-#include "core/analysis/wall_thickness.h"
+#include "core/print/wall_balls.h"
+#include "core/print/wall_thickness.h"
 
 #include <queue>
 

@@ -9,7 +9,7 @@
 // A point q that is more than 30 degrees off the normal at p is ignored. At the bottom of a groove, for example, the
 // walls reach behind each other's planes without matter between them.
 
-#include "core/analysis/wall_balls.h"
+#include "core/print/wall_balls.h"
 
 #include "core/geometry/point_triangle.h"
 #include "core/geometry/triangle_distance.h"

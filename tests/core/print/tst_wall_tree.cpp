@@ -2,7 +2,7 @@
 
 #include "tests/support/test_main.h"
 
-#include "core/analysis/wall_tree.h"
+#include "core/print/wall_tree.h"
 
 #include <QTest>
 

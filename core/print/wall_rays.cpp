@@ -1,4 +1,4 @@
-#include "core/analysis/wall_rays.h"
+#include "core/print/wall_rays.h"
 
 #include "core/geometry/point_triangle.h"
 

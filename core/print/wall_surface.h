@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/analysis/wall_edges.h"
-#include "core/analysis/wall_tree.h"
 #include "core/geometry/box_tree.h"
 #include "core/geometry/triangle_mesh.h"
+#include "core/print/wall_edges.h"
+#include "core/print/wall_tree.h"
 
 #include <algorithm>
 #include <cmath>

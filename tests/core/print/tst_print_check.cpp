@@ -1,7 +1,7 @@
 // Tests the print check (walls, overhangs, bases) on solids of known dimensions.
 
-#include "core/analysis/print_check.h"
 #include "core/primitives/starter_models.h"
+#include "core/print/print_check.h"
 #include "core/util/worker_pool.h"
 #include "tests/support/clay.h"
 #include "tests/support/shapes.h"

@@ -1,4 +1,4 @@
-#include "core/analysis/wall_parts.h"
+#include "core/print/wall_parts.h"
 
 #include <algorithm>
 #include <cmath>
