@@ -1,6 +1,7 @@
 #include "core/analysis/space_difference.h"
 
 #include "core/analysis/nesting.h"
+#include "core/analysis/solid_interior.h"
 #include "core/geometry/box_tree.h"
 #include "core/geometry/winding_number.h"
 #include "core/util/parallel.h"
@@ -94,48 +95,68 @@ struct Sums
 {
     double lost = 0, gained = 0, inEither = 0;
     std::size_t inside = 0; ///< number of points inside either surface
+
+    /// Adds a point where the old surface has this winding number.
+    void add(double winding, bool isInside, double space)
+    {
+        const bool wasInside = winding > 0.5;
+        const double weight = space * std::min(1.0, std::abs(2 * winding - 1));
+        lost += wasInside && !isInside ? weight : 0;
+        gained += isInside && !wasInside ? weight : 0;
+        inEither += wasInside || isInside ? weight : 0;
+        inside += wasInside || isInside ? 1 : 0;
+    }
+    void add(const Sums& other)
+    {
+        lost += other.lost;
+        gained += other.gained;
+        inEither += other.inEither;
+        inside += other.inside;
+    }
+    bool areEnough() const
+    {
+        constexpr std::size_t enough = 16'384, enoughIfSame = 4096;
+        return inside >= (lost == 0 && gained == 0 ? enoughIfSame : enough);
+    }
+    SpaceDifference difference() const
+    {
+        return inEither == 0 ? SpaceDifference{} : SpaceDifference{lost / inEither, gained / inEither};
+    }
+};
+
+/// Sums for both readings of the old surface.
+struct SumsOfReadings
+{
+    Sums eitherWay, outwards;
 };
 } // namespace
 
-SpaceDifference spaceDifference(const TriangleMesh& faces, WoundAround counted, const TriangleMesh& solid,
-                                const JobControl& control)
+SpaceDifferences spaceDifferences(const TriangleMesh& faces, const TriangleMesh& solid, const JobControl& control)
 {
     constexpr std::size_t maxSamples = 65'536, perStep = 8192, perChunk = 256;
-    // Numbers of points inside either surface at which sampling stops
-    constexpr std::size_t enough = 16'384, enoughIfSame = 4096;
-    const WindingNumber ofFaces = windingOf(faces), ofSolid = windingOf(solid);
+    const WindingNumber ofFaces = windingOf(faces);
+    const SolidInterior ofSolid(solid);
     const SpaceSamples samples(faces, solid);
-    Sums all;
-    std::vector<Sums> sums(chunksOf(perStep, perChunk));
-    const auto isEnough = [&] {
-        const bool isSame = all.lost == 0 && all.gained == 0;
-        return all.inside >= (isSame ? enoughIfSame : enough);
-    };
-    for (std::size_t first = 0; first < maxSamples && !isEnough() && !control.isCancelled(); first += perStep) {
-        std::ranges::fill(sums, Sums{});
+    SumsOfReadings all;
+    std::vector<SumsOfReadings> sums(chunksOf(perStep, perChunk));
+    const auto areEnough = [&] { return all.eitherWay.areEnough() && all.outwards.areEnough(); };
+    for (std::size_t first = 0; first < maxSamples && !areEnough() && !control.isCancelled(); first += perStep) {
+        std::ranges::fill(sums, SumsOfReadings{});
         forEachChunk(perStep, perChunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 const auto [p, space] = samples.at(first + i);
-                const double around = ofFaces.at(p),
-                             winding = counted == WoundAround::Outwards ? around : std::abs(around);
-                const bool wasInside = winding > 0.5, isInside = ofSolid.at(p) > 0.5;
-                const double weight = space * std::min(1.0, std::abs(2 * winding - 1));
-                sums[chunk].lost += wasInside && !isInside ? weight : 0;
-                sums[chunk].gained += isInside && !wasInside ? weight : 0;
-                sums[chunk].inEither += wasInside || isInside ? weight : 0;
-                sums[chunk].inside += wasInside || isInside ? 1 : 0;
+                const double winding = ofFaces.at(p);
+                const bool isInside = ofSolid.contains(p);
+                sums[chunk].eitherWay.add(std::abs(winding), isInside, space);
+                sums[chunk].outwards.add(winding, isInside, space);
             }
         });
-        for (const Sums& part : sums) {
-            all.lost += part.lost;
-            all.gained += part.gained;
-            all.inEither += part.inEither;
-            all.inside += part.inside;
+        for (const SumsOfReadings& part : sums) {
+            all.eitherWay.add(part.eitherWay);
+            all.outwards.add(part.outwards);
         }
         control.reportProgress(static_cast<double>(first + perStep) / maxSamples);
     }
-    if (all.inEither == 0)
-        return {};
-    return {all.lost / all.inEither, all.gained / all.inEither};
+    return {all.eitherWay.difference(), all.outwards.difference()};
 }
 } // namespace core

@@ -5,9 +5,9 @@
 
 #include "core/analysis/surface_distance.h"
 
+#include "core/analysis/solid_interior.h"
 #include "core/geometry/face_geometry.h"
 #include "core/geometry/point_triangle.h"
-#include "core/geometry/winding_number.h"
 #include "core/util/parallel_progress.h"
 
 #include <atomic>
@@ -277,13 +277,9 @@ SurfaceDistance distanceFrom(const TriangleMesh& a, const TriangleMesh& b, const
 double meanDistanceOutside(const TriangleMesh& a, const TriangleMesh& b, double reach, const JobControl& control)
 {
     constexpr double fewerSamples = 25'000;
-    std::vector<Vec3> points;
-    points.reserve(b.points.size());
-    for (const Vec3f& p : b.points)
-        points.push_back(p.cast<double>());
-    const WindingNumber winding(points, b.triangles);
+    const SolidInterior interior(b);
     const auto outside = [&](const Vec3& sample, double distance) {
-        return distance > reach && winding.at(sample) > 0.5 ? 0 : distance;
+        return distance > reach && interior.contains(sample) ? 0 : distance;
     };
     const DistanceSums sums = measureInside(a, Parts(b), Nearest(b), fewerSamples, control, outside);
     return sums.count > 0 ? sums.sum / static_cast<double>(sums.count) : 0;

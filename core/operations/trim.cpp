@@ -9,9 +9,9 @@
 #include "core/operations/trim.h"
 
 #include "core/analysis/nesting.h"
+#include "core/analysis/solid_interior.h"
 #include "core/area/swept_outline.h"
 #include "core/boolean/mesh_boolean.h"
-#include "core/geometry/winding_number.h"
 #include "core/mesh/lattice_fit.h"
 #include "core/mesh/mesh_builder.h"
 #include "core/operations/cut_pieces.h"
@@ -148,11 +148,7 @@ double volumeOf(const TriangleMesh& mesh)
 TriangleMesh withoutKept(const TriangleMesh& solid, const Mesh& mesh)
 {
     constexpr double below = 16; // lattice units: more than rounding moves a cut
-    const TriangleMesh kept = extractMesh(mesh);
-    std::vector<Vec3> points;
-    for (const Vec3f& p : kept.points)
-        points.push_back(p.cast<double>());
-    const WindingNumber winding(points, kept.triangles);
+    const SolidInterior kept(extractMesh(mesh));
     const Components pieces = solidPiecesOf(solid.points, solid.triangles);
     std::vector<double> largest(pieces.count); // area of the largest face, twice
     std::vector<bool> isKept(pieces.count);
@@ -164,7 +160,7 @@ TriangleMesh withoutKept(const TriangleMesh& solid, const Mesh& mesh)
             continue;
         largest[piece] = normal.norm();
         const Vec3 inside = (at(0) + at(1) + at(2)) / 3 - below * mesh.lattice().unit() * normal.normalized();
-        isKept[piece] = winding.at(inside) > 0.5;
+        isKept[piece] = kept.contains(inside);
     }
     TriangleMesh gone = solid;
     gone.triangles.clear();

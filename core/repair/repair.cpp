@@ -501,12 +501,13 @@ private:
                 progress.control.part(afterCheck, afterMeasuring));
         constexpr double afterComparing = (1 + afterMeasuring) / 2;
         if (m_closed.whole)
-            outcome.report.space = spaceDifference(meshOf(*m_closed.whole, m_lattice), WoundAround::EitherWay,
-                                                   outcome.mesh, progress.control.part(afterMeasuring, afterComparing));
+            outcome.report.space = spaceDifferences(meshOf(*m_closed.whole, m_lattice), outcome.mesh,
+                                                    progress.control.part(afterMeasuring, afterComparing))
+                                       .eitherWay;
         if (m_closed.otherReading)
-            outcome.report.otherSpace =
-                spaceDifference(meshOf(*m_closed.otherReading, m_lattice), WoundAround::Outwards, outcome.mesh,
-                                progress.control.part(afterComparing, 1));
+            outcome.report.otherSpace = spaceDifferences(meshOf(*m_closed.otherReading, m_lattice), outcome.mesh,
+                                                         progress.control.part(afterComparing, 1))
+                                            .outwards;
         if (m_originals.sheets)
             outcome.report.singleSpace = differenceFromSheets(outcome.mesh, progress.control);
         if (!progress.control.isCancelled() && (!m_best || outcome.loss() < m_best->loss()))
@@ -518,12 +519,9 @@ private:
     SpaceDifference differenceFromSheets(const TriangleMesh& solid, const JobControl& control) const
     {
         constexpr double nearlyAll = 0.99;
-        const SpaceDifference eitherWay =
-            spaceDifference(*m_originals.sheets, WoundAround::EitherWay, solid, {control.stop, {}});
+        const auto [eitherWay, outwards] = spaceDifferences(*m_originals.sheets, solid, {control.stop, {}});
         if (total(eitherWay) <= RepairReport::maxSingleSpace)
             return eitherWay;
-        const SpaceDifference outwards =
-            spaceDifference(*m_originals.sheets, WoundAround::Outwards, solid, {control.stop, {}});
         const SpaceDifference least = total(outwards) < total(eitherWay) ? outwards : eitherWay;
         return total(least) < nearlyAll ? least : SpaceDifference{};
     }

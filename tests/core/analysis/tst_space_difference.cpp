@@ -13,7 +13,7 @@ namespace
 {
 double differing(const TriangleMesh& faces, const TriangleMesh& solid)
 {
-    const SpaceDifference difference = spaceDifference(faces, core::WoundAround::EitherWay, solid);
+    const SpaceDifference difference = spaceDifferences(faces, solid).eitherWay;
     return difference.lost + difference.gained;
 }
 } // namespace
@@ -56,7 +56,7 @@ void TestSpaceDifference::otherSpace_isItsShare()
     for (Vec3f& p : other.points)
         p = (middle + side * (p.cast<double>() - middle)).cast<float>();
     const double expected = 1 - std::pow(std::min(side, 1 / side), 3);
-    const SpaceDifference difference = spaceDifference(unit, core::WoundAround::EitherWay, other);
+    const SpaceDifference difference = spaceDifferences(unit, other).eitherWay;
     QVERIFY(side < 1 ? difference.gained == 0 : difference.lost == 0);
     const double found = difference.lost + difference.gained;
     QVERIFY2(std::abs(found - expected) < 0.01, qPrintable(QStringLiteral("%1, not %2").arg(found).arg(expected)));
@@ -77,7 +77,7 @@ void TestSpaceDifference::openFaces_areClosedInThought()
     std::erase_if(sheet.triangles, [&](const Triangle& t) { return !isOfTop(t); });
     QVERIFY(open.triangles.size() < cube.triangles.size() && !sheet.triangles.empty());
     QVERIFY(differing(open, cube) < 0.005);
-    QVERIFY(spaceDifference(sheet, core::WoundAround::EitherWay, cube).gained > 0.99);
+    QVERIFY(spaceDifferences(sheet, cube).eitherWay.gained > 0.99);
 }
 
 void TestSpaceDifference::stopped_endsAtOnce()
@@ -86,7 +86,7 @@ void TestSpaceDifference::stopped_endsAtOnce()
     source.request_stop();
     bool wasTold = false;
     const TriangleMesh ball = icosphere(3, 10);
-    spaceDifference(ball, core::WoundAround::EitherWay, ball, {source.get_token(), [&](double) { wasTold = true; }});
+    spaceDifferences(ball, ball, {source.get_token(), [&](double) { wasTold = true; }});
     QVERIFY(!wasTold);
 }
 
