@@ -1,8 +1,10 @@
 #include "core/geometry/box_tree.h"
 
-#include "core/geometry/morton_code.h"
 #include "core/util/parallel.h"
-#include "core/util/radix_sort.h"
+
+#include <algorithm>
+#include <span>
+#include <tuple>
 
 namespace core
 {
@@ -10,29 +12,50 @@ namespace
 {
 constexpr std::size_t chunkSize = 1 << 14;
 
-struct Key
+struct Entry
 {
-    std::uint64_t code;
+    Eigen::Array3f centre; ///< of the box
     Slot box;
 };
 
-std::vector<Key> mortonKeys(const std::vector<FaceBox>& boxes)
+/// Orders entries so that the boxes of each node are near each other: divides them at the median of the longest side of
+/// their centres' box, as often as a node has children, and so on in each child. Calls done(entries) for parts of at
+/// most `most` entries.
+template <typename Done> void divide(std::span<Entry> entries, std::size_t most, Done done)
 {
-    FaceBox all;
-    for (const FaceBox& box : boxes)
-        all.extend(box);
-    const Eigen::Array3d origin = all.min.cast<double>();
-    const double side = (all.max.cast<double>() - origin).maxCoeff();
-    const double scale = side > 0 ? ((1 << mortonBits) - 1) / side : 0;
-    std::vector<Key> keys(boxes.size());
-    forEachChunk(boxes.size(), chunkSize, [&](std::size_t, std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const Eigen::Array3d centre = (boxes[i].min.cast<double>() + boxes[i].max.cast<double>()) / 2;
-            const Eigen::Array<std::uint64_t, 3, 1> cell = ((centre - origin) * scale).cast<std::uint64_t>();
-            keys[i] = {mortonCode({cell[0], cell[1], cell[2]}), static_cast<Slot>(i)};
-        }
+    if (entries.size() <= most)
+        return done(entries);
+    std::size_t ofChild = 1;
+    while (ofChild * BoxTree::nodeSize < entries.size())
+        ofChild *= BoxTree::nodeSize;
+    FaceBox centres;
+    for (const Entry& entry : entries)
+        centres.extend(entry.centre);
+    Eigen::Index axis = 0;
+    (centres.max - centres.min).maxCoeff(&axis);
+    const std::size_t middle = chunksOf(entries.size(), ofChild) / 2 * ofChild;
+    std::nth_element(entries.begin(), entries.begin() + static_cast<std::ptrdiff_t>(middle), entries.end(),
+                     [axis](const Entry& a, const Entry& b) {
+                         return std::tie(a.centre[axis], a.box) < std::tie(b.centre[axis], b.box);
+                     });
+    divide(entries.first(middle), most, done);
+    divide(entries.subspan(middle), most, done);
+}
+
+/// Returns the boxes in the order of the tree.
+std::vector<Entry> inMedianOrder(const std::vector<FaceBox>& boxes)
+{
+    std::vector<Entry> entries(boxes.size());
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+        entries[i] = {boxes[i].min / 2 + boxes[i].max / 2, static_cast<Slot>(i)};
+    std::vector<std::span<Entry>> parts;
+    divide(std::span(entries), chunkSize, [&](std::span<Entry> part) { parts.push_back(part); });
+    forEachChunk(parts.size(), 1, [&](std::size_t, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            divide(parts[i], BoxTree::nodeSize,
+                   [](std::span<Entry> node) { std::ranges::sort(node, {}, &Entry::box); });
     });
-    return keys;
+    return entries;
 }
 
 std::vector<FaceBox> nodesOver(const std::vector<FaceBox>& below)
@@ -46,14 +69,13 @@ std::vector<FaceBox> nodesOver(const std::vector<FaceBox>& below)
 
 BoxTree::BoxTree(const std::vector<FaceBox>& boxes)
 {
-    std::vector<Key> keys = mortonKeys(boxes);
-    radixSort(keys, &Key::code);
-    m_order.resize(keys.size());
-    m_levels.emplace_back().resize(keys.size());
-    forEachChunk(keys.size(), chunkSize, [&](std::size_t, std::size_t begin, std::size_t end) {
+    const std::vector<Entry> entries = inMedianOrder(boxes);
+    m_order.resize(entries.size());
+    m_levels.emplace_back().resize(entries.size());
+    forEachChunk(entries.size(), chunkSize, [&](std::size_t, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            m_order[i] = keys[i].box;
-            m_levels[0][i] = boxes[keys[i].box];
+            m_order[i] = entries[i].box;
+            m_levels[0][i] = boxes[entries[i].box];
         }
     });
     do

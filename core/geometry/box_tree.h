@@ -58,10 +58,9 @@ public:
     template <typename Reach, typename Visit> void forEachNear(Reach reach, double bound, Visit visit) const;
 
     static constexpr Slot nodeSize = 8;
-
-private:
     static constexpr std::size_t maxLevels = 12; // 8^11 exceeds any 32-bit number of faces
 
+private:
     std::size_t blockLevel() const { return std::min<std::size_t>(3, m_levels.size() - 1); }
     /// Calls visit(i) for each entry i >= `from` of the level `target` that meets the query.
     template <typename Visit>

@@ -67,7 +67,7 @@ WindingNumber::WindingNumber(std::span<const Vec3> points, std::span<const Trian
         m_faces.push_back(face);
         m_triangles.push_back({points[t[0]], points[t[1]], points[t[2]]});
     }
-    for (std::size_t covers = nodeSize; !m_triangles.empty(); covers *= nodeSize) {
+    for (std::size_t covers = 1; !m_triangles.empty(); covers *= nodeSize) {
         Level level;
         level.nodes.resize(chunksOf(m_triangles.size(), covers));
         forEachChunk(level.nodes.size(), nodesPerChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
@@ -98,7 +98,7 @@ WindingNumber::Dipole WindingNumber::dipoleOf(std::size_t from, std::size_t to) 
         dipole.centre = m_triangles[from][0];
     for (std::size_t i = from; i < to; ++i)
         for (const Vec3& corner : m_triangles[i])
-            dipole.radius = std::max(dipole.radius, (corner - dipole.centre).norm());
+            dipole.reach2 = std::max(dipole.reach2, farAway * farAway * (corner - dipole.centre).squaredNorm());
     return dipole;
 }
 
@@ -110,28 +110,27 @@ double WindingNumber::at(const Vec3& p, std::span<const Slot> without) const
     {
         std::size_t level, index;
     };
-    std::vector<Node> open{{m_levels.size() - 1, 0}};
+    std::array<Node, BoxTree::maxLevels * nodeSize> open; // near nodes whose children are to be visited
+    std::size_t depth = 0;
     double ofDipoles = 0;
     AngleSum half;
-    while (!open.empty()) {
-        const auto [level, index] = open.back();
-        open.pop_back();
+    const auto visit = [&](std::size_t level, std::size_t index) {
         const Dipole& dipole = m_levels[level].nodes[index];
         const Vec3 way = dipole.centre - p;
-        const double distance = way.norm();
-        if (distance > farAway * dipole.radius) {
-            ofDipoles += dipole.moment.dot(way) / (distance * distance * distance);
-            continue;
-        }
+        const double distance2 = way.squaredNorm();
+        if (distance2 > dipole.reach2)
+            ofDipoles += dipole.moment.dot(way) / (distance2 * std::sqrt(distance2));
+        else if (level > 0)
+            open[depth++] = {level, index};
+        else if (!std::ranges::binary_search(without, m_faces[index]))
+            addHalfSolidAngle(m_triangles[index], p, half);
+    };
+    visit(m_levels.size() - 1, 0);
+    while (depth > 0) {
+        const auto [level, index] = open[--depth];
         const std::size_t first = index * nodeSize;
-        if (level > 0) {
-            for (std::size_t i = first; i < std::min(first + nodeSize, m_levels[level - 1].nodes.size()); ++i)
-                open.push_back({level - 1, i});
-            continue;
-        }
-        for (std::size_t i = first; i < std::min(first + nodeSize, m_triangles.size()); ++i)
-            if (!std::ranges::binary_search(without, m_faces[i]))
-                addHalfSolidAngle(m_triangles[i], p, half);
+        for (std::size_t i = first; i < std::min(first + nodeSize, m_levels[level - 1].nodes.size()); ++i)
+            visit(level - 1, i);
     }
     return (ofDipoles + 2 * half.value()) / (4 * std::numbers::pi);
 }
