@@ -4,6 +4,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -23,13 +24,16 @@ struct IntersectionReport
     std::vector<FacePair> pairs; ///< the first pairs, ascending, at most as many as requested
 };
 
+constexpr std::size_t allFaces = std::numeric_limits<std::size_t>::max();
+
 /// Finds all pairs of faces that meet, exactly; touching counts as meeting. Degenerate faces are ignored. `keep`: the
-/// largest number of pairs in the report. Uses all cores and bounded memory; the result does not depend on the number
-/// of cores. The result of a cancelled search must not be used. Instantiated for LatticePredicates and FloatPredicates.
+/// largest number of pairs in the report. `moved`: only pairs with at least one of the first `moved` faces are tested.
+/// Uses all cores and bounded memory; the result does not depend on the number of cores. The result of a cancelled
+/// search must not be used. Instantiated for LatticePredicates and FloatPredicates.
 template <typename Predicates>
 IntersectionReport selfIntersections(std::span<const typename Predicates::Point> points,
                                      std::span<const Triangle> triangles, std::size_t keep = 1000,
-                                     const std::stop_token& stop = {});
+                                     const std::stop_token& stop = {}, std::size_t moved = allFaces);
 
 struct SurfaceAndImage
 {
@@ -50,9 +54,9 @@ std::vector<Slot> degenerateFaces(std::span<const typename Predicates::Point> po
 
 extern template IntersectionReport selfIntersections<LatticePredicates>(std::span<const LatticePoint>,
                                                                         std::span<const Triangle>, std::size_t,
-                                                                        const std::stop_token&);
+                                                                        const std::stop_token&, std::size_t);
 extern template IntersectionReport selfIntersections<FloatPredicates>(std::span<const Vec3f>, std::span<const Triangle>,
-                                                                      std::size_t, const std::stop_token&);
+                                                                      std::size_t, const std::stop_token&, std::size_t);
 extern template std::vector<Slot> degenerateFaces<LatticePredicates>(std::span<const LatticePoint>,
                                                                      std::span<const Triangle>);
 extern template std::vector<Slot> degenerateFaces<FloatPredicates>(std::span<const Vec3f>, std::span<const Triangle>);

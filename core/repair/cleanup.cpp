@@ -2,6 +2,7 @@
 
 #include "core/repair/edge_faces.h"
 
+#include "core/analysis/equal_faces.h"
 #include "core/geometry/predicates.h"
 
 #include <cmath>
@@ -61,24 +62,29 @@ int runOf(const Triangle& t)
     return (t[0] == s[0] && t[1] == s[1]) || (t[1] == s[0] && t[2] == s[1]) || (t[2] == s[0] && t[0] == s[1]) ? 1 : -1;
 }
 
+EqualFaces equalFacesOf(const std::vector<Triangle>& triangles)
+{
+    std::vector<Slot> all(triangles.size());
+    std::iota(all.begin(), all.end(), Slot(0));
+    return {triangles, all};
+}
+
 std::size_t dropDuplicates(TriangleSoup& surface, Duplicates duplicates)
 {
     std::vector<Triangle>& triangles = surface.triangles;
-    std::vector<std::pair<Triangle, Slot>> byCorners;
-    for (Slot f = 0; f < triangles.size(); ++f)
-        byCorners.emplace_back(sortedCorners(triangles[f]), f);
-    std::ranges::sort(byCorners);
+    const EqualFaces equal = equalFacesOf(triangles);
+    if (equal.groups() == triangles.size())
+        return 0;
     std::vector<bool> goes(triangles.size(), false);
-    for (std::size_t begin = 0, end; begin < byCorners.size(); begin = end) {
-        int net = 0;
-        for (end = begin; end < byCorners.size() && byCorners[end].first == byCorners[begin].first; ++end)
-            net += runOf(triangles[byCorners[end].second]);
-        if (end == begin + 1)
+    for (std::size_t i = 0; i < equal.groups(); ++i) {
+        const std::span<const Slot> group = equal.group(i);
+        if (group.size() == 1)
             continue;
-        if (duplicates == Duplicates::KeepOne)
-            net = runOf(triangles[byCorners[begin].second]);
-        for (std::size_t i = begin; i < end; ++i) {
-            const Slot face = byCorners[i].second;
+        int net = duplicates == Duplicates::KeepOne ? runOf(triangles[group[0]]) : 0;
+        if (duplicates == Duplicates::Cancel)
+            for (const Slot face : group)
+                net += runOf(triangles[face]);
+        for (const Slot face : group) {
             const bool stays = net * runOf(triangles[face]) > 0;
             net -= stays ? runOf(triangles[face]) : 0;
             goes[face] = !stays;
@@ -289,11 +295,7 @@ CleanupResult cleanUp(TriangleSoup& surface, Duplicates duplicates)
 
 bool hasDoubles(const TriangleSoup& surface)
 {
-    std::vector<Triangle> corners;
-    for (const Triangle& t : surface.triangles)
-        corners.push_back(sortedCorners(t));
-    std::ranges::sort(corners);
-    return std::adjacent_find(corners.begin(), corners.end()) != corners.end();
+    return equalFacesOf(surface.triangles).groups() < surface.triangles.size();
 }
 
 bool removeSlivers(TriangleSoup& surface, std::span<const Slot> faces, double tolerance)

@@ -303,19 +303,26 @@ private:
         moved.insert(moved.end(), group.copies.begin(), group.copies.end());
     }
 
-    /// Returns the corners of faces that are degenerate or meet other faces. Examines the faces with moved corners, and
+    /// Returns the corners of faces that are degenerate or meet other faces. Tests the faces with moved corners against
     /// all faces near them.
     std::vector<Slot> unsoundCorners(std::span<const Slot> moved, const std::stop_token& stop) const
     {
         constexpr std::size_t maxPairs = 100'000;
         constexpr float margin = 1;
-        const std::vector<Slot> near = facesNear(m_surface, boxesAround(m_surface, moved, margin));
+        std::vector<bool> hasMoved(m_surface.points.size(), false);
+        for (const Slot v : moved)
+            hasMoved[v] = true;
+        std::vector<Slot> near = facesNear(m_surface, boxesAround(m_surface, moved, margin));
+        const auto unmoved = std::ranges::stable_partition(near, [&](Slot f) {
+            return std::ranges::any_of(m_surface.triangles[f], [&](Slot v) { return hasMoved[v]; });
+        });
         std::vector<Triangle> triangles;
         for (const Slot f : near)
             triangles.push_back(m_surface.triangles[f]);
         std::vector<Slot> faces = degenerateFaces<LatticePredicates>(m_surface.points, triangles);
-        for (const FacePair& pair :
-             selfIntersections<LatticePredicates>(m_surface.points, triangles, maxPairs, stop).pairs) {
+        for (const FacePair& pair : selfIntersections<LatticePredicates>(m_surface.points, triangles, maxPairs, stop,
+                                                                         near.size() - unmoved.size())
+                                        .pairs) {
             faces.push_back(pair.first);
             faces.push_back(pair.second);
         }

@@ -2,6 +2,7 @@
 
 #include "core/geometry/face_geometry.h"
 #include "core/geometry/predicates.h"
+#include "core/util/parallel.h"
 
 namespace core::repair
 {
@@ -24,18 +25,20 @@ std::vector<FaceBox> boxesAround(const TriangleSoup& surface, std::span<const Sl
 
 std::vector<Slot> facesNear(const TriangleSoup& surface, const std::vector<FaceBox>& boxes)
 {
-    std::vector<Slot> near;
+    constexpr std::size_t facesPerChunk = 1 << 12;
     if (boxes.empty())
-        return near;
+        return {};
     const BoxTree tree(boxes);
     const std::vector<FaceBox> all = faceBoxes(surface.points, std::span<const Triangle>(surface.triangles));
-    for (Slot f = 0; f < all.size(); ++f) {
-        bool isNear = false;
-        tree.forEachMeeting(all[f], [&](Slot) { isNear = true; });
-        if (isNear)
-            near.push_back(f);
-    }
-    return near;
+    return joinChunks<std::vector<Slot>>(all.size(), facesPerChunk,
+                                         [&](std::size_t begin, std::size_t end, std::vector<Slot>& near) {
+                                             for (std::size_t f = begin; f < end; ++f) {
+                                                 bool isNear = false;
+                                                 tree.forEachMeeting(all[f], [&](Slot) { isNear = true; });
+                                                 if (isNear)
+                                                     near.push_back(static_cast<Slot>(f));
+                                             }
+                                         });
 }
 
 IntersectionReport intersectionsAmong(const TriangleSoup& surface, std::span<const Slot> faces, std::size_t maxPairs,
