@@ -17,7 +17,6 @@ namespace core
 namespace
 {
 constexpr std::size_t facesPerPairChunk = 1 << 12;
-constexpr std::size_t blocksPerChunk = 1;
 
 /// Counts pairs of faces, and keeps the first pairs in ascending order.
 class Pairs
@@ -77,8 +76,8 @@ public:
     /// for a position with several equal faces.
     template <typename Meet> IntersectionReport find(std::size_t keep, const std::stop_token& stop, Meet meet) const
     {
-        std::vector<Pairs> found(chunksOf(m_tree.blocks(), blocksPerChunk), Pairs(keep));
-        forEachChunk(m_tree.blocks(), blocksPerChunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+        std::vector<Pairs> found(m_tree.blocks(), Pairs(keep));
+        forEachChunk(m_tree.blocks(), 1, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
             for (std::size_t block = begin; block < end && !stop.stop_requested(); ++block)
                 m_tree.forEachMeetingPair(static_cast<Slot>(block), [&](Slot i, Slot j) {
                     if (meet(i, j))
@@ -138,13 +137,14 @@ std::vector<Slot> facesThatAre(bool degenerate, std::span<const typename Predica
 template <typename Predicates>
 IntersectionReport selfIntersections(std::span<const typename Predicates::Point> points,
                                      std::span<const Triangle> triangles, std::size_t keep, const std::stop_token& stop,
-                                     std::size_t moved)
+                                     std::size_t searched)
 {
     const PairSearch search(points, triangles, facesThatAre<Predicates>(false, points, triangles));
     const auto ordered = search.inOrder<Predicates>(points);
     return search.find(keep, stop, [&](Slot i, Slot j) {
-        return std::min(search.firstFaceAt(i), search.firstFaceAt(j)) < moved &&
-               trianglesIntersect(ordered[i], ordered[j]);
+        const bool isSearched =
+            searched >= triangles.size() || std::min(search.firstFaceAt(i), search.firstFaceAt(j)) < searched;
+        return isSearched && trianglesIntersect(ordered[i], ordered[j]);
     });
 }
 

@@ -24,16 +24,15 @@ struct IntersectionReport
     std::vector<FacePair> pairs; ///< the first pairs, ascending, at most as many as requested
 };
 
-constexpr std::size_t allFaces = std::numeric_limits<std::size_t>::max();
-
 /// Finds all pairs of faces that meet, exactly; touching counts as meeting. Degenerate faces are ignored. `keep`: the
-/// largest number of pairs in the report. `moved`: only pairs with at least one of the first `moved` faces are tested.
+/// largest number of pairs in the report. `searched`: only pairs with one of the first `searched` faces are tested.
 /// Uses all cores and bounded memory; the result does not depend on the number of cores. The result of a cancelled
 /// search must not be used. Instantiated for LatticePredicates and FloatPredicates.
 template <typename Predicates>
 IntersectionReport selfIntersections(std::span<const typename Predicates::Point> points,
                                      std::span<const Triangle> triangles, std::size_t keep = 1000,
-                                     const std::stop_token& stop = {}, std::size_t moved = allFaces);
+                                     const std::stop_token& stop = {},
+                                     std::size_t searched = std::numeric_limits<std::size_t>::max());
 
 struct SurfaceAndImage
 {

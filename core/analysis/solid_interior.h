@@ -13,7 +13,7 @@ public:
     explicit SolidInterior(const TriangleMesh& solid);
 
     /// Returns whether p is inside, by the parity of the faces above it (+z). Exact but for points within rounding of a
-    /// face: these may be on either side.
+    /// face, or straight below a vertical one: these may be on either side.
     bool contains(const Vec3& p) const;
 
 private:

@@ -19,9 +19,9 @@ struct SpaceDifferences
     SpaceDifference outwards;  ///< it encloses where its winding number is above 0.5
 };
 
-/// Compares the space within `solid`, which is closed and faces outwards, with the space that `faces` wind around
-/// (generalized winding number; Jacobson, Kavan and Sorkine-Hornung 2013). `faces` may be open. Where their winding
-/// number is about a half, inside and outside are equally right: there a point's weight falls to 0.
+/// Compares the space within `solid`, which is closed, faces outwards and does not meet itself, with the space that
+/// `faces` wind around (generalized winding number; Jacobson, Kavan and Sorkine-Hornung 2013). `faces` may be open.
+/// Where their winding number is about a half, inside and outside are equally right: there a point's weight falls to 0.
 /// Samples up to 65,536 points: a quarter in the common box, the rest in the boxes of components. Sampling stops at
 /// 16,384 points inside either surface, and at 4,096 if all of them are inside both, for both readings: a difference of
 /// less than about 0.05 % may be missed. Precondition: both meshes have faces and use one unit. Uses all cores; every

@@ -18,9 +18,8 @@ struct Entry
     Slot box;
 };
 
-/// Orders entries so that the boxes of each node are near each other: divides them at the median of the longest side of
-/// their centres' box, as often as a node has children, and so on in each child. Calls done(entries) for parts of at
-/// most `most` entries.
+/// Orders entries so that the boxes of each node are near each other: halves them along the longest side of their
+/// centres' box, at a border between children, until each part has at most `most` entries. Calls done(part) for each.
 template <typename Done> void divide(std::span<Entry> entries, std::size_t most, Done done)
 {
     if (entries.size() <= most)

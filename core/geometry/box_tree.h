@@ -29,12 +29,12 @@ struct FaceBox
     }
 };
 
-/// A static tree of boxes for queries about the whole model. Boxes are sorted in Morton order of their centres; nodes
-/// have eight children and no pointers. The position of a box is its index in that order.
+/// A static tree of boxes for queries about the whole model. Nodes have eight children and no pointers; the boxes of a
+/// node are near each other. The position of a box is its index in the tree's order.
 class BoxTree
 {
 public:
-    /// Cost: one sort of the boxes.
+    /// Precondition: no box is empty, and coordinates are finite. Cost: as one sort of the boxes, on all cores.
     explicit BoxTree(const std::vector<FaceBox>& boxes);
 
     Slot size() const { return static_cast<Slot>(m_order.size()); }

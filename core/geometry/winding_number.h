@@ -29,13 +29,15 @@ private:
     };
     struct Level
     {
-        std::vector<Dipole> nodes; ///< each node covers nodeSize nodes of the level below
+        std::vector<Dipole> nodes;
     };
 
     Dipole dipoleOf(std::size_t from, std::size_t to) const;
 
     std::vector<std::array<Vec3, 3>> m_triangles; ///< triangles in the order of a BoxTree
     std::vector<Slot> m_faces;                    ///< original face of each triangle
-    std::vector<Level> m_levels;                  ///< the first level covers triangles, the last has one node
+    /// The first level has a node for each triangle; nodes of the others cover eight of the level below. The last has
+    /// one node.
+    std::vector<Level> m_levels;
 };
 } // namespace core

@@ -118,7 +118,7 @@ RepairResult repairMesh(const TriangleMesh& mesh, const RepairOptions& options =
                         const RepairStepCallback& onStep = {});
 
 /// Measures a repaired model after a further change, such as decimation, against `old` of its repair. Updates `after`,
-/// `fromOld`, `fromNew` and `lost` of the report, not `space`. Precondition: the mesh is closed and oriented, and in
+/// `fromOld`, `fromNew` and `lost` of the report, not `space`. Precondition: the mesh is print-ready, and in
 /// the same position as `old`. Cost: that of checkMesh() and of two distanceFrom().
 void measureAgain(RepairReport& report, const TriangleMesh& old, const TriangleMesh& mesh);
 } // namespace core

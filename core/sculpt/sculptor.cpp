@@ -188,8 +188,6 @@ std::optional<Sculptor::Engine::SurfacePlace> Sculptor::Engine::nearestPlace(con
 
 DabReport Sculptor::Engine::apply(Dab dab)
 {
-    if (isOver || !isEditable)
-        return {};
     anchor->place(dab);
     const DabReport report = sculpt(dab);
     anchor->follow(dab, report);
@@ -210,9 +208,20 @@ std::vector<DabReport> Sculptor::Engine::applyDue(StrokePath& dabs)
             placeResting(*due);
         if (!anchor->isSet())
             anchor->takeHold(due->hand);
-        reports.push_back(due->hasCenter ? apply(due->dab) : DabReport());
-        if (afterDab)
-            afterDab(reports.back());
+        const auto tell = [&](const DabReport& report) {
+            reports.push_back(report);
+            if (afterDab)
+                afterDab(report);
+        };
+        if (!due->hasCenter || isOver || !isEditable) {
+            tell({});
+            continue;
+        }
+        for (const Dab& dab : anchor->divide(due->dab)) {
+            tell(apply(dab));
+            if (isOver || reports.back().capped || reports.back().wall)
+                break; // the rest of the way would cost as much, and get no further
+        }
     }
     return reports;
 }

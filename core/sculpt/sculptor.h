@@ -46,7 +46,7 @@ public:
     bool strokeOpen() const { return m_mesh->strokeOpen(); }
     /// Applies the dabs of the path up to this sample. Returns their reports. Dabs that need a further sample to be
     /// placed (StrokePath::next) are applied with that sample, or by endStroke(). An unusable sample (isUsable())
-    /// counts as one empty dab and does not become part of the path.
+    /// counts as one empty dab and does not become part of the path. A long motion of a drag tool is several dabs.
     ///
     /// The single dab of an anchored stroke is applied when the stroke ends. Anchored::Shown applies it now as a
     /// preview that replaces the previous preview. The result of the stroke is the same with and without previews.

@@ -46,7 +46,7 @@ struct StrokeSettings
     double detail = info(Parameter::Detail).defaultValue; ///< factor on the d_detail that follows from the radius
     /// d_detail of Topology::Uniform, mm; 0: the mesh's own, Mesh::uniformDetail()
     double detailLength = 0;
-    /// Distance between dabs, in radii; at least 2 for Stamp. 0: each sample makes exactly one dab.
+    /// Distance between dabs, in radii; at least 2 for Stamp. 0: each sample is one dab; of a drag tool, up to 20.
     double spacing = info(Parameter::Spacing).defaultValue;
     /// Dabs per second while the pointer is at rest, 0 to maxAirbrush; 0: none. Needs a spacing and a tool that can use
     /// it (canAirbrush()).

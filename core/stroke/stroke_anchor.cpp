@@ -1,6 +1,7 @@
 #include "core/stroke/stroke_anchor.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace core
@@ -13,6 +14,10 @@ constexpr double maxTurn = 1;
 /// A ray is intersected with the plane only if the cosine of its angle to the normal is larger. With a flatter ray, a
 /// small tremor would move the intersection by kilometres.
 constexpr double minAcross = 0.05;
+/// Largest motion of a dab, in radii.
+constexpr double maxMotion = 0.1;
+/// Largest number of dabs for one motion. A longer motion has longer dabs.
+constexpr double maxParts = 20;
 } // namespace
 
 std::optional<Vec3> StrokeAnchor::placeOf(const Vec3& position, const Vec3& direction) const
@@ -24,6 +29,18 @@ std::optional<Vec3> StrokeAnchor::placeOf(const Vec3& position, const Vec3& dire
     if (!(across > minAcross * direction.norm() * normal.norm()))
         return std::nullopt;
     return position + (m_anchor->position - position).dot(normal) / across * direction;
+}
+
+std::vector<Dab> StrokeAnchor::divide(const Dab& dab) const
+{
+    const Vec3 motion = dab.position - m_last;
+    constexpr double rounding = 1e-6; // a motion of maxMotion is not divided because of it
+    const double wanted = std::ceil(motion.norm() / (maxMotion * dab.radius) - rounding);
+    const double parts = isSet() ? std::clamp(wanted, 1.0, maxParts) : 1;
+    std::vector<Dab> dabs(static_cast<std::size_t>(parts), dab);
+    for (std::size_t i = 0; i + 1 < dabs.size(); ++i)
+        dabs[i].position = m_last + static_cast<double>(i + 1) / parts * motion;
+    return dabs;
 }
 
 void StrokeAnchor::place(Dab& dab)

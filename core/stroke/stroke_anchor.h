@@ -2,6 +2,8 @@
 
 #include "core/stroke/stroke.h"
 
+#include <vector>
+
 namespace core
 {
 /// The anchor of a drag tool's stroke: where the stroke took hold, where the brush is now, and its motion from dab to
@@ -22,6 +24,10 @@ public:
     /// at a very small angle. Without rays, returns the position plus a constant offset.
     std::optional<Vec3> placeOf(const Vec3& position, const Vec3& direction) const;
 
+    /// Returns the dabs, at most 20, that lead from the previous dab to this one, to be placed one after the other. The
+    /// dabs of a drag tool move by at most 0.1 radii each, unless the pointer jumps by more than 2: the surface is
+    /// refined as it is stretched, whether the pointer moves slowly or fast. Other tools have one dab.
+    std::vector<Dab> divide(const Dab& dab) const;
     /// Sets the dab's motion, turn and position; on entry its position is the pointer's. Tools that keep their
     /// selection stay at the anchor. SnakeHook moves to its tip.
     void place(Dab& dab);

@@ -105,7 +105,8 @@ core::Stroke StrokeFuzzer::stroke(const core::Mesh& mesh)
     if (s.tool == core::Tool::Stamp || (s.alpha && core::usesAlpha(s.tool)))
         s.detail = uniform(2, 8);
 
-    const std::uint64_t samples = 1 + below(s.spacing == 0 ? 10 : 4);
+    // Drag tools make several dabs of a sample; fewer samples leave other tools their share of the dabs.
+    const std::uint64_t samples = 1 + below(s.spacing == 0 && !core::isDragTool(s.tool) ? 10 : 4);
     Vec3 at = point(start) + uniform(0, 0.3) * s.radius * direction();
     const Vec3 heading = direction(), view = direction();
     const double longest = core::isDragTool(s.tool) && below(4) == 0 ? 3 : 0.6;
