@@ -1,9 +1,8 @@
 #include "core/analysis/space_difference.h"
 
 #include "core/analysis/nesting.h"
-#include "core/analysis/solid_interior.h"
+#include "core/analysis/winding_number.h"
 #include "core/geometry/box_tree.h"
-#include "core/geometry/winding_number.h"
 #include "core/util/parallel.h"
 
 #include <algorithm>
@@ -13,15 +12,6 @@ namespace core
 {
 namespace
 {
-WindingNumber windingOf(const TriangleMesh& mesh)
-{
-    std::vector<Vec3> points;
-    points.reserve(mesh.points.size());
-    for (const Vec3f& p : mesh.points)
-        points.push_back(p.cast<double>());
-    return {points, mesh.triangles};
-}
-
 void addComponentBoxes(const TriangleMesh& mesh, std::vector<FaceBox>& boxes)
 {
     const Components components = componentsOf(mesh.points.size(), mesh.triangles);
@@ -134,8 +124,7 @@ struct SumsOfReadings
 SpaceDifferences spaceDifferences(const TriangleMesh& faces, const TriangleMesh& solid, const JobControl& control)
 {
     constexpr std::size_t maxSamples = 65'536, perStep = 8192, perChunk = 256;
-    const WindingNumber ofFaces = windingOf(faces);
-    const SolidInterior ofSolid(solid);
+    const WindingNumber ofFaces(faces), ofSolid(solid);
     const SpaceSamples samples(faces, solid);
     SumsOfReadings all;
     std::vector<SumsOfReadings> sums(chunksOf(perStep, perChunk));
@@ -146,7 +135,7 @@ SpaceDifferences spaceDifferences(const TriangleMesh& faces, const TriangleMesh&
             for (std::size_t i = begin; i < end; ++i) {
                 const auto [p, space] = samples.at(first + i);
                 const double winding = ofFaces.at(p);
-                const bool isInside = ofSolid.contains(p);
+                const bool isInside = ofSolid.at(p) > 0.5;
                 sums[chunk].eitherWay.add(std::abs(winding), isInside, space);
                 sums[chunk].outwards.add(winding, isInside, space);
             }

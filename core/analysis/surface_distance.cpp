@@ -5,7 +5,7 @@
 
 #include "core/analysis/surface_distance.h"
 
-#include "core/analysis/solid_interior.h"
+#include "core/analysis/winding_number.h"
 #include "core/geometry/face_geometry.h"
 #include "core/geometry/point_triangle.h"
 #include "core/util/parallel_progress.h"
@@ -277,9 +277,9 @@ SurfaceDistance distanceFrom(const TriangleMesh& a, const TriangleMesh& b, const
 double meanDistanceOutside(const TriangleMesh& a, const TriangleMesh& b, double reach, const JobControl& control)
 {
     constexpr double fewerSamples = 25'000;
-    const SolidInterior interior(b);
+    const WindingNumber solid(b);
     const auto outside = [&](const Vec3& sample, double distance) {
-        return distance > reach && interior.contains(sample) ? 0 : distance;
+        return distance > reach && solid.at(sample) > 0.5 ? 0 : distance;
     };
     const DistanceSums sums = measureInside(a, Parts(b), Nearest(b), fewerSamples, control, outside);
     return sums.count > 0 ? sums.sum / static_cast<double>(sums.count) : 0;

@@ -1,8 +1,8 @@
 #include "core/operations/cut_pieces.h"
 
+#include "core/analysis/solid_angles.h"
 #include "core/area/area_test.h"
 #include "core/area/sightlines.h"
-#include "core/geometry/winding_number.h"
 #include "core/util/parallel.h"
 
 #include <atomic>
@@ -143,12 +143,12 @@ std::vector<Vec3> middlesOf(const TriangleMesh& mesh)
 /// Returns whether a closed boundary goes around a surface, given by points of it. Some of them may be on the boundary.
 bool isAround(const TriangleMesh& boundary, const std::vector<Vec3>& surface)
 {
-    constexpr double inside = 0.75; // on the boundary the winding number is about a half
+    constexpr double inside = 0.75; // seen from a point on it, the boundary fills about half of the sphere
     std::vector<Vec3> points;
     for (const Vec3f& p : boundary.points)
         points.push_back(p.cast<double>());
-    const WindingNumber winding(points, boundary.triangles);
-    return std::ranges::any_of(surface, [&](const Vec3& p) { return winding.at(p) > inside; });
+    const SolidAngles angles(points, boundary.triangles);
+    return std::ranges::any_of(surface, [&](const Vec3& p) { return angles.at(p) > inside; });
 }
 } // namespace
 

@@ -18,8 +18,7 @@ class CutPieces
 {
 public:
     /// Precondition: the arguments outlive this; isSurgeryOk(mesh, whole); `whole` cuts along the area's curve. Cost:
-    /// O(exchanged faces); with voids, a winding number for each of
-    /// their faces and each larger piece.
+    /// O(exchanged faces); with voids, the solid angles of each larger piece from each of their faces.
     CutPieces(const Mesh& mesh, const Surgery& whole);
 
     std::size_t count() const { return m_count; }

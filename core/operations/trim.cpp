@@ -9,7 +9,7 @@
 #include "core/operations/trim.h"
 
 #include "core/analysis/nesting.h"
-#include "core/analysis/solid_interior.h"
+#include "core/analysis/winding_number.h"
 #include "core/area/swept_outline.h"
 #include "core/boolean/mesh_boolean.h"
 #include "core/mesh/lattice_fit.h"
@@ -148,7 +148,7 @@ double volumeOf(const TriangleMesh& mesh)
 TriangleMesh withoutKept(const TriangleMesh& solid, const Mesh& mesh)
 {
     constexpr double below = 16; // lattice units: more than rounding moves a cut
-    const SolidInterior kept(extractMesh(mesh));
+    const WindingNumber kept(extractMesh(mesh));
     const Components pieces = solidPiecesOf(solid.points, solid.triangles);
     std::vector<double> largest(pieces.count); // area of the largest face, twice
     std::vector<bool> isKept(pieces.count);
@@ -160,7 +160,7 @@ TriangleMesh withoutKept(const TriangleMesh& solid, const Mesh& mesh)
             continue;
         largest[piece] = normal.norm();
         const Vec3 inside = (at(0) + at(1) + at(2)) / 3 - below * mesh.lattice().unit() * normal.normalized();
-        isKept[piece] = kept.contains(inside);
+        isKept[piece] = kept.at(inside) > 0.5;
     }
     TriangleMesh gone = solid;
     gone.triangles.clear();

@@ -2,8 +2,8 @@
 
 #include "core/repair/edge_faces.h"
 
+#include "core/analysis/winding_number.h"
 #include "core/geometry/face_geometry.h"
-#include "core/geometry/winding_number.h"
 #include "core/util/parallel.h"
 
 #include <algorithm>

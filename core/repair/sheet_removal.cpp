@@ -3,8 +3,8 @@
 #include "core/repair/edge_faces.h"
 #include "core/repair/hole_filling.h"
 
+#include "core/analysis/winding_number.h"
 #include "core/geometry/rectangle_around.h"
-#include "core/geometry/winding_number.h"
 #include "core/util/disjoint_sets.h"
 
 #include <algorithm>

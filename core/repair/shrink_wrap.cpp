@@ -7,8 +7,8 @@
 
 #include "core/repair/shrink_wrap.h"
 
+#include "core/analysis/winding_number.h"
 #include "core/geometry/face_geometry.h"
-#include "core/geometry/winding_number.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "core/repair/arrangement.h"
 
-#include "core/geometry/winding_number.h"
+#include "core/analysis/winding_number.h"
 
 #include <span>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "core/sculpt/solid_boolean.h"
 
 #include "core/analysis/shell_orientation.h"
-#include "core/geometry/winding_number.h"
+#include "core/analysis/winding_number.h"
 #include "core/mesh/surface_query.h"
 #include "core/repair/arrangement.h"
 #include "core/repair/edge_faces.h"

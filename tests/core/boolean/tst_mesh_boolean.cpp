@@ -1,9 +1,9 @@
 // Runs 10,000 random pairs with FETTLE_EFFORT=long or soak. FETTLE_SEED=n begins at another seed; FETTLE_MODELS=n sets
 // the number of pairs.
 
+#include "core/analysis/winding_number.h"
 #include "core/boolean/mesh_boolean.h"
 #include "core/geometry/face_geometry.h"
-#include "core/geometry/winding_number.h"
 #include "core/util/worker_pool.h"
 #include "tests/core/boolean/random_solids.h"
 #include "tests/support/cgal_judge.h"

@@ -1,5 +1,5 @@
+#include "core/analysis/winding_number.h"
 #include "core/geometry/triangle_distance.h"
-#include "core/geometry/winding_number.h"
 #include "core/repair/contact_separation.h"
 #include "core/repair/knot_covering.h"
 #include "tests/support/stroke_fuzzer.h"

@@ -1,4 +1,4 @@
-#include "core/geometry/winding_number.h"
+#include "core/analysis/winding_number.h"
 #include "core/mesh/mesh_builder.h"
 #include "core/primitives/starter_models.h"
 #include "core/sculpt/deform/brush_model.h"

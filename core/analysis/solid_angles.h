@@ -6,18 +6,17 @@
 
 namespace core
 {
-/// Generalised winding number of a surface, which need not be closed (Jacobson, Kavan and Sorkine-Hornung 2013): 1
-/// inside a solid, 0 outside. Distant faces are approximated by dipoles (Barill, Dickson, Schmidt, Levin and Jacobson
-/// 2018), with an error of about 0.01, rarely 0.05. Thread: any; the object is immutable. Cost: 3 to 20 us per query,
-/// more inside tangles of large faces.
-class WindingNumber
+/// Sum of the solid angles of any triangles. Distant ones are approximated by dipoles (Barill, Dickson, Schmidt, Levin
+/// and Jacobson 2018), with an error of about 0.01 of the whole sphere, rarely 0.05. Thread: any; the object is
+/// immutable. Cost: 3 to 20 us per query, more inside tangles of large faces.
+class SolidAngles
 {
 public:
     /// Copies the triangles. Cost: one sort.
-    WindingNumber(std::span<const Vec3> points, std::span<const Triangle> triangles);
+    SolidAngles(std::span<const Vec3> points, std::span<const Triangle> triangles);
 
-    /// Returns the winding number at p. `without`: faces to leave out, ascending; it must contain the faces that p lies
-    /// on.
+    /// Returns the sum as seen from p, as a share of the whole sphere; positive for triangles whose normal points away
+    /// from p. `without`: triangles to leave out, ascending; it must contain those that p lies on.
     double at(const Vec3& p, std::span<const Slot> without = {}) const;
 
 private:

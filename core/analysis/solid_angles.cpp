@@ -1,5 +1,6 @@
-#include "core/geometry/winding_number.h"
+#include "core/analysis/solid_angles.h"
 
+#include "core/analysis/angle_sum.h"
 #include "core/geometry/face_geometry.h"
 
 #include <algorithm>
@@ -15,39 +16,6 @@ constexpr std::size_t nodesPerChunk = 1 << 8;
 /// Distance from which a node's faces are approximated by one dipole, in radii of the node.
 constexpr double farAway = 3;
 
-/// Sums the angles of plane vectors, each in (-pi, pi], by multiplying the vectors as complex numbers. Counts whole
-/// turns, so that one arc tangent is enough for all.
-class AngleSum
-{
-public:
-    void add(double x, double y)
-    {
-        const double re = m_x * x - m_y * y, im = m_x * y + m_y * x, size = std::abs(re) + std::abs(im);
-        if (!(size > 0))
-            return;
-        const bool wasUpper = isUpper(m_x, m_y), isOtherUpper = isUpper(x, y);
-        const bool wasLower = m_y < 0, isOtherLower = y < 0;
-        const double scale = size > largest || size < 1 / largest ? 1 / size : 1;
-        m_x = scale * re;
-        m_y = scale * im;
-        if (wasUpper && isOtherUpper && !isUpper(m_x, m_y))
-            ++m_turns;
-        else if (wasLower && isOtherLower && m_y >= 0)
-            --m_turns;
-    }
-    double value() const { return std::atan2(m_y, m_x) + 2 * std::numbers::pi * m_turns; }
-
-private:
-    /// Returns whether the angle of (x, y) is in (0, pi].
-    static bool isUpper(double x, double y) { return y > 0 || (y == 0 && x < 0); }
-
-    /// A product that is larger than this, or smaller than its inverse, is scaled before it overflows or vanishes.
-    static constexpr double largest = 1e100;
-
-    double m_x = 1, m_y = 0;
-    int m_turns = 0;
-};
-
 /// Adds half of the solid angle of the triangle as seen from p (Van Oosterom and Strackee 1983). The angle is positive
 /// if the triangle's normal points away from p.
 void addHalfSolidAngle(const std::array<Vec3, 3>& triangle, const Vec3& p, AngleSum& sum)
@@ -58,7 +26,7 @@ void addHalfSolidAngle(const std::array<Vec3, 3>& triangle, const Vec3& p, Angle
 }
 } // namespace
 
-WindingNumber::WindingNumber(std::span<const Vec3> points, std::span<const Triangle> triangles)
+SolidAngles::SolidAngles(std::span<const Vec3> points, std::span<const Triangle> triangles)
 {
     const BoxTree order(faceBoxes(points, triangles));
     for (Slot position = 0; position < order.size(); ++position) {
@@ -80,7 +48,7 @@ WindingNumber::WindingNumber(std::span<const Vec3> points, std::span<const Trian
     }
 }
 
-WindingNumber::Dipole WindingNumber::dipoleOf(std::size_t from, std::size_t to) const
+SolidAngles::Dipole SolidAngles::dipoleOf(std::size_t from, std::size_t to) const
 {
     Dipole dipole;
     double area = 0;
@@ -102,7 +70,7 @@ WindingNumber::Dipole WindingNumber::dipoleOf(std::size_t from, std::size_t to) 
     return dipole;
 }
 
-double WindingNumber::at(const Vec3& p, std::span<const Slot> without) const
+double SolidAngles::at(const Vec3& p, std::span<const Slot> without) const
 {
     if (m_levels.empty())
         return 0;
