@@ -26,6 +26,6 @@ struct SpaceDifferences
 /// 16,384 points inside either surface, and at 4,096 if all of them are inside both, for both readings: a difference of
 /// less than about 0.05 % may be missed. Precondition: both meshes have faces and use one unit. Uses all cores; every
 /// machine gets the same result. The result of a cancelled call must not be used.
-/// Cost: two WindingNumbers, and two queries per point.
+/// Cost: SolidAngles, a WindingNumber, and a query of each per point.
 SpaceDifferences spaceDifferences(const TriangleMesh& faces, const TriangleMesh& solid, const JobControl& control = {});
 } // namespace core

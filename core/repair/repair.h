@@ -66,7 +66,7 @@ struct RepairReport
     SurfaceDistance fromOld; ///< distances of the old surface from the new one: what was removed
     SurfaceDistance fromNew; ///< distances of the new surface from the old one: what was added or moved
     double hausdorff() const { return std::max(fromOld.largest, fromNew.largest); }
-    static constexpr double minVolume = 0.98, maxVolume = 1.02, maxLost = 0.005, maxSpaceLost = 0.025,
+    static constexpr double minVolume = 0.98, maxVolume = 1.02, maxLost = 0.005, maxSpaceLost = 0.02,
                             maxSpaceGained = 0.1, maxOtherSpace = 0.02, maxSingleSpace = 0.02;
     /// Mean distance of the old surface from the new one, in the model's unit. If it exceeds maxLost x size, it is
     /// measured again, and points of the old surface inside the new one count as distance 0.
@@ -81,7 +81,7 @@ struct RepairReport
     SpaceDifference singleSpace;
     double keptVolume() const { return before.volume > 0 ? after.volume / before.volume : 1; }
     /// Returns whether the result is still the same model: it was not remeshed, its volume is the same within 2 %, and
-    /// `lost` is at most 0.5 % of its size. It lost at most 2.5 % of the space that the old and the new surface enclose
+    /// `lost` is at most 0.5 % of its size. It lost at most 2 % of the space that the old and the new surface enclose
     /// together, and gained at most 10 %. At most 2 % differ in the alternative reading, and at most 2 % from the space
     /// of each sheet once.
     bool isFaithful() const;
