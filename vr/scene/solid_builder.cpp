@@ -88,17 +88,26 @@ core::DrawArrays SolidBuilder::drawArrays() const
             facesAt[corner].push_back(f);
     }
     core::DrawArrays arrays;
+    std::vector<std::vector<core::Slot>> verticesAt(m_points.size()); // those of a point differ in their normals
+    const auto vertexAt = [&](core::Slot point, const std::array<std::int8_t, 4>& normal) {
+        for (const core::Slot vertex : verticesAt[point])
+            if (arrays.vertices[vertex].normal == normal)
+                return vertex;
+        const auto vertex = static_cast<core::Slot>(arrays.vertices.size());
+        arrays.vertices.push_back({m_points[point].cast<float>(), normal, {255, 255, 255, 255}});
+        verticesAt[point].push_back(vertex);
+        return vertex;
+    };
     for (std::size_t f = 0; f < m_faces.size(); ++f) {
-        const auto at = static_cast<core::Slot>(arrays.vertices.size());
-        for (const core::Slot corner : m_faces[f]) {
+        core::Triangle corners{};
+        for (std::size_t i = 0; i < 3; ++i) {
             core::Vec3 normal = core::Vec3::Zero();
-            for (const std::size_t other : facesAt[corner])
+            for (const std::size_t other : facesAt[m_faces[f][i]])
                 if (areas[f].dot(areas[other]) >= smoothCosine * areas[f].norm() * areas[other].norm())
                     normal += areas[other];
-            arrays.vertices.push_back(
-                {m_points[corner].cast<float>(), packed(normal.normalized()), {255, 255, 255, 255}});
+            corners[i] = vertexAt(m_faces[f][i], packed(normal.normalized()));
         }
-        arrays.faces.push_back({at, at + 1, at + 2});
+        arrays.faces.push_back(corners);
     }
     return arrays;
 }

@@ -18,8 +18,8 @@ public:
 
     void add(const SolidBuilder& other);
 
-    /// Returns the mesh with smooth normals, except at edges sharper than about 40 degrees. The vertices are white,
-    /// because the shading's tint gives the colour.
+    /// Returns the mesh with smooth normals, except at edges sharper than about 40 degrees. Triangles share a vertex
+    /// where their normals agree. The vertices are white, because the shading's tint gives the colour.
     core::DrawArrays drawArrays() const;
 
 private:

@@ -5,6 +5,8 @@
 
 #include <QTest>
 
+#include <set>
+
 using vr::WandPart;
 using vr::WandSpot;
 
@@ -59,6 +61,7 @@ void TestWandModel::parts_areSolids_data()
         QTest::addRow("%zu", part) << static_cast<int>(part);
 }
 
+/// Tests also that triangles share the vertices that are equal.
 void TestWandModel::parts_areSolids()
 {
     QFETCH(int, part);
@@ -66,6 +69,10 @@ void TestWandModel::parts_areSolids()
     const core::MeshReport report = core::checkMesh(welded(arrays));
     QVERIFY(report.printReady());
     QCOMPARE(report.components, std::size_t(static_cast<WandPart>(part) == WandPart::Side ? 2 : 1));
+    std::set<std::pair<std::vector<float>, std::array<std::int8_t, 4>>> drawn;
+    for (const core::DrawVertex& vertex : arrays.vertices)
+        QVERIFY(
+            drawn.emplace(std::vector<float>(vertex.position.begin(), vertex.position.end()), vertex.normal).second);
     for (const core::Triangle& face : arrays.faces) {
         const auto at = [&](int corner) {
             return core::Vec3f(arrays.vertices[face[static_cast<std::size_t>(corner)]].position);
