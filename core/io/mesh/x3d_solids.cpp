@@ -3,6 +3,7 @@
 #include "core/io/mesh/x3d_solids.h"
 
 #include "core/geometry/geometry.h"
+#include "core/geometry/rotation.h"
 
 #include <Eigen/Geometry>
 
@@ -180,8 +181,7 @@ std::vector<Eigen::Matrix3d> framesOf(const Extrusion& extrusion)
     const bool hasWay = fillDirections(y);
     if (!fillDirections(z)) { // the spine is straight
         const Vec3 up = hasWay ? y.front() : Vec3(0, 1, 0);
-        return std::vector<Eigen::Matrix3d>(y.size(),
-                                            Eigen::Quaterniond::FromTwoVectors(Vec3(0, 1, 0), up).toRotationMatrix());
+        return std::vector<Eigen::Matrix3d>(y.size(), rotationBetween(Vec3(0, 1, 0), up).toRotationMatrix());
     }
     std::vector<Eigen::Matrix3d> frames;
     Vec3 last = z.front();

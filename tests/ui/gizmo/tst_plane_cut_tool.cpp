@@ -3,6 +3,7 @@
 #include "ui/gizmo/plane_cut_tool.h"
 
 #include "core/analysis/mesh_check.h"
+#include "core/geometry/rotation.h"
 #include "core/mesh/dirty_slots.h"
 #include "core/operations/detached_part.h"
 #include "tests/support/mirror_asserts.h"
@@ -156,7 +157,7 @@ void TestPlaneCutTool::newFace_isNotTinted()
     CutStage stage;
     stage.action()->trigger();
     const Vec3 normal = Vec3(0.3, 1, 0.2).normalized();
-    stage.gizmo()->setFrame(ui::GizmoFrame{{1, 4, 2}, Eigen::Quaterniond::FromTwoVectors(Vec3::UnitY(), normal)});
+    stage.gizmo()->setFrame(ui::GizmoFrame{{1, 4, 2}, core::rotationBetween(Vec3::UnitY(), normal)});
     Q_EMIT stage.gizmo()->frameMoved();
     stage.click("planeCutAway");
     stage.volumeLeft();
@@ -232,8 +233,7 @@ void TestPlaneCutTool::symmetry_cutsBothSides()
     };
     const Vec3 left(-22, 10, 0), right(22, 10, 0), middle(0, 6, 0);
     stage.action()->trigger();
-    stage.gizmo()->setFrame(
-        ui::GizmoFrame{{14, 0, 0}, Eigen::Quaterniond::FromTwoVectors(Vec3::UnitY(), Vec3(1, 0.2, 0.1))});
+    stage.gizmo()->setFrame(ui::GizmoFrame{{14, 0, 0}, core::rotationBetween(Vec3::UnitY(), Vec3(1, 0.2, 0.1))});
     Q_EMIT stage.gizmo()->frameMoved();
     const int before = rednessAt(left);
     QVERIFY(rednessAt(right) > rednessAt(middle) + 30);
@@ -258,7 +258,7 @@ void TestPlaneCutTool::symmetry_saysWhatItDoes()
     QVERIFY(bar->rect().contains(word->geometry()) && stage.viewport->rect().contains(bar->geometry()));
     const QString once = word->text(); // a level plane is its own mirror image
     const auto put = [&](const Vec3& point, const Vec3& normal) {
-        stage.gizmo()->setFrame(ui::GizmoFrame{point, Eigen::Quaterniond::FromTwoVectors(Vec3::UnitY(), normal)});
+        stage.gizmo()->setFrame(ui::GizmoFrame{point, core::rotationBetween(Vec3::UnitY(), normal)});
         Q_EMIT stage.gizmo()->frameMoved();
         return word->text();
     };

@@ -1,5 +1,6 @@
 #include "vr/sculpt/part_requests.h"
 
+#include "core/geometry/rotation.h"
 #include "core/mesh/face_octree.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/surface_query.h"
@@ -200,7 +201,7 @@ void TestPartRequests::cut_hasTheSymmetry()
     vr::BrushState brush;
     const auto use = [&](const core::Vec3& point, const core::Vec3& forward) {
         const core::Vec3 inRoom = placement.toRoom(point + forward) - placement.toRoom(point);
-        const vr::Pose tip{Eigen::Quaterniond::FromTwoVectors(vr::Pose().forward(), inRoom), placement.toRoom(point)};
+        const vr::Pose tip{core::rotationBetween(vr::Pose().forward(), inRoom), placement.toRoom(point)};
         return vr::TipUse{tip, vr::HandTask::Cut, box};
     };
     const auto cutBy = [&](const vr::TipUse& of) {
