@@ -136,7 +136,7 @@ struct Home
     ClassPaths places;
 };
 
-/// The program in class mode, as main() assembles it.
+/// The program in class mode, as main() assembles it. The view is not painted, which saves half of the time.
 struct Class
 {
     explicit Class(const Home& home) : Class(home, home.classroom()) {}
@@ -147,6 +147,7 @@ struct Class
         program.document.journaling().setRecoveryStore(&store);
         connectClassroom(program.window, mode);
         program.window.resize(1100, 760);
+        program.window.viewport()->setUpdatesEnabled(false);
         program.window.show();
     }
 

@@ -161,8 +161,8 @@ struct Spoilt
     }
 
     Place place;
-    // without a size limit, because strokes made in a small view would not fit the small disk
-    Program program{Program::anyView};
+    // strokes made in a smaller view would not fit the small disk
+    Program program{{480, 360}};
     QByteArray bytes;
     QStringList files;
     std::uint64_t hash = 0;

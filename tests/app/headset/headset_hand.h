@@ -49,6 +49,8 @@ public:
                 .arg(size.height())
                 .toUtf8();
         m_headset.load(script.constData());
+        m_isDrawn = true;
+        m_undrawn = 0;
     }
     ScriptedHeadset& headset() { return m_headset; }
 
@@ -71,6 +73,8 @@ public:
     /// Waits until the session has ended. Ending a session takes frames, so the runtime advances by itself meanwhile.
     void waitUntilOut()
     {
+        setDrawn(true);
+        m_undrawn = 0;
         m_headset.step("{'pace': 'fast'}");
         QTRY_VERIFY_WITH_TIMEOUT(!m_headset.report()["is_running"].toBool(), longestWait);
         QTRY_VERIFY_WITH_TIMEOUT(!m_program.window.findChild<Headset*>()->isActive(), longestWait);
@@ -90,10 +94,13 @@ public:
         return answer.get_future().get();
     }
 
-    /// Advances frames. Between two frames, the window processes its events and the engine its jobs.
+    /// Advances frames. Between two frames, the window processes its events and the engine its jobs. The runtime asks
+    /// for pictures of some frames only.
     void frames(int count = 1)
     {
         for (int i = 0; i < count; ++i) {
+            setDrawn(m_undrawn == 0);
+            m_undrawn = m_isDrawn ? m_undrawnBetween : m_undrawn - 1;
             QVERIFY(m_headset.frames(1));
             if (!m_isStalled)
                 meetEngine();
@@ -102,6 +109,8 @@ public:
     /// Stops the window from processing events between frames, as if it were blocked.
     void setStalled(bool isStalled) { m_isStalled = isStalled; }
     void frame() { frames(1); }
+    /// Lets the runtime ask for the pictures of all frames, for tests of what changes from picture to picture.
+    void drawAllFrames() { m_undrawn = m_undrawnBetween = 0; }
     /// Waits until all requested actions are done, or wait for the end of a preview.
     void settle()
     {
@@ -310,6 +319,7 @@ public:
     QImage picture(const char* eye = "left")
     {
         m_headset.step("{'keep': true}");
+        m_undrawn = 0;
         frame();
         return m_headset.picture(m_headset.report()["sessions"].toInt() - 1, framesEnded() - m_framesBefore - 1, eye);
     }
@@ -337,6 +347,11 @@ private:
             frame();
         }
     }
+    void setDrawn(bool isDrawn)
+    {
+        if (std::exchange(m_isDrawn, isDrawn) != isDrawn)
+            m_headset.step(isDrawn ? "{'should_render': true}" : "{'should_render': false}");
+    }
     void meetEngine()
     {
         ask([](core::Sculptor&) { return true; });
@@ -351,6 +366,10 @@ private:
     vr::ModelPlacement m_room;
     vr::AvatarState m_seen;
     bool m_isStalled = false;
+    bool m_isDrawn = true; ///< the runtime asks for pictures
+    /// Number of frames without a picture between two with one. A frame with a picture takes four times as long.
+    int m_undrawnBetween = 3;
+    int m_undrawn = 0;      ///< number of frames until the next picture
     bool m_isBare = false;  ///< the hands hold no controllers
     int m_framesBefore = 0; ///< number of frames before the current visit
 };

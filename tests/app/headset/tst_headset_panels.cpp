@@ -522,7 +522,8 @@ void TestHeadsetPanels::settings_performance()
 {
     AtTools v({}, HeadsetHand::enough);
     v.open(PanelKind::Settings);
-    v.hand.setSlow(true); // the numbers are updated twice per second
+    v.hand.drawAllFrames(); // only drawn frames can be lost
+    v.hand.setSlow(true);   // the numbers are updated twice per second
     const auto panel = [&] { return vr::SettingsPanel::of(v.settings(), vr::SettingsPage::General); };
     const vr::PanelLayout layout = layoutOf(vr::PerformancePanel());
     const QRectF line = layout.items.back().area; // the changing line above may reach into the first pixels

@@ -406,6 +406,7 @@ void TestHeadsetPaper::labels_fadeOnceUsedAndComeBackWhenLookedAt()
         v.hand.frames(static_cast<int>(seconds * HeadsetHand::slowHertz));
         return v.hand.picture();
     };
+    v.hand.drawAllFrames();
     v.hand.setSlow(true);
     v.hand.put(Side::Right, {0.3, 1.6, -0.5});
     const QImage fresh = look(0, 2);

@@ -185,6 +185,7 @@ void TestHeadsetVisits::firstFrame_holdsTheModel()
 {
     HeadsetFixture fixture({}, HeadsetHand::enough);
     fixture.hand.headset().step("{'keep': [0, 1, 2, 3, 4, 5]}");
+    fixture.hand.drawAllFrames();
     fixture.hand.enter();
     const QImage plain = firstPicture(fixture.hand, 0);
     QVERIFY(!plain.isNull());
@@ -205,7 +206,7 @@ void TestHeadsetVisits::firstFrame_holdsTheModel()
 /// Tests the depth image that the runtime receives with the picture: the front and sides of the ball, and empty space.
 void TestHeadsetVisits::depth_isTheModels()
 {
-    Visit v({}, HeadsetHand::enough);
+    Alone v({}, HeadsetHand::enough);
     v.hand.put(Side::Left, {-1, 0.5, 0.5});
     v.hand.put(Side::Right, {1, 0.5, 0.5});
     v.hand.frames(2);
@@ -248,7 +249,7 @@ void TestHeadsetVisits::eyes_seeTheModelApart()
 
 void TestHeadsetVisits::partner_changesAndUndoes()
 {
-    Visit v;
+    Alone v;
     v.pull();
     v.trigger("edit.undo");
     v.hand.settle();
@@ -308,7 +309,7 @@ void TestHeadsetVisits::partner_seesGhostsAndFollows()
 
 void TestHeadsetVisits::partner_opensAnotherModel()
 {
-    Visit v;
+    Alone v;
     core::TriangleMesh other = core::icosphere(3, 20);
     core::writeMesh(v.path("other.glb").toStdU16String(), other);
     const double before = v.scale();
@@ -359,7 +360,7 @@ void TestHeadsetVisits::undo_whileTheWindowIsStalled()
         v.hand.begin({49, 0, 0}, {54, 0, 0}, 8);
         v.hand.end();
     };
-    Visit v;
+    Alone v;
     second(v);
     v.hand.settle();
     const std::uint64_t expected = v.hash();
@@ -385,7 +386,7 @@ void TestHeadsetVisits::undo_whileTheWindowIsStalled()
 
 void TestHeadsetVisits::strokes_areOneAtATime()
 {
-    Visit v;
+    Alone v;
     ui::Viewport* viewport = v.program.window.viewport();
     QTest::mousePress(viewport, Qt::LeftButton, {}, middle(viewport));
     QTRY_VERIFY_WITH_TIMEOUT((v.hand.frame(), viewport->input()->strokeOpen()), longestWait);
@@ -416,7 +417,7 @@ void TestHeadsetVisits::strokes_areOneAtATime()
 
 void TestHeadsetVisits::contactAndFusion_feelDifferent()
 {
-    Visit v;
+    Alone v;
     v.hand.hover({0, 70, 0});
     const int touched = pulsesOf(v.hand, Side::Right, contact);
     v.hand.hover({0, 52, 0});
@@ -555,7 +556,7 @@ void TestHeadsetVisits::faults_thatItOutlives()
     QFETCH(QString, words);
     QFETCH(QString, back);
     const bool endsStroke = QLatin1StringView(QTest::currentDataTag()) != QLatin1StringView("the head is lost");
-    Visit v;
+    Alone v;
     v.hand.begin({0, 49, 0}, {0, 54, 0}, 8);
     v.hand.headset().step(qPrintable("{" + step + "}"));
     for (int i = 0; i < 12 && v.hand.isIn(); ++i)
@@ -590,7 +591,7 @@ void TestHeadsetVisits::faults_thatItOutlives()
 /// give the same stroke, bit for bit.
 void TestHeadsetVisits::framesThatComeLate()
 {
-    Visit v;
+    Alone v;
     const auto height = [&] { return v.changes() == 1 ? v.box().max().y() : 0; };
     const auto undo = [&] {
         v.trigger("edit.undo");
@@ -627,7 +628,7 @@ void TestHeadsetVisits::framesThatComeLate()
 /// user again.
 void TestHeadsetVisits::recentredByTheRuntime()
 {
-    Visit v;
+    Alone v;
     v.hand.begin({0, 49, 0}, {0, 54, 0}, 8);
     v.hand.headset().step("{'recentre': {'space': 'stage', 'position': [1, 0, 0.5], 'after': 2}}");
     v.hand.frames(6);
@@ -744,7 +745,7 @@ void TestHeadsetVisits::frozen_beforeAVisit()
 /// Closing the window leaves VR first, and then asks about unsaved changes.
 void TestHeadsetVisits::program_endsDuringAVisit()
 {
-    Visit v;
+    Alone v;
     v.hand.begin({0, 49, 0}, {0, 54, 0}, 8);
     answerQuestion(v.program, QMessageBox::Discard);
     v.hand.headset().step("{'pace': 'fast'}");
@@ -758,7 +759,7 @@ void TestHeadsetVisits::program_endsDuringAVisit()
 /// The window stays visible meanwhile and shows what it waits for.
 void TestHeadsetVisits::program_endsThoughAllIsFrozen()
 {
-    Visit v;
+    Alone v;
     const auto* headset = v.program.window.findChild<Headset*>();
     v.hand.begin({0, 49, 0}, {0, 54, 0}, 8);
     answerQuestion(v.program, QMessageBox::Discard);

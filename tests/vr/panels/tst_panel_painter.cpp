@@ -70,11 +70,13 @@ QStringList iconsOf(const PanelLayout& layout)
     return names;
 }
 
-/// Returns the panel with this item alone, which is painted faster.
+/// Returns the panel with this item alone, without most of what lies to the right and below, which is painted faster.
 PanelLayout only(const PanelLayout& layout, const PanelItem& item)
 {
+    constexpr double margin = 40; // dmm
     PanelLayout one = layout;
     one.items = {item};
+    one.size = layout.size.boundedTo(QSizeF(item.area.right() + margin, item.area.bottom() + margin));
     return one;
 }
 
