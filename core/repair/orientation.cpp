@@ -31,12 +31,19 @@ void turn(Triangle& t)
 class Flood
 {
 public:
-    explicit Flood(TriangleSoup& surface) : m_triangles(surface.triangles), m_across(3 * m_triangles.size(), noSlot)
+    /// `isSeen`: for each face, whether it is known to face outwards. Two such faces that disagree are not joined
+    /// directly. Keeps a reference, and clears it for faces that are reversed.
+    Flood(TriangleSoup& surface, std::vector<bool>& isSeen)
+        : m_triangles(surface.triangles)
+        , m_isSeen(isSeen)
+        , m_across(3 * m_triangles.size(), noSlot)
     {
         forEachEdge(m_triangles, [&](std::span<const EdgeFace> around) {
             if (around.size() != 2)
                 return;
             const bool agree = around[0].forward != around[1].forward;
+            if (!agree && isSeen[around[0].face] && isSeen[around[1].face])
+                return;
             connect(around[0].face, around[1].face, agree);
             connect(around[1].face, around[0].face, agree);
         });
@@ -70,6 +77,7 @@ public:
             for (const Slot f : faces) {
                 if (isAgainst[f] == fewerAgainst) {
                     turn(m_triangles[f]);
+                    m_isSeen[f] = false;
                     ++turned;
                 }
             }
@@ -89,6 +97,7 @@ private:
     }
 
     std::vector<Triangle>& m_triangles;
+    std::vector<bool>& m_isSeen;
     std::vector<Slot> m_across;
 };
 
@@ -215,9 +224,9 @@ void keepClosedWalls(const TriangleSoup& surface, const Parts& parts, std::span<
     }
 }
 
-/// Turns open parts that have edges of three or more faces towards the side from which they are visible. Returns
-/// whether invisible parts were removed.
-bool orientSheets(TriangleSoup& surface, const Parts& parts, OrientationResult& oriented)
+/// Turns open parts that have edges of three or more faces towards the side from which they are visible, and marks
+/// their faces in `isSeen` if hardly any is visible from the other side. Returns whether invisible parts were removed.
+bool orientSheets(TriangleSoup& surface, const Parts& parts, OrientationResult& oriented, std::vector<bool>& isSeen)
 {
     std::vector<bool> hangs(parts.faces.size(), false);
     bool doAny = false;
@@ -245,9 +254,11 @@ bool orientSheets(TriangleSoup& surface, const Parts& parts, OrientationResult& 
             balance += scan.balance(faces[i], seen);
         if (seen == 0)
             unseen.push_back(part);
-        for (const Slot f : faces)
+        for (const Slot f : faces) {
+            isSeen[f] = 2 * static_cast<std::size_t>(std::abs(balance)) > seen;
             if (balance < 0)
                 turn(surface.triangles[f]);
+        }
         oriented.turned += balance < 0 ? faces.size() : 0;
     }
     if (unseen.empty())
@@ -261,12 +272,15 @@ bool orientSheets(TriangleSoup& surface, const Parts& parts, OrientationResult& 
     const std::size_t membranes = oriented.membranes.size();
     std::size_t kept = 0;
     for (Slot f = 0; f < surface.triangles.size(); ++f) {
-        if (isKept[parts.ofFace[f]])
-            surface.triangles[kept++] = surface.triangles[f];
-        else
+        if (!isKept[parts.ofFace[f]]) {
             oriented.membranes.push_back(surface.triangles[f]);
+            continue;
+        }
+        isSeen[kept] = isSeen[f];
+        surface.triangles[kept++] = surface.triangles[f];
     }
     surface.triangles.resize(kept);
+    isSeen.resize(kept);
     return oriented.membranes.size() > membranes;
 }
 
@@ -558,10 +572,11 @@ private:
 OrientationResult orient(TriangleSoup& surface)
 {
     OrientationResult oriented;
+    std::vector<bool> isSeen(surface.triangles.size(), false);
     bool again = true;
     while (again) {
-        const Parts parts = Flood(surface).run(oriented.turned);
-        again = orientSheets(surface, parts, oriented);
+        const Parts parts = Flood(surface, isSeen).run(oriented.turned);
+        again = orientSheets(surface, parts, oriented, isSeen);
     }
     return oriented;
 }
@@ -570,7 +585,8 @@ OutwardResult orientOutwards(TriangleSoup& surface, bool innerAreCavities)
 {
     OutwardResult faced;
     std::size_t turned = 0;
-    const Parts parts = Flood(surface).run(turned);
+    std::vector<bool> isSeen(surface.triangles.size(), false);
+    const Parts parts = Flood(surface, isSeen).run(turned);
     const std::vector<Facing> facings = CavitySearch(surface, parts).run();
     const auto facesIn = [&](const Facing& f) { return f.isCavity || (f.isInside && innerAreCavities); };
     for (Slot f = 0; f < surface.triangles.size(); ++f) {
