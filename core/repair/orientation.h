@@ -16,9 +16,8 @@ struct OrientationResult
 
 /// Orients faces that are joined by edges of two faces like the majority of their part. Open parts that have edges of
 /// three or more faces are turned towards the side from which they are visible, along the axes. Invisible ones are
-/// removed, unless they are walls of a void. Faces that became
-/// neighbours by this are not turned to agree if both are visible; otherwise the walls of a column
-/// that is there twice would cancel each other.
+/// removed, unless they are walls of a void. Visible faces that become neighbours by this are not turned to agree;
+/// otherwise the walls of a column that is there twice would cancel each other.
 OrientationResult orient(TriangleSoup& surface);
 
 struct OutwardResult

@@ -161,7 +161,7 @@ struct Spoilt
     }
 
     Place place;
-    // strokes made in a smaller view would not fit the small disk
+    // after strokes in a smaller view, the model would not fit the small disk
     Program program{{480, 360}};
     QByteArray bytes;
     QStringList files;

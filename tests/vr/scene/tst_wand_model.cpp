@@ -61,7 +61,7 @@ void TestWandModel::parts_areSolids_data()
         QTest::addRow("%zu", part) << static_cast<int>(part);
 }
 
-/// Tests also that triangles share the vertices that are equal.
+/// Also tests that no two vertices are equal: triangles share them.
 void TestWandModel::parts_areSolids()
 {
     QFETCH(int, part);
