@@ -7,9 +7,9 @@
 #include "core/repair/contact_separation.h"
 
 #include "core/repair/edge_faces.h"
-#include "core/repair/neighbourhood.h"
 
 #include "core/analysis/self_intersection.h"
+#include "core/geometry/face_geometry.h"
 #include "core/geometry/predicates.h"
 #include "core/util/disjoint_sets.h"
 
@@ -227,6 +227,75 @@ Vec3 wayInto(const Fan& fan)
     return Vec3::Zero();
 }
 
+/// Finds the faces near moved faces. Only faces with a copy for a corner move, which are few after the first time, so
+/// the others are in a tree that is made once.
+class Vicinity
+{
+public:
+    /// `groupOf`: for each point noSlot, unless it may move.
+    Vicinity(const TriangleSoup& surface, const std::vector<Slot>& groupOf)
+        : m_surface(surface)
+        , m_resting(restingIn(surface, groupOf))
+        , m_tree(faceBoxes(surface.points, m_resting.size(),
+                           [&](std::size_t i) -> const Triangle& { return surface.triangles[m_resting[i]]; }))
+    {
+        for (Slot f = 0, next = 0; f < surface.triangles.size(); ++f)
+            if (next < m_resting.size() && m_resting[next] == f)
+                ++next;
+            else
+                m_movable.push_back(f);
+    }
+
+    /// Returns the faces whose boxes meet that of a face with a moved corner, ascending.
+    std::vector<Slot> near(const std::vector<bool>& hasMoved) const
+    {
+        constexpr float margin = 1;
+        std::vector<FaceBox> boxes;
+        for (const Slot f : m_movable)
+            if (std::ranges::any_of(m_surface.triangles[f], [&](Slot v) { return hasMoved[v]; }))
+                boxes.push_back(boxOf(f, margin));
+        if (boxes.empty())
+            return {};
+        std::vector<Slot> faces;
+        const BoxTree moved(boxes);
+        for (const Slot f : m_movable) {
+            bool isNear = false;
+            moved.forEachMeeting(boxOf(f, 0), [&](Slot) { isNear = true; });
+            if (isNear)
+                faces.push_back(f);
+        }
+        for (const FaceBox& box : boxes)
+            m_tree.forEachMeeting(box, [&](Slot position) { faces.push_back(m_resting[m_tree.at(position)]); });
+        std::ranges::sort(faces);
+        faces.erase(std::ranges::unique(faces).begin(), faces.end());
+        return faces;
+    }
+
+private:
+    static std::vector<Slot> restingIn(const TriangleSoup& surface, const std::vector<Slot>& groupOf)
+    {
+        std::vector<Slot> resting;
+        for (Slot f = 0; f < surface.triangles.size(); ++f)
+            if (std::ranges::all_of(surface.triangles[f], [&](Slot v) { return groupOf[v] == noSlot; }))
+                resting.push_back(f);
+        return resting;
+    }
+
+    FaceBox boxOf(Slot face, float margin) const
+    {
+        FaceBox box;
+        for (const Slot v : m_surface.triangles[face])
+            box.extend(m_surface.points[v].array().cast<float>());
+        box.min -= margin;
+        box.max += margin;
+        return box;
+    }
+
+    const TriangleSoup& m_surface;
+    std::vector<Slot> m_resting, m_movable; ///< ascending
+    BoxTree m_tree;                         ///< boxes of the resting faces
+};
+
 /// Moves the copies of each vertex apart.
 class Parting
 {
@@ -251,11 +320,12 @@ public:
     /// Moves all groups of copies; groups that no distance separates return to their start.
     void run(const JobControl& control)
     {
+        const Vicinity vicinity(m_surface, m_groupOf);
         std::vector<Slot> moved;
         for (const Group& group : m_groups)
             move(group, moved);
         while (!control.isCancelled() && !moved.empty())
-            moved = moveOtherwise(unsoundCorners(moved, control.stop));
+            moved = moveOtherwise(unsoundCorners(moved, vicinity, control.stop));
     }
 
     /// Returns the copies that could not be separated.
@@ -305,14 +375,14 @@ private:
 
     /// Returns the corners of faces that are degenerate or meet other faces. Tests the faces with moved corners against
     /// all faces near them.
-    std::vector<Slot> unsoundCorners(std::span<const Slot> moved, const std::stop_token& stop) const
+    std::vector<Slot> unsoundCorners(std::span<const Slot> moved, const Vicinity& vicinity,
+                                     const std::stop_token& stop) const
     {
         constexpr std::size_t maxPairs = 100'000;
-        constexpr float margin = 1;
         std::vector<bool> hasMoved(m_surface.points.size(), false);
         for (const Slot v : moved)
             hasMoved[v] = true;
-        std::vector<Slot> near = facesNear(m_surface, boxesAround(m_surface, moved, margin));
+        std::vector<Slot> near = vicinity.near(hasMoved);
         const auto unmoved = std::ranges::stable_partition(near, [&](Slot f) {
             return std::ranges::any_of(m_surface.triangles[f], [&](Slot v) { return hasMoved[v]; });
         });

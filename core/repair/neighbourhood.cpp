@@ -29,12 +29,14 @@ std::vector<Slot> facesNear(const TriangleSoup& surface, const std::vector<FaceB
     if (boxes.empty())
         return {};
     const BoxTree tree(boxes);
-    const std::vector<FaceBox> all = faceBoxes(surface.points, std::span<const Triangle>(surface.triangles));
-    return joinChunks<std::vector<Slot>>(all.size(), facesPerChunk,
+    return joinChunks<std::vector<Slot>>(surface.triangles.size(), facesPerChunk,
                                          [&](std::size_t begin, std::size_t end, std::vector<Slot>& near) {
                                              for (std::size_t f = begin; f < end; ++f) {
+                                                 FaceBox face;
+                                                 for (const Slot v : surface.triangles[f])
+                                                     face.extend(surface.points[v].array().cast<float>());
                                                  bool isNear = false;
-                                                 tree.forEachMeeting(all[f], [&](Slot) { isNear = true; });
+                                                 tree.forEachMeeting(face, [&](Slot) { isNear = true; });
                                                  if (isNear)
                                                      near.push_back(static_cast<Slot>(f));
                                              }
