@@ -17,6 +17,7 @@ struct Key
     Slot face;
 
     auto corners() const { return std::tie(least, second, third); }
+    auto order() const { return std::tie(second, third, face); } ///< among those with the same smallest corner
 };
 
 std::vector<Key> keysOf(std::span<const Triangle> triangles, const std::vector<Slot>& faces)
@@ -40,7 +41,7 @@ EqualFaces::EqualFaces(std::span<const Triangle> triangles, const std::vector<Sl
     radixSort(keys, &Key::least);
     for (auto begin = keys.begin(), end = begin; begin != keys.end(); begin = end) {
         end = std::find_if(begin, keys.end(), [&](const Key& key) { return key.least != begin->least; });
-        std::stable_sort(begin, end, [](const Key& a, const Key& b) { return a.corners() < b.corners(); });
+        std::sort(begin, end, [](const Key& a, const Key& b) { return a.order() < b.order(); });
     }
     m_faces.reserve(keys.size());
     for (const Key& key : keys) {

@@ -89,11 +89,11 @@ private:
     std::unordered_set<Triangle, FaceHash> m_faces;
 };
 
-/// A point of the surface, and its squared distance from the queried point.
+/// A face of the surface, as its position in the tree, and the squared distance of the queried point from it.
 struct Found
 {
     double squared = std::numeric_limits<double>::infinity();
-    Vec3 point = Vec3::Zero();
+    Slot position = 0;
 };
 
 class Nearest
@@ -110,24 +110,28 @@ public:
         });
     }
 
-    /// Returns the point nearest to p. `known`: any point of the surface; a nearer one makes the search faster. The
-    /// search ends early at a point whose squared distance is at most `enough`.
+    Found at(Slot position, const Vec3& p) const
+    {
+        const auto& [a, b, c] = m_corners[position];
+        const Vec3 q = nearestInTriangle(p, {a.cast<double>(), b.cast<double>(), c.cast<double>()});
+        return {(q - p).squaredNorm(), position};
+    }
+
+    /// Returns the face nearest to p. `known`: any face; a nearer one makes the search faster. The search ends early at
+    /// a face whose squared distance is at most `enough`.
     Found nearest(const Vec3& p, const Found& known, double enough) const
     {
-        constexpr double slack = 1 + 1e-9; // so that the search finds the known point again despite rounding
+        constexpr double slack = 1 + 1e-9; // so that the search finds the known face again despite rounding
         Found best = known;
-        const Eigen::Array3d at = p.array();
+        const Eigen::Array3d place = p.array();
         const auto reach = [&](const FaceBox& box) {
-            return (box.min.cast<double>() - at).max(at - box.max.cast<double>()).max(0.0).matrix().squaredNorm();
+            return (box.min.cast<double>() - place).max(place - box.max.cast<double>()).max(0.0).matrix().squaredNorm();
         };
         if (known.squared <= enough)
             return best;
         m_tree.forEachNear(reach, slack * known.squared, [&](Slot position) {
-            const auto& [a, b, c] = m_corners[position];
-            const Vec3 q = nearestInTriangle(p, {a.cast<double>(), b.cast<double>(), c.cast<double>()});
-            const double squared = (q - p).squaredNorm();
-            if (squared < best.squared)
-                best = {squared, q};
+            if (const Found found = at(position, p); found.squared < best.squared)
+                best = found;
             return best.squared <= enough ? -1 : best.squared;
         });
         return best;
@@ -138,7 +142,7 @@ private:
     std::vector<std::array<Vec3f, 3>> m_corners; ///< corners of the face at each position in the tree
 };
 
-/// Measures distances of successive points that are near each other: the last result bounds the next search.
+/// Measures distances of successive points that are near each other: the face nearest to one bounds the next search.
 class Measuring
 {
 public:
@@ -148,7 +152,7 @@ public:
     double operator()(const Vec3& p, double enough = 0)
     {
         if (m_last.squared < std::numeric_limits<double>::infinity())
-            m_last.squared = (m_last.point - p).squaredNorm();
+            m_last = m_to.at(m_last.position, p);
         m_last = m_to.nearest(p, m_last, enough * enough);
         return std::sqrt(m_last.squared);
     }

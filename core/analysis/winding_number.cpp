@@ -2,6 +2,7 @@
 
 #include "core/analysis/angle_sum.h"
 #include "core/geometry/face_geometry.h"
+#include "core/util/radix_sort.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -32,8 +33,8 @@ std::vector<Border> bordersOf(std::span<const Triangle> triangles)
         add(b, c);
         add(c, a);
     }
-    std::ranges::sort(up);
-    std::ranges::sort(down);
+    radixSort(up);
+    radixSort(down);
     std::vector<std::uint64_t> more;
     std::vector<Border> borders;
     std::ranges::set_difference(up, down, std::back_inserter(more));

@@ -3,19 +3,21 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <utility>
 #include <vector>
 
 namespace core
 {
-/// Sorts by `code`, ascending and stable. Cost: linear time, and a temporary copy of the values; pays off for many
-/// values.
-template <typename Value> void radixSort(std::vector<Value>& values, std::uint64_t Value::*code)
+/// Sorts by the projection `code`, a 64-bit number, ascending and stable. Cost: linear time, and a temporary copy of
+/// the values; pays off for many values.
+template <typename Value, typename Code = std::identity> void radixSort(std::vector<Value>& values, Code code = {})
 {
     constexpr int digits = 8, bitsPerDigit = 8;
     constexpr std::size_t radix = std::size_t(1) << bitsPerDigit;
     const auto digitOf = [code](const Value& value, int digit) {
-        return (value.*code >> (bitsPerDigit * digit)) % radix;
+        const std::uint64_t number = std::invoke(code, value);
+        return (number >> (bitsPerDigit * digit)) % radix;
     };
     std::vector<std::array<std::size_t, radix>> counts(digits);
     for (const Value& value : values)
