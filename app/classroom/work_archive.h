@@ -25,10 +25,10 @@ struct TurnWork
     QDateTime begun; ///< invalid: unknown
     QDateTime ended;
     int steps = 0; ///< number of steps in effect
-    std::shared_ptr<const core::TriangleMesh> mesh;
+    std::shared_ptr<const core::TriangleMesh> mesh = {};
     quint64 meshHash = 0;
-    core::DocumentMetadata metadata;
-    TurnRecord record; ///< the steps in effect, without undone ones
+    core::DocumentMetadata metadata = {};
+    TurnRecord record = {}; ///< the steps in effect, without undone ones
     std::optional<LessonResult> lesson = {};
     std::optional<qint64> usedMs = {}; ///< time used without pauses; nothing: unknown
 };

@@ -29,7 +29,7 @@ struct PrintLimits
     double minWall = linesPerWall * defaultNozzle; ///< least thickness of a wall, mm, at most maxWall
     /// Largest angle from the vertical at which a face may lean out, degrees, 0 to 90.
     double overhang = 45;
-    PrintBed bed;
+    PrintBed bed = {};
 };
 
 /// The slow measurements of a model. Checking them against limits is fast.

@@ -14,11 +14,11 @@ using namespace core;
 
 namespace
 {
-const std::filesystem::path folder = FETTLE_SOURCE_DIR "/resources/lessons";
+const std::filesystem::path lessons = FETTLE_SOURCE_DIR "/resources/lessons";
 
 std::shared_ptr<const Lesson> lessonNamed(const char* name)
 {
-    return std::make_shared<const Lesson>(readLesson(folder / name));
+    return std::make_shared<const Lesson>(readLesson(lessons / name));
 }
 
 /// Plays a step with the player, which advances by `seconds` at a time.
@@ -46,7 +46,7 @@ private Q_SLOTS:
     void each_meetsItsCheckpoints()
     {
         QFETCH(QByteArray, name);
-        LessonPlayback playback(lessonNamed(name.constData()), folder);
+        LessonPlayback playback(lessonNamed(name.constData()), lessons);
         for (std::size_t i = 0; i < playback.lesson().steps.size(); ++i) {
             playback.goTo(i);
             playback.finish();
@@ -89,7 +89,7 @@ private Q_SLOTS:
     {
         QFETCH(QByteArray, name);
         const auto lesson = lessonNamed(name.constData());
-        LessonPlayback first(lesson, folder), second(lesson, folder), third(lesson, folder);
+        LessonPlayback first(lesson, lessons), second(lesson, lessons), third(lesson, lessons);
         const std::uint64_t hash = hashAfter(first);
         QCOMPARE(hashAfter(second), hash);
         LessonPlayer player(lesson);
@@ -108,7 +108,7 @@ private Q_SLOTS:
     void oneByOne_leadsToTheSameModel()
     {
         const auto lesson = lessonNamed("creature");
-        LessonPlayback playback(lesson, folder);
+        LessonPlayback playback(lesson, lessons);
         LessonPlayer player(lesson);
         std::vector<std::uint64_t> hashes = {playback.mesh().meshHash()};
         while (!player.isAtEnd()) {
@@ -219,7 +219,7 @@ private Q_SLOTS:
     {
         Lesson lesson = *lessonNamed("first-clay");
         lesson.steps[1].checkpoint.target = CheckpointTarget{"", 8};
-        LessonPlayback playback(std::make_shared<const Lesson>(lesson), folder);
+        LessonPlayback playback(std::make_shared<const Lesson>(lesson), lessons);
         playback.goTo(1);
         const std::uint64_t before = playback.mesh().meshHash();
         Sculptor pupil(std::make_unique<Mesh>(playback.mesh()));

@@ -15,7 +15,7 @@ using namespace core;
 
 namespace
 {
-const std::filesystem::path folder = FETTLE_SOURCE_DIR "/resources/lessons";
+const std::filesystem::path lessons = FETTLE_SOURCE_DIR "/resources/lessons";
 constexpr double degree = std::numbers::pi / 180;
 const Eigen::AngleAxisd noTurn(0, Vec3::UnitY());
 
@@ -24,7 +24,7 @@ using Change = std::function<void(Lesson& lesson)>;
 /// Returns the model after each step of the lesson.
 std::vector<TriangleMesh> madeBy(const Lesson& lesson)
 {
-    LessonPlayback playback(std::make_shared<const Lesson>(lesson), folder);
+    LessonPlayback playback(std::make_shared<const Lesson>(lesson), lessons);
     std::vector<TriangleMesh> models;
     for (std::size_t step = 0; step < lesson.steps.size(); ++step) {
         playback.goTo(step);
@@ -126,7 +126,7 @@ private Q_SLOTS:
         QTest::addColumn<CheckpointVerdict>("verdict");
         QTest::addColumn<bool>("passes");
         for (const char* const name : {"first-clay", "mug", "creature", "toy-car"}) {
-            const Lesson lesson = readLesson(folder / name);
+            const Lesson lesson = readLesson(lessons / name);
             const std::vector<TriangleMesh> teachers = madeBy(lesson);
             for (std::size_t step = 0; step < lesson.steps.size(); ++step) {
                 const TriangleMesh& model = teachers[step];
@@ -185,7 +185,7 @@ private:
     /// Adds a row for each step of a lesson whose pupil does something differently.
     static void all(const char* name, const char* what, const Change& change, const std::vector<bool>& passes)
     {
-        Lesson lesson = readLesson(folder / name);
+        Lesson lesson = readLesson(lessons / name);
         change(lesson);
         const std::vector<TriangleMesh> models = madeBy(lesson);
         QCOMPARE(models.size(), passes.size());

@@ -21,7 +21,7 @@ using core::Vec3;
 
 namespace
 {
-constexpr double radius = 12;
+constexpr double stampRadius = 12;
 
 struct Rim
 {
@@ -38,7 +38,7 @@ template <class Test> Rim rimOf(const core::Mesh& mesh, const Vec3& center, Test
             continue;
         const Slot a = mesh.to(2 * e), b = mesh.to(2 * e + 1);
         const Vec3 p = mesh.point(a).cast<double>(), q = mesh.point(b).cast<double>();
-        if ((p - center).norm() > 1.2 * radius || isOld(mesh.face(2 * e)) == isOld(mesh.face(2 * e + 1)))
+        if ((p - center).norm() > 1.2 * stampRadius || isOld(mesh.face(2 * e)) == isOld(mesh.face(2 * e + 1)))
             continue;
         rim.neighbours[a].push_back(b);
         rim.neighbours[b].push_back(a);
@@ -95,7 +95,7 @@ void TestStampRim::followsTheCurve()
     core::Sculptor sculptor(mesh_asserts::sculptable(model));
     StrokeSettings settings;
     settings.tool = core::Tool::Stamp;
-    settings.radius = radius;
+    settings.radius = stampRadius;
     settings.strength = strength;
     settings.inverted = raises;
     settings.topology = core::Topology::Refine;
@@ -105,12 +105,12 @@ void TestStampRim::followsTheCurve()
     QVERIFY(mesh_asserts::isSound(sculptor));
 
     const core::Mesh& mesh = sculptor.mesh();
-    const double edge = core::dabBounds(settings, mesh, radius).detail, half = radius / std::sqrt(3.0);
+    const double edge = core::dabBounds(settings, mesh, stampRadius).detail, half = stampRadius / std::sqrt(3.0);
     // axis of the stamp's up direction along the surface: y on the front of the ball, z on the slab
     const int up = center.y() == 0 ? 1 : 2;
     const auto off = [&](const Vec3& p) {
         const Vec3 r = p - center;
-        return isCube ? std::max(std::abs(r.x()), std::abs(r[up])) - half : r.norm() - radius;
+        return isCube ? std::max(std::abs(r.x()), std::abs(r[up])) - half : r.norm() - stampRadius;
     };
     const core::FaceOctree octree(*before);
     const auto point = [&](Slot v) { return Vec3(mesh.point(v).cast<double>()); };
@@ -129,7 +129,7 @@ void TestStampRim::followsTheCurve()
         const bool isSharp = in.dot(out) < std::cos(std::numbers::pi * 40 / 180) * in.norm() * out.norm();
         QVERIFY(isCorner || !isSharp);
     }
-    const double expected = isCube ? 8 * half : 2 * std::numbers::pi * radius;
+    const double expected = isCube ? 8 * half : 2 * std::numbers::pi * stampRadius;
     QVERIFY2(std::abs(rim.length - expected) < 0.05 * expected, qPrintable(QString::number(rim.length)));
 }
 

@@ -7,14 +7,14 @@ using namespace core;
 
 namespace
 {
-constexpr double radius = 2;
-constexpr double maxMotion = 0.1 * radius; ///< of a dab, mm
+constexpr double brushRadius = 2;
+constexpr double maxMotion = 0.1 * brushRadius; ///< of a dab, mm
 
 StrokeSettings settingsOf(Tool tool)
 {
     StrokeSettings settings;
     settings.tool = tool;
-    settings.radius = radius;
+    settings.radius = brushRadius;
     return settings;
 }
 
@@ -23,7 +23,7 @@ Dab dabAt(const Vec3& position)
     Dab dab;
     dab.position = position;
     dab.direction = {0, 0, -1};
-    dab.radius = radius;
+    dab.radius = brushRadius;
     dab.strength = 1;
     return dab;
 }
@@ -61,7 +61,7 @@ void TestStrokeAnchor::longMotion_isDivided()
         StrokeAnchor anchor(settingsOf(tool));
         Dab first = dabAt({5, 6, 7});
         anchor.place(first);
-        const Dab last = dabAt(first.position + radii * radius * way);
+        const Dab last = dabAt(first.position + radii * brushRadius * way);
         std::vector<Dab> parts = anchor.divide(last);
         QCOMPARE(static_cast<int>(parts.size()), dabs);
         QCOMPARE(parts.back().position, last.position);
@@ -69,7 +69,7 @@ void TestStrokeAnchor::longMotion_isDivided()
         for (Dab& part : parts) {
             anchor.place(part);
             sum += part.motion;
-            QVERIFY(part.motion.norm() <= std::max(1.000001 * maxMotion, 1.000001 * radii * radius / dabs));
+            QVERIFY(part.motion.norm() <= std::max(1.000001 * maxMotion, 1.000001 * radii * brushRadius / dabs));
         }
         QVERIFY((sum - (last.position - Vec3(5, 6, 7))).norm() <= 1e-12 * (1 + radii));
     }
