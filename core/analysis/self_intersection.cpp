@@ -84,30 +84,13 @@ public:
                         found[chunk].add(facesAt(i), facesAt(j));
                 });
         });
-        return reportOf(found, keep, [&](Slot i) { return meet(i, i); });
-    }
-
-    /// The same for pairs with one of the first `searched` faces.
-    template <typename Meet>
-    IntersectionReport findWith(std::size_t searched, std::size_t keep, const std::stop_token& stop, Meet meet) const
-    {
-        constexpr std::size_t facesPerChunk = 1 << 6;
-        const auto isSearched = [&](Slot i) { return facesAt(i).front() < searched; };
-        std::vector<Slot> positions;
+        Pairs all(keep);
+        for (const Pairs& pairs : found)
+            all.add(pairs);
         for (Slot i = 0; i < m_tree.size(); ++i)
-            if (isSearched(i))
-                positions.push_back(i);
-        std::vector<Pairs> found(chunksOf(positions.size(), facesPerChunk), Pairs(keep));
-        forEachChunk(positions.size(), facesPerChunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-            for (std::size_t k = begin; k < end && !stop.stop_requested(); ++k) {
-                const Slot i = positions[k];
-                m_tree.forEachMeeting(m_tree.box(i), [&](Slot j) {
-                    if (j != i && (i < j || !isSearched(j)) && meet(i, j))
-                        found[chunk].add(facesAt(i), facesAt(j));
-                });
-            }
-        });
-        return reportOf(found, keep, [&](Slot i) { return isSearched(i) && meet(i, i); });
+            if (facesAt(i).size() > 1 && meet(i, i))
+                all.add(facesAt(i));
+        return all.report();
     }
 
     /// Returns the faces by position, so that faces tested together are near in memory.
@@ -124,21 +107,11 @@ public:
         return result;
     }
 
+    /// Returns the lowest of the equal faces at a position.
+    Slot firstFaceAt(Slot position) const { return facesAt(position).front(); }
+
 private:
     std::span<const Slot> facesAt(Slot position) const { return m_faces.group(m_tree.at(position)); }
-
-    /// Joins what was found, and adds the pairs of equal faces at the positions for which meet(i) is true.
-    template <typename Meet>
-    IntersectionReport reportOf(const std::vector<Pairs>& found, std::size_t keep, Meet meet) const
-    {
-        Pairs all(keep);
-        for (const Pairs& pairs : found)
-            all.add(pairs);
-        for (Slot i = 0; i < m_tree.size(); ++i)
-            if (facesAt(i).size() > 1 && meet(i))
-                all.add(facesAt(i));
-        return all.report();
-    }
 
     std::span<const Triangle> m_triangles;
     EqualFaces m_faces; ///< the searched faces, grouped by equal corners
@@ -168,8 +141,11 @@ IntersectionReport selfIntersections(std::span<const typename Predicates::Point>
 {
     const PairSearch search(points, triangles, facesThatAre<Predicates>(false, points, triangles));
     const auto ordered = search.inOrder<Predicates>(points);
-    const auto meet = [&](Slot i, Slot j) { return trianglesIntersect(ordered[i], ordered[j]); };
-    return searched < triangles.size() ? search.findWith(searched, keep, stop, meet) : search.find(keep, stop, meet);
+    return search.find(keep, stop, [&](Slot i, Slot j) {
+        const bool isSearched =
+            searched >= triangles.size() || std::min(search.firstFaceAt(i), search.firstFaceAt(j)) < searched;
+        return isSearched && trianglesIntersect(ordered[i], ordered[j]);
+    });
 }
 
 SurfaceAndImage selfIntersections(std::span<const Vec3f> points, std::span<const LatticePoint> image,

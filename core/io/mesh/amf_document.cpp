@@ -16,7 +16,8 @@ enum class AmfDocumentReader::Element : std::uint8_t {
     Outside,
     Other,
     Amf,
-    Node,
+    Object,
+    Constellation,
     Mesh,
     Vertices,
     Vertex,
@@ -59,10 +60,10 @@ struct AmfDocumentReader::Rule
     std::string_view name;
     Element element;
 
-    static const std::array<Rule, 46> all;
+    static const std::array<Rule, 48> all;
 };
 
-const std::array<AmfDocumentReader::Rule, 46> AmfDocumentReader::Rule::all{{
+const std::array<AmfDocumentReader::Rule, 48> AmfDocumentReader::Rule::all{{
     {Element::Vertices, "vertex", Element::Vertex},
     {Element::Vertex, "coordinates", Element::Coordinates},
     {Element::Volume, "triangle", Element::Triangle},
@@ -72,15 +73,17 @@ const std::array<AmfDocumentReader::Rule, 46> AmfDocumentReader::Rule::all{{
     {Element::Triangle, "v1", Element::V1},
     {Element::Triangle, "v2", Element::V2},
     {Element::Triangle, "v3", Element::V3},
-    {Element::Amf, "object", Element::Node},
-    {Element::Amf, "constellation", Element::Node},
+    {Element::Amf, "object", Element::Object},
+    {Element::Amf, "constellation", Element::Constellation},
     {Element::Amf, "material", Element::Material},
     {Element::Amf, "texture", Element::Texture},
     {Element::Amf, "metadata", Element::Metadata},
-    {Element::Node, "mesh", Element::Mesh},
-    {Element::Node, "instance", Element::Instance},
-    {Element::Node, "color", Element::Color},
-    {Element::Node, "metadata", Element::Metadata},
+    {Element::Object, "mesh", Element::Mesh},
+    {Element::Object, "instance", Element::Instance},
+    {Element::Object, "color", Element::Color},
+    {Element::Object, "metadata", Element::Metadata},
+    {Element::Constellation, "instance", Element::Instance},
+    {Element::Constellation, "metadata", Element::Metadata},
     {Element::Mesh, "vertices", Element::Vertices},
     {Element::Mesh, "volume", Element::Volume},
     {Element::Vertices, "edge", Element::Curve},
@@ -191,8 +194,8 @@ void AmfDocumentReader::begin(Element element, const XmlAttributes& attributes)
     m_document.remarks.curves |= element == Element::Curve;
     if (element == Element::Amf)
         m_document.millimetres = millimetresOf(attributes.text("unit"), attributes);
-    else if (element == Element::Node)
-        beginNode(attributes);
+    else if (element == Element::Object || element == Element::Constellation)
+        beginNode(element == Element::Constellation, attributes);
     else if (element == Element::Instance)
         beginInstance(attributes);
     else if (element == Element::Mesh)
@@ -211,14 +214,16 @@ void AmfDocumentReader::begin(Element element, const XmlAttributes& attributes)
         m_key = attributes.text("type");
 }
 
-void AmfDocumentReader::beginNode(const XmlAttributes& attributes)
+void AmfDocumentReader::beginNode(bool isConstellation, const XmlAttributes& attributes)
 {
     const std::string id(attributes.text("id"));
-    if (!id.empty() && !m_ids.insert(id).second)
-        attributes.refuse(FileFault::Repeated, "id"); // another object has this id
+    if (!id.empty() && !(isConstellation ? m_constellationIds : m_objectIds).insert(id).second)
+        attributes.refuse(FileFault::Repeated, "id"); // another one has this id
     if (m_document.nodes.size() == maxNodes)
         throw tooMany("objects", maxNodes, errorWithToken({}, m_file, {}));
-    m_document.nodes.emplace_back().id = id;
+    AmfNode& node = m_document.nodes.emplace_back();
+    node.id = id;
+    node.isConstellation = isConstellation;
 }
 
 void AmfDocumentReader::beginInstance(const XmlAttributes& attributes)
@@ -316,7 +321,7 @@ void AmfDocumentReader::takeMetadata()
 {
     const std::string_view value = trimmed(m_text);
     const Element owner = m_open[m_open.size() - 2];
-    if (owner == Element::Node) {
+    if (owner == Element::Object || owner == Element::Constellation) {
         if (m_key == "name" || m_key == "Name") // the standard's word has a capital letter
             m_document.nodes.back().name = cleanName(value);
         return;

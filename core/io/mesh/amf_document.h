@@ -13,7 +13,7 @@ namespace core::io
 /// An object or a constellation with its placement.
 struct AmfInstance
 {
-    std::string object; ///< id of the object or constellation
+    std::string object; ///< id of the object, or if there is none of the constellation
     std::uint64_t line = 0;
     Eigen::Vector3d move = Eigen::Vector3d::Zero(); ///< translation in the document's unit
     Eigen::Vector3d rotation = Eigen::Vector3d::Zero();
@@ -23,7 +23,8 @@ struct AmfInstance
 /// An AMF object, which has a mesh, or a constellation, which has instances.
 struct AmfNode
 {
-    std::string id;      ///< empty: no instance can refer to it
+    std::string id; ///< empty: no instance can refer to it; slicers give a constellation that of an object
+    bool isConstellation = false;
     std::string name;    ///< as in the file; empty: none
     TriangleMesh mesh;   ///< mesh in the document's unit; indices are in range
     bool isWhole = true; ///< false: a volume was left out
@@ -59,7 +60,7 @@ private:
 
     Element elementOf(std::string_view name);
     void begin(Element element, const XmlAttributes& attributes);
-    void beginNode(const XmlAttributes& attributes);
+    void beginNode(bool isConstellation, const XmlAttributes& attributes);
     void beginInstance(const XmlAttributes& attributes);
     void end();
     void takeNumber(Element element);
@@ -73,7 +74,7 @@ private:
     const FileBytes& m_file;
     StopCheck m_stopCheck;
     AmfDocument m_document;
-    std::set<std::string, std::less<>> m_ids;
+    std::set<std::string, std::less<>> m_objectIds, m_constellationIds;
     std::size_t m_instances = 0;
     std::string m_prefix; ///< prefix of element names: a namespace and a bar, or empty
     std::vector<Element> m_open;

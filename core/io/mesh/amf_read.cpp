@@ -137,8 +137,10 @@ public:
     ReadResult read()
     {
         std::map<std::string_view, std::size_t> ids;
-        for (std::size_t i = 0; i < m_document.nodes.size(); ++i)
-            ids.emplace(m_document.nodes[i].id, i);
+        for (const bool areConstellations : {false, true})
+            for (std::size_t i = 0; i < m_document.nodes.size(); ++i)
+                if (m_document.nodes[i].isConstellation == areConstellations)
+                    ids.emplace(m_document.nodes[i].id, i);
         std::vector<bool> isNamed(m_document.nodes.size(), false);
         m_named.resize(m_document.nodes.size());
         for (std::size_t i = 0; i < m_document.nodes.size(); ++i) {

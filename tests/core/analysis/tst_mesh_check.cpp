@@ -123,7 +123,6 @@ private Q_SLOTS:
     void volumeSign_isExact();
     void orderOfElements_doesNotMatter();
     void keptPairs_areTheFirst();
-    void searchedFaces_haveTheirPairs();
     void equalFaces_areCountedAsOthers();
     void latticeAndFloatAgree();
     void surfaceAndImage_areJudgedAsEachAlone();
@@ -318,20 +317,6 @@ void TestMeshCheck::keptPairs_areTheFirst()
         QCOMPARE(some.count, all.count);
         QVERIFY(std::equal(some.pairs.begin(), some.pairs.end(), all.pairs.begin(),
                            all.pairs.begin() + static_cast<std::ptrdiff_t>(keep)));
-    }
-}
-
-void TestMeshCheck::searchedFaces_haveTheirPairs()
-{
-    const TriangleMesh mesh = shapes::noisy(core::icosphere(4, 1), 0.1f, seed);
-    const auto all = core::selfIntersections<FloatPredicates>(mesh.points, mesh.triangles, 1'000'000).pairs;
-    for (const std::size_t searched : {std::size_t(0), std::size_t(1), std::size_t(300), mesh.triangles.size() - 1}) {
-        std::vector<core::FacePair> expected;
-        std::ranges::copy_if(all, std::back_inserter(expected), [&](const auto& p) { return p.first < searched; });
-        const auto found =
-            core::selfIntersections<FloatPredicates>(mesh.points, mesh.triangles, 1'000'000, {}, searched);
-        QCOMPARE(found.count, expected.size());
-        QVERIFY(found.pairs == expected);
     }
 }
 

@@ -130,6 +130,7 @@ private Q_SLOTS:
     void instances_arePlaced();
     void rightAngles_areExact();
     void constellations_nest();
+    void constellations_mayHaveIdsOfObjects();
     void mirroredInstances_stayOutward();
     void slicersAngles_areInRadians();
     void colors_areRead_data();
@@ -375,6 +376,19 @@ void TestAmf::rightAngles_areExact()
             QVERIFY((mesh.points[static_cast<std::size_t>(axis) + 1].cast<double>() - (axis + 1) * wanted.col(axis))
                         .norm() < 1e-6);
     }
+}
+
+/// FreeCAD and slicers number objects and constellations apart. An instance means the object.
+void TestAmf::constellations_mayHaveIdsOfObjects()
+{
+    const std::string objects = amfObject("0") + amfObject("1", edited(AmfTetrahedron().mesh(), "<x>0", "<x>7"));
+    const std::string both = amfConstellation("1", amfInstance("0", "<deltay>9</deltay>") + amfInstance("1"));
+    for (const std::string& content : {objects + both, both + objects}) {
+        const ReadResult result = readAll(amfOf(content));
+        QCOMPARE(result.mesh.triangles.size(), std::size_t(8));
+        QVERIFY(hasPoint(result.mesh, 0, 9, 0) && hasPoint(result.mesh, 7, 0, 0));
+    }
+    QCOMPARE(read(amfOf(amfObject("0") + amfConstellation("0", amfInstance("0")))).triangles.size(), std::size_t(4));
 }
 
 void TestAmf::constellations_nest()
@@ -635,8 +649,8 @@ void TestAmf::badFiles_areRefused_data()
     row("no vertices", amfOf(amfObject("1", "<mesh><volume>" + AmfTetrahedron().triangles() + "</volume></mesh>")),
         Kind::IndexOutOfRange, FileFault::None, "3", 3);
     row("the same id", amfOf(amfObject("1") + amfObject("1")), Kind::Malformed, FileFault::Repeated, "id", 9);
-    row("the same id, a constellation", amfOf(amfObject("1") + amfConstellation("1", {})), Kind::Malformed,
-        FileFault::Repeated, "id", 9);
+    row("the same id, constellations", amfOf(amfConstellation("1", {}) + amfConstellation("1", {})), Kind::Malformed,
+        FileFault::Repeated, "id", 4);
     const auto placed = [](const std::string& instances) {
         return amfOf(amfObject("1") + amfConstellation("2", instances));
     };
