@@ -107,9 +107,6 @@ public:
         return result;
     }
 
-    /// Returns the lowest of the equal faces at a position.
-    Slot firstFaceAt(Slot position) const { return facesAt(position).front(); }
-
 private:
     std::span<const Slot> facesAt(Slot position) const { return m_faces.group(m_tree.at(position)); }
 
@@ -136,16 +133,11 @@ std::vector<Slot> facesThatAre(bool degenerate, std::span<const typename Predica
 
 template <typename Predicates>
 IntersectionReport selfIntersections(std::span<const typename Predicates::Point> points,
-                                     std::span<const Triangle> triangles, std::size_t keep, const std::stop_token& stop,
-                                     std::size_t searched)
+                                     std::span<const Triangle> triangles, std::size_t keep, const std::stop_token& stop)
 {
     const PairSearch search(points, triangles, facesThatAre<Predicates>(false, points, triangles));
     const auto ordered = search.inOrder<Predicates>(points);
-    return search.find(keep, stop, [&](Slot i, Slot j) {
-        const bool isSearched =
-            searched >= triangles.size() || std::min(search.firstFaceAt(i), search.firstFaceAt(j)) < searched;
-        return isSearched && trianglesIntersect(ordered[i], ordered[j]);
-    });
+    return search.find(keep, stop, [&](Slot i, Slot j) { return trianglesIntersect(ordered[i], ordered[j]); });
 }
 
 SurfaceAndImage selfIntersections(std::span<const Vec3f> points, std::span<const LatticePoint> image,
@@ -174,9 +166,9 @@ std::vector<Slot> degenerateFaces(std::span<const typename Predicates::Point> po
 
 template IntersectionReport selfIntersections<LatticePredicates>(std::span<const LatticePoint>,
                                                                  std::span<const Triangle>, std::size_t,
-                                                                 const std::stop_token&, std::size_t);
+                                                                 const std::stop_token&);
 template IntersectionReport selfIntersections<FloatPredicates>(std::span<const Vec3f>, std::span<const Triangle>,
-                                                               std::size_t, const std::stop_token&, std::size_t);
+                                                               std::size_t, const std::stop_token&);
 template std::vector<Slot> degenerateFaces<LatticePredicates>(std::span<const LatticePoint>, std::span<const Triangle>);
 template std::vector<Slot> degenerateFaces<FloatPredicates>(std::span<const Vec3f>, std::span<const Triangle>);
 } // namespace core

@@ -4,7 +4,6 @@
 
 #include <compare>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -25,14 +24,12 @@ struct IntersectionReport
 };
 
 /// Finds all pairs of faces that meet, exactly; touching counts as meeting. Degenerate faces are ignored. `keep`: the
-/// largest number of pairs in the report. `searched`: only pairs with one of the first `searched` faces are tested.
-/// Uses all cores and bounded memory; the result does not depend on the number of cores. The result of a cancelled
-/// search must not be used. Instantiated for LatticePredicates and FloatPredicates.
+/// largest number of pairs in the report. Uses all cores and bounded memory; the result does not depend on the number
+/// of cores. The result of a cancelled search must not be used. Instantiated for LatticePredicates and FloatPredicates.
 template <typename Predicates>
 IntersectionReport selfIntersections(std::span<const typename Predicates::Point> points,
                                      std::span<const Triangle> triangles, std::size_t keep = 1000,
-                                     const std::stop_token& stop = {},
-                                     std::size_t searched = std::numeric_limits<std::size_t>::max());
+                                     const std::stop_token& stop = {});
 
 struct SurfaceAndImage
 {
@@ -53,9 +50,9 @@ std::vector<Slot> degenerateFaces(std::span<const typename Predicates::Point> po
 
 extern template IntersectionReport selfIntersections<LatticePredicates>(std::span<const LatticePoint>,
                                                                         std::span<const Triangle>, std::size_t,
-                                                                        const std::stop_token&, std::size_t);
+                                                                        const std::stop_token&);
 extern template IntersectionReport selfIntersections<FloatPredicates>(std::span<const Vec3f>, std::span<const Triangle>,
-                                                                      std::size_t, const std::stop_token&, std::size_t);
+                                                                      std::size_t, const std::stop_token&);
 extern template std::vector<Slot> degenerateFaces<LatticePredicates>(std::span<const LatticePoint>,
                                                                      std::span<const Triangle>);
 extern template std::vector<Slot> degenerateFaces<FloatPredicates>(std::span<const Vec3f>, std::span<const Triangle>);

@@ -8,13 +8,15 @@
 
 #include "core/repair/edge_faces.h"
 
-#include "core/analysis/self_intersection.h"
 #include "core/geometry/face_geometry.h"
-#include "core/geometry/predicates.h"
+#include "core/geometry/triangle_intersection.h"
 #include "core/util/disjoint_sets.h"
+#include "core/util/parallel.h"
 
+#include <atomic>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <set>
 
@@ -227,73 +229,79 @@ Vec3 wayInto(const Fan& fan)
     return Vec3::Zero();
 }
 
-/// Finds the faces near moved faces. Only faces with a copy for a corner move, which are few after the first time, so
-/// the others are in a tree that is made once.
+/// Finds the faces near moved faces, of a surface whose points stay near their first places.
 class Vicinity
 {
 public:
-    /// `groupOf`: for each point noSlot, unless it may move.
-    Vicinity(const TriangleSoup& surface, const std::vector<Slot>& groupOf)
+    /// `reach`: for each point, how far it may move along each axis, lattice units.
+    Vicinity(const TriangleSoup& surface, std::span<const float> reach)
         : m_surface(surface)
-        , m_resting(restingIn(surface, groupOf))
-        , m_tree(faceBoxes(surface.points, m_resting.size(),
-                           [&](std::size_t i) -> const Triangle& { return surface.triangles[m_resting[i]]; }))
+        , m_begins(surface.points.size() + 1, 0)
+        , m_faces(3 * surface.triangles.size())
+        , m_boxes(faceBoxes(surface.points, std::span<const Triangle>(surface.triangles)))
+        , m_tree(roomsOf(surface, reach))
     {
-        for (Slot f = 0, next = 0; f < surface.triangles.size(); ++f)
-            if (next < m_resting.size() && m_resting[next] == f)
-                ++next;
-            else
-                m_movable.push_back(f);
+        for (const Triangle& t : surface.triangles)
+            for (const Slot v : t)
+                ++m_begins[v];
+        std::partial_sum(m_begins.begin(), m_begins.end(), m_begins.begin());
+        for (Slot f = 0; f < surface.triangles.size(); ++f)
+            for (const Slot v : surface.triangles[f])
+                m_faces[--m_begins[v]] = f;
     }
 
-    /// Returns the faces whose boxes meet that of a face with a moved corner, ascending.
-    std::vector<Slot> near(const std::vector<bool>& hasMoved) const
+    /// Returns the faces with one of these corners, which have moved, each once.
+    std::vector<Slot> update(std::span<const Slot> moved)
     {
-        constexpr float margin = 1;
-        std::vector<FaceBox> boxes;
-        for (const Slot f : m_movable)
-            if (std::ranges::any_of(m_surface.triangles[f], [&](Slot v) { return hasMoved[v]; }))
-                boxes.push_back(boxOf(f, margin));
-        if (boxes.empty())
-            return {};
         std::vector<Slot> faces;
-        const BoxTree moved(boxes);
-        for (const Slot f : m_movable) {
-            bool isNear = false;
-            moved.forEachMeeting(boxOf(f, 0), [&](Slot) { isNear = true; });
-            if (isNear)
-                faces.push_back(f);
-        }
-        for (const FaceBox& box : boxes)
-            m_tree.forEachMeeting(box, [&](Slot position) { faces.push_back(m_resting[m_tree.at(position)]); });
+        for (const Slot v : moved)
+            faces.insert(faces.end(), m_faces.begin() + m_begins[v], m_faces.begin() + m_begins[v + 1]);
         std::ranges::sort(faces);
         faces.erase(std::ranges::unique(faces).begin(), faces.end());
+        for (const Slot f : faces)
+            m_boxes[f] = boxOf(f);
         return faces;
     }
 
-private:
-    static std::vector<Slot> restingIn(const TriangleSoup& surface, const std::vector<Slot>& groupOf)
+    /// Calls visit(other) for each face whose box meets that of the face, and for the face itself.
+    template <typename Visit> void forEachNear(Slot face, Visit visit) const
     {
-        std::vector<Slot> resting;
-        for (Slot f = 0; f < surface.triangles.size(); ++f)
-            if (std::ranges::all_of(surface.triangles[f], [&](Slot v) { return groupOf[v] == noSlot; }))
-                resting.push_back(f);
-        return resting;
+        constexpr float margin = 1;
+        FaceBox box = m_boxes[face];
+        box.min -= margin;
+        box.max += margin;
+        m_tree.forEachMeeting(box, [&](Slot position) {
+            if (const Slot other = m_tree.at(position); m_boxes[other].meets(box))
+                visit(other);
+        });
     }
 
-    FaceBox boxOf(Slot face, float margin) const
+private:
+    /// Returns the boxes that the faces never leave.
+    static std::vector<FaceBox> roomsOf(const TriangleSoup& surface, std::span<const float> reach)
+    {
+        std::vector<FaceBox> rooms(surface.triangles.size());
+        for (Slot f = 0; f < rooms.size(); ++f)
+            for (const Slot v : surface.triangles[f]) {
+                const Eigen::Array3f p = surface.points[v].array().cast<float>();
+                rooms[f].extend(p - reach[v]);
+                rooms[f].extend(p + reach[v]);
+            }
+        return rooms;
+    }
+
+    FaceBox boxOf(Slot face) const
     {
         FaceBox box;
         for (const Slot v : m_surface.triangles[face])
             box.extend(m_surface.points[v].array().cast<float>());
-        box.min -= margin;
-        box.max += margin;
         return box;
     }
 
     const TriangleSoup& m_surface;
-    std::vector<Slot> m_resting, m_movable; ///< ascending
-    BoxTree m_tree;                         ///< boxes of the resting faces
+    std::vector<Slot> m_begins, m_faces; ///< the faces at each point, and where they begin
+    std::vector<FaceBox> m_boxes;        ///< of the faces as they are
+    BoxTree m_tree;                      ///< boxes that they never leave
 };
 
 /// Moves the copies of each vertex apart.
@@ -320,7 +328,7 @@ public:
     /// Moves all groups of copies; groups that no distance separates return to their start.
     void run(const JobControl& control)
     {
-        const Vicinity vicinity(m_surface, m_groupOf);
+        Vicinity vicinity(m_surface, reaches());
         std::vector<Slot> moved;
         for (const Group& group : m_groups)
             move(group, moved);
@@ -361,12 +369,27 @@ private:
         fan.shortestEdge = std::min({fan.shortestEdge, u.norm(), w.norm()});
     }
 
+    /// Returns how far a copy with this fan may move, lattice units.
+    static double longestStep(const Fan& fan) { return std::max(1.0, fan.shortestEdge / 4); }
+
+    /// Returns how far each point may move along each axis, lattice units.
+    std::vector<float> reaches() const
+    {
+        constexpr double rounding = 1;
+        std::vector<float> reach(m_surface.points.size(), 0);
+        for (const Group& group : m_groups)
+            for (std::size_t i = 0; i < group.copies.size(); ++i)
+                reach[group.copies[i]] =
+                    static_cast<float>(rounding + std::min(std::ranges::max(distances), longestStep(group.fans[i])));
+        return reach;
+    }
+
     /// Moves the copies of a group by its chosen distance, and appends the copies to `moved`.
     void move(const Group& group, std::vector<Slot>& moved)
     {
         for (std::size_t i = 0; i < group.copies.size(); ++i) {
             const double wanted = group.choice < distances.size() ? distances[group.choice] : 0;
-            const double step = std::min(wanted, std::max(1.0, group.fans[i].shortestEdge / 4));
+            const double step = std::min(wanted, longestStep(group.fans[i]));
             const LatticePoint by = (step * group.ways[i]).array().round().cast<int>();
             m_surface.points[group.copies[i]] = m_start[group.copies[i]] + by;
         }
@@ -375,31 +398,47 @@ private:
 
     /// Returns the corners of faces that are degenerate or meet other faces. Tests the faces with moved corners against
     /// all faces near them.
-    std::vector<Slot> unsoundCorners(std::span<const Slot> moved, const Vicinity& vicinity,
-                                     const std::stop_token& stop) const
+    std::vector<Slot> unsoundCorners(std::span<const Slot> moved, Vicinity& vicinity, const std::stop_token& stop) const
     {
-        constexpr std::size_t maxPairs = 100'000;
-        std::vector<bool> hasMoved(m_surface.points.size(), false);
-        for (const Slot v : moved)
-            hasMoved[v] = true;
-        std::vector<Slot> near = vicinity.near(hasMoved);
-        const auto unmoved = std::ranges::stable_partition(near, [&](Slot f) {
-            return std::ranges::any_of(m_surface.triangles[f], [&](Slot v) { return hasMoved[v]; });
-        });
-        std::vector<Triangle> triangles;
-        for (const Slot f : near)
-            triangles.push_back(m_surface.triangles[f]);
-        std::vector<Slot> faces = degenerateFaces<LatticePredicates>(m_surface.points, triangles);
-        for (const FacePair& pair : selfIntersections<LatticePredicates>(m_surface.points, triangles, maxPairs, stop,
-                                                                         near.size() - unmoved.size())
-                                        .pairs) {
-            faces.push_back(pair.first);
-            faces.push_back(pair.second);
-        }
-        std::vector<Slot> corners;
+        constexpr std::size_t facesPerChunk = 1 << 6;
+        const std::vector<Slot> faces = vicinity.update(moved);
+        std::vector<bool> hasMoved(m_surface.triangles.size(), false);
         for (const Slot f : faces)
-            corners.insert(corners.end(), triangles[f].begin(), triangles[f].end());
+            hasMoved[f] = true;
+        std::vector<std::atomic<bool>> isUnsound(m_surface.triangles.size());
+        forEachChunk(faces.size(), facesPerChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end && !stop.stop_requested(); ++i) {
+                const Slot face = faces[i];
+                const auto triangle = triangleOf(face);
+                const bool isSolid = !isDegenerate(triangle);
+                vicinity.forEachNear(face, [&](Slot other) {
+                    if (isUnsound[face] && isUnsound[other])
+                        return;
+                    const auto near = triangleOf(other);
+                    if (isDegenerate(near))
+                        isUnsound[other] = true;
+                    else if (isSolid && (face < other || !hasMoved[other]) && trianglesIntersect(triangle, near))
+                        isUnsound[face] = isUnsound[other] = true;
+                });
+            }
+        });
+        std::vector<Slot> corners;
+        for (Slot f = 0; f < isUnsound.size(); ++f)
+            if (isUnsound[f])
+                corners.insert(corners.end(), m_surface.triangles[f].begin(), m_surface.triangles[f].end());
         return corners;
+    }
+
+    CornerTriangle<LatticePredicates> triangleOf(Slot face) const
+    {
+        const Triangle& t = m_surface.triangles[face];
+        return {t, {m_surface.points[t[0]], m_surface.points[t[1]], m_surface.points[t[2]]}};
+    }
+
+    static bool isDegenerate(const CornerTriangle<LatticePredicates>& triangle)
+    {
+        const auto& [a, b, c] = triangle.points;
+        return LatticePredicates::collinear(a, b, c);
     }
 
     /// Moves the groups at these corners by their next distance, if they have one left. Returns the copies that moved.
