@@ -2,6 +2,7 @@
 
 #include "core/repair/edge_faces.h"
 
+#include "core/geometry/point_triangle.h"
 #include "core/geometry/predicates.h"
 
 #include <cmath>
@@ -83,6 +84,7 @@ public:
     }
 
     bool has(Slot a, Slot b) const { return m_edges.contains(key(a, b)); }
+    void add(Slot a, Slot b) { m_edges.insert(key(a, b)); }
 
 private:
     static std::uint64_t key(Slot a, Slot b) { return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b); }
@@ -92,29 +94,28 @@ private:
 class LoopFiller
 {
 public:
-    LoopFiller(TriangleSoup& surface, const EdgeSet& present, std::vector<Slot> loop)
+    LoopFiller(const TriangleSoup& surface, const EdgeSet& present, std::vector<Slot> loop)
         : m_surface(surface)
         , m_present(present)
         , m_loop(std::move(loop))
     {}
 
-    std::size_t fill()
+    std::vector<Triangle> fill(std::size_t most = maxCorners)
     {
-        const std::size_t before = m_surface.triangles.size();
-        cutCorners();
+        cutCorners(most);
         if (m_loop.size() >= 3)
             fillWithLeastArea();
-        return m_surface.triangles.size() - before;
+        return std::move(m_faces);
     }
 
 private:
     Vec3 at(Slot v) const { return m_surface.points[v].cast<double>(); }
 
-    /// Returns twice the area of a face, or a huge cost if the face would be degenerate.
+    /// Returns twice the area of a face, or a huge cost if the face would be degenerate. The normal is exact.
     double cost(Slot a, Slot b, Slot c) const
     {
-        const auto& p = m_surface.points;
-        return LatticePredicates::collinear(p[a], p[b], p[c]) ? farMore : (at(b) - at(a)).cross(at(c) - at(a)).norm();
+        const double area = (at(b) - at(a)).cross(at(c) - at(a)).norm();
+        return area == 0 ? farMore : area;
     }
     /// Returns a huge cost if the edge between two corners of the loop exists already, as it would then have four
     /// faces; otherwise 0.
@@ -125,9 +126,9 @@ private:
     }
     static constexpr double farMore = 1e12 * Lattice::limit;
 
-    void cutCorners()
+    void cutCorners(std::size_t most)
     {
-        while (m_loop.size() > maxCorners) {
+        while (m_loop.size() > most) {
             std::size_t best = 0;
             double minCost = std::numeric_limits<double>::infinity();
             const std::size_t n = m_loop.size();
@@ -142,7 +143,7 @@ private:
                     best = i;
                 }
             }
-            m_surface.triangles.push_back({m_loop[(best + n - 1) % n], m_loop[best], m_loop[(best + 1) % n]});
+            m_faces.push_back({m_loop[(best + n - 1) % n], m_loop[best], m_loop[(best + 1) % n]});
             m_loop.erase(m_loop.begin() + static_cast<std::ptrdiff_t>(best));
         }
     }
@@ -174,25 +175,30 @@ private:
             if (k - i < 2)
                 continue;
             const std::size_t m = apex[i * n + k];
-            m_surface.triangles.push_back({m_loop[i], m_loop[m], m_loop[k]});
+            m_faces.push_back({m_loop[i], m_loop[m], m_loop[k]});
             open.emplace_back(i, m);
             open.emplace_back(m, k);
         }
     }
 
-    TriangleSoup& m_surface;
+    const TriangleSoup& m_surface;
     const EdgeSet& m_present;
     std::vector<Slot> m_loop;
+    std::vector<Triangle> m_faces;
 };
 
-double areaOf(const TriangleSoup& surface, std::size_t fromFace)
+/// Returns the normal of a face, as long as twice its area.
+Vec3 normalOf(const TriangleSoup& surface, const Triangle& t)
+{
+    const Vec3 a = surface.points[t[0]].cast<double>();
+    return (surface.points[t[1]].cast<double>() - a).cross(surface.points[t[2]].cast<double>() - a);
+}
+
+double doubleAreaOf(const TriangleSoup& surface, std::span<const Triangle> faces)
 {
     double area = 0;
-    for (std::size_t f = fromFace; f < surface.triangles.size(); ++f) {
-        const Triangle& t = surface.triangles[f];
-        const Vec3 a = surface.points[t[0]].cast<double>();
-        area += (surface.points[t[1]].cast<double>() - a).cross(surface.points[t[2]].cast<double>() - a).norm();
-    }
+    for (const Triangle& t : faces)
+        area += normalOf(surface, t).norm();
     return area;
 }
 
@@ -208,6 +214,116 @@ LatticeBox boxOf(const TriangleSoup& surface, const std::vector<Slot>& loop)
         box.extend(surface.points[v]);
     return box;
 }
+
+/// A loop and the faces that fill it.
+struct Patch
+{
+    std::vector<Slot> loop = {};
+    std::vector<Triangle> faces = {};
+    double area = 0; ///< twice the area of the faces
+    LatticeBox box = {};
+};
+
+/// Fills loops that bound one opening together, as both rims at the end of a pipe do, with faces between them.
+class LoopJoiner
+{
+public:
+    LoopJoiner(const TriangleSoup& surface, EdgeSet& present) : m_surface(surface), m_present(present) {}
+
+    /// Joins patches, beginning with the largest, where their faces together have less area. Joined patches are empty.
+    void run(std::vector<Patch>& patches, const JobControl& control)
+    {
+        std::vector<Patch*> order;
+        for (Patch& patch : patches)
+            order.push_back(&patch);
+        std::ranges::stable_sort(order, std::ranges::greater(), [](const Patch* patch) { return patch->area; });
+        for (auto outer = order.begin(); outer != order.end(); ++outer)
+            for (auto inner = outer + 1; inner != order.end() && !control.isCancelled(); ++inner)
+                if (!(*outer)->loop.empty() && !(*inner)->loop.empty() && join(**outer, **inner))
+                    **inner = {};
+    }
+
+private:
+    /// Replaces the outer patch by one over both loops, and returns true, if that is better.
+    bool join(Patch& outer, const Patch& inner)
+    {
+        constexpr std::size_t most = 2 * maxCorners;
+        constexpr double leastGain = 1.5; // of the smaller patch's area; that of a hole in a flat face is 2
+        if (outer.loop.size() + inner.loop.size() + 2 > most || !isNear(inner, outer))
+            return false;
+        Patch both{.loop = joined(outer.loop, inner.loop), .box = outer.box};
+        both.faces = LoopFiller(m_surface, m_present, both.loop).fill(most);
+        both.area = doubleAreaOf(m_surface, both.faces);
+        if (outer.area + inner.area - both.area < leastGain * std::min(outer.area, inner.area) || foldsBack(both))
+            return false;
+        outer = std::move(both);
+        return true;
+    }
+
+    /// Returns whether a loop lies on or near the faces of another patch, measured by its own size.
+    bool isNear(const Patch& inner, const Patch& outer) const
+    {
+        const double slack = extentOf(inner.box) / 2;
+        const Vec3 p = m_surface.points[inner.loop[0]].cast<double>();
+        if (((inner.box.min - outer.box.min).cast<double>().array() < -slack).any() ||
+            ((outer.box.max - inner.box.max).cast<double>().array() < -slack).any())
+            return false;
+        return std::ranges::any_of(outer.faces, [&](const Triangle& t) {
+            const auto at = [&](Slot v) { return Vec3(m_surface.points[v].cast<double>()); };
+            return (nearestInTriangle(p, {at(t[0]), at(t[1]), at(t[2])}) - p).norm() <= slack;
+        });
+    }
+
+    /// Returns one loop over two, with a bridge there and back between their nearest corners.
+    std::vector<Slot> joined(std::vector<Slot> a, std::vector<Slot> b)
+    {
+        double least = std::numeric_limits<double>::infinity();
+        std::size_t ofA = 0, ofB = 0;
+        for (std::size_t i = 0; i < a.size(); ++i)
+            for (std::size_t k = 0; k < b.size(); ++k) {
+                const double distance = (m_surface.points[a[i]] - m_surface.points[b[k]]).cast<double>().squaredNorm();
+                if (distance < least) {
+                    least = distance;
+                    ofA = i;
+                    ofB = k;
+                }
+            }
+        std::ranges::rotate(a, a.begin() + static_cast<std::ptrdiff_t>(ofA));
+        std::ranges::rotate(b, b.begin() + static_cast<std::ptrdiff_t>(ofB));
+        m_present.add(a[0], b[0]);
+        std::vector<Slot> loop = a;
+        loop.push_back(a[0]);
+        loop.insert(loop.end(), b.begin(), b.end());
+        loop.push_back(b[0]);
+        return loop;
+    }
+
+    /// Returns whether the patch lies upon the surface along half of its border, as one over both ends of a short tube.
+    bool foldsBack(const Patch& patch) const
+    {
+        constexpr double half = 0.5, opposite = -0.9; // cosine of the angle between the normals of faces at an edge
+        std::unordered_map<std::uint64_t, Vec3> normals;
+        const auto key = [](Slot from, Slot to) { return std::uint64_t(from) << 32 | to; };
+        for (const Triangle& t : patch.faces)
+            for (std::size_t i = 0; i < 3; ++i)
+                normals[key(t[i], t[i == 2 ? 0 : i + 1])] = normalOf(m_surface, t).normalized();
+        double border = 0, folded = 0;
+        for (const Triangle& t : m_surface.triangles)
+            for (std::size_t i = 0; i < 3; ++i) {
+                const Slot from = t[i], to = t[i == 2 ? 0 : i + 1];
+                const auto beyond = normals.find(key(to, from));
+                if (beyond == normals.end())
+                    continue;
+                const double length = (m_surface.points[to] - m_surface.points[from]).cast<double>().norm();
+                border += length;
+                folded += beyond->second.dot(normalOf(m_surface, t).normalized()) < opposite ? length : 0;
+            }
+        return folded > half * border;
+    }
+
+    const TriangleSoup& m_surface;
+    EdgeSet& m_present;
+};
 } // namespace
 
 HoleFillingResult fillHoles(TriangleSoup& surface, bool largeToo, const JobControl& control)
@@ -217,20 +333,31 @@ HoleFillingResult fillHoles(TriangleSoup& surface, bool largeToo, const JobContr
         return filled;
     const double extent = extentOf(surface.box());
     std::vector<std::vector<Slot>> loops = loopsOf(openWays(surface), surface.points.size());
-    const EdgeSet present(surface, loops);
-    const std::size_t before = surface.triangles.size();
-    const double area = areaOf(surface, 0);
+    EdgeSet present(surface, loops);
+    const double area = doubleAreaOf(surface, surface.triangles);
+    std::vector<Patch> patches;
     for (std::vector<Slot>& loop : loops) {
         if (control.isCancelled())
             break;
-        const bool isLarge = extentOf(boxOf(surface, loop)) > largeHole * extent;
+        Patch patch{.loop = std::move(loop)};
+        patch.box = boxOf(surface, patch.loop);
+        const bool isLarge = extentOf(patch.box) > largeHole * extent;
         filled.largeHoles += isLarge;
         if (isLarge && !largeToo)
             continue;
         filled.holes += 1;
-        filled.faces += LoopFiller(surface, present, std::move(loop)).fill();
+        patch.faces = LoopFiller(surface, present, patch.loop).fill();
+        patch.area = doubleAreaOf(surface, patch.faces);
+        patches.push_back(std::move(patch));
     }
-    filled.share = areaOf(surface, before) / area;
+    LoopJoiner(surface, present).run(patches, control);
+    double added = 0;
+    for (const Patch& patch : patches) {
+        surface.triangles.insert(surface.triangles.end(), patch.faces.begin(), patch.faces.end());
+        filled.faces += patch.faces.size();
+        added += patch.area;
+    }
+    filled.share = added / area;
     return filled;
 }
 } // namespace core::repair

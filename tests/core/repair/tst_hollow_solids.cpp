@@ -1,3 +1,4 @@
+#include "core/analysis/mesh_check.h"
 #include "core/repair/repair.h"
 #include "tests/support/effort.h"
 #include "tests/support/shapes.h"
@@ -38,6 +39,25 @@ TriangleMesh turned(TriangleMesh mesh, StrokeFuzzer& random)
     for (Vec3f& p : mesh.points)
         p = (turn * p.cast<double>()).cast<float>();
     return mesh;
+}
+
+/// Returns the sides of a prism along z, without its ends.
+TriangleMesh sides(Slot count, double radius, const Vec3& foot, double height)
+{
+    TriangleMesh mesh;
+    for (Slot i = 0; i < count; ++i) {
+        const double angle = 2 * std::numbers::pi * i / count;
+        for (const double z : {0.0, height})
+            mesh.points.push_back((foot + Vec3(radius * std::cos(angle), radius * std::sin(angle), z)).cast<float>());
+        const Slot a = 2 * i, b = 2 * ((i + 1) % count);
+        mesh.triangles.insert(mesh.triangles.end(), {{a, b, b + 1}, {a, b + 1, a + 1}});
+    }
+    return mesh;
+}
+
+double areaOfPrism(Slot count, double radius)
+{
+    return count * radius * radius / 2 * std::sin(2 * std::numbers::pi / count);
 }
 
 /// Adds a face at an edge of the cavity. Its third corner is `corner`, which is in the hollow or in the wall.
@@ -153,6 +173,8 @@ private Q_SLOTS:
     void volume_isKept_data();
     void volume_isKept();
     void cubesThatTouch_areTakenApart();
+    void missingRims_areRings();
+    void shortTubes_getLids();
 };
 
 void TestHollowSolids::volume_isKept_data()
@@ -299,6 +321,45 @@ void TestHollowSolids::cubesThatTouch_areTakenApart()
         const RepairResult result = repairMesh(turned(cubes, random));
         QVERIFY2(result.mesh, qPrintable(QString::number(seed)));
         QVERIFY(std::abs(result.report.after.volume / volume - 1) < 5e-3);
+    }
+}
+
+/// The ends of walls without rims are closed by rims, not by a lid for each wall: bores stay open, in any orientation.
+void TestHollowSolids::missingRims_areRings()
+{
+    constexpr double height = 40, outer = 10, inner = 8, bore = 3;
+    StrokeFuzzer random(7);
+    const int turns = byEffort(3, 12);
+    for (const double deeper : {0.0, 0.2, 1.0}) {
+        const TriangleMesh pipe =
+            shapes::together(sides(64, outer, Vec3::Zero(), height),
+                             shapes::reversed(sides(64, inner, {0, 0, deeper}, height - 2 * deeper)));
+        for (int turn = 0; turn < turns; ++turn) {
+            const RepairResult result = repairMesh(turn == 0 ? pipe : turned(pipe, random));
+            QVERIFY2(result.mesh && result.report.isFaithful(), qPrintable(QString::number(deeper)));
+            QCOMPARE(checkMesh(*result.mesh).genus, std::optional<std::int64_t>(1));
+        }
+    }
+    TriangleMesh block = sides(4, 20, Vec3::Zero(), height);
+    for (const Vec3& foot : {Vec3(8, 0, 0), Vec3(-5, 5, 0), Vec3(-2, -8, 0)})
+        block = shapes::together(block, shapes::reversed(sides(32, bore, foot, height)));
+    const double volume = height * (areaOfPrism(4, 20) - 3 * areaOfPrism(32, bore));
+    for (int turn = 0; turn < turns; ++turn) {
+        const RepairResult result = repairMesh(turn == 0 ? block : turned(block, random));
+        QVERIFY(result.mesh && result.report.isFaithful());
+        QCOMPARE(checkMesh(*result.mesh).genus, std::optional<std::int64_t>(3));
+        QVERIFY(std::abs(result.report.after.volume / volume - 1) < 1e-3);
+    }
+}
+
+/// A wall without thickness is no rim for itself, however short it is.
+void TestHollowSolids::shortTubes_getLids()
+{
+    StrokeFuzzer random(8);
+    for (const double height : {1.0, 5.0, 30.0}) {
+        const RepairResult result = repairMesh(turned(sides(48, 10, Vec3::Zero(), height), random));
+        QVERIFY2(result.mesh, qPrintable(QString::number(height)));
+        QVERIFY(std::abs(result.report.after.volume / (height * areaOfPrism(48, 10)) - 1) < 1e-3);
     }
 }
 
