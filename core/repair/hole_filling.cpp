@@ -84,7 +84,9 @@ public:
     }
 
     bool has(Slot a, Slot b) const { return m_edges.contains(key(a, b)); }
-    void add(Slot a, Slot b) { m_edges.insert(key(a, b)); }
+    /// Returns false if the edge is already there.
+    bool add(Slot a, Slot b) { return m_edges.insert(key(a, b)).second; }
+    void remove(Slot a, Slot b) { m_edges.erase(key(a, b)); }
 
 private:
     static std::uint64_t key(Slot a, Slot b) { return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b); }
@@ -107,6 +109,8 @@ public:
             fillWithLeastArea();
         return std::move(m_faces);
     }
+    /// Returns whether no face is degenerate and no edge was there before.
+    bool isClean() const { return m_cost < farMore; }
 
 private:
     Vec3 at(Slot v) const { return m_surface.points[v].cast<double>(); }
@@ -168,6 +172,7 @@ private:
                 }
             }
         }
+        m_cost = minCost[n - 1];
         std::vector<std::pair<std::size_t, std::size_t>> open{{0, n - 1}};
         while (!open.empty()) {
             const auto [i, k] = open.back();
@@ -185,6 +190,7 @@ private:
     const EdgeSet& m_present;
     std::vector<Slot> m_loop;
     std::vector<Triangle> m_faces;
+    double m_cost = 0;
 };
 
 /// Returns the normal of a face, as long as twice its area.
@@ -220,9 +226,21 @@ struct Patch
 {
     std::vector<Slot> loop = {};
     std::vector<Triangle> faces = {};
-    double area = 0; ///< twice the area of the faces
+    double doubleArea = 0;
     LatticeBox box = {};
+    Vec3 normal = Vec3::Zero(); ///< sum of the faces' normals, made of unit length
 };
+
+Patch patchOver(const TriangleSoup& surface, std::vector<Slot> loop, std::vector<Triangle> faces)
+{
+    Patch patch{.loop = std::move(loop), .faces = std::move(faces)};
+    patch.doubleArea = doubleAreaOf(surface, patch.faces);
+    patch.box = boxOf(surface, patch.loop);
+    for (const Triangle& t : patch.faces)
+        patch.normal += normalOf(surface, t);
+    patch.normal.normalize();
+    return patch;
+}
 
 /// Fills loops that bound one opening together, as both rims at the end of a pipe do, with faces between them.
 class LoopJoiner
@@ -230,37 +248,73 @@ class LoopJoiner
 public:
     LoopJoiner(const TriangleSoup& surface, EdgeSet& present) : m_surface(surface), m_present(present) {}
 
-    /// Joins patches, beginning with the largest, where their faces together have less area. Joined patches are empty.
+    /// Joins patches, beginning with the largest. Joined patches are empty.
     void run(std::vector<Patch>& patches, const JobControl& control)
     {
-        std::vector<Patch*> order;
-        for (Patch& patch : patches)
-            order.push_back(&patch);
-        std::ranges::stable_sort(order, std::ranges::greater(), [](const Patch* patch) { return patch->area; });
-        for (auto outer = order.begin(); outer != order.end(); ++outer)
-            for (auto inner = outer + 1; inner != order.end() && !control.isCancelled(); ++inner)
+        std::vector<Patch*> rims = rimsAmong(patches);
+        std::ranges::stable_sort(rims, std::ranges::greater(), [](const Patch* patch) { return patch->doubleArea; });
+        for (auto outer = rims.begin(); outer != rims.end(); ++outer)
+            for (auto inner = outer + 1; inner != rims.end() && !control.isCancelled(); ++inner)
                 if (!(*outer)->loop.empty() && !(*inner)->loop.empty() && join(**outer, **inner))
                     **inner = {};
     }
 
 private:
-    /// Replaces the outer patch by one over both loops, and returns true, if that is better.
+    /// Returns the patches to whose border the surface comes from below or above. A hole in a sheet is none.
+    std::vector<Patch*> rimsAmong(std::vector<Patch>& patches) const
+    {
+        constexpr double steep = 0.9; // cosine of the angle between the normals of the patch and of the surface
+        const auto key = [](Slot from, Slot to) { return std::uint64_t(from) << 32 | to; };
+        std::unordered_map<std::uint64_t, std::pair<Patch*, double>> edges;
+        std::unordered_map<Patch*, std::pair<double, double>> lengths; // of the border, and of it times the cosine
+        for (Patch& patch : patches)
+            for (std::size_t i = 0; i < patch.loop.size(); ++i) {
+                const Slot from = patch.loop[i], to = patch.loop[(i + 1) % patch.loop.size()];
+                const double length = (m_surface.points[to] - m_surface.points[from]).cast<double>().norm();
+                edges.emplace(key(to, from), std::pair(&patch, length)); // the surface's face runs the other way
+                lengths[&patch].first += length;
+            }
+        for (const Triangle& t : m_surface.triangles)
+            for (std::size_t i = 0; i < 3; ++i)
+                if (const auto edge = edges.find(key(t[i], t[i == 2 ? 0 : i + 1])); edge != edges.end()) {
+                    const auto [patch, length] = edge->second;
+                    lengths[patch].second += length * std::abs(patch->normal.dot(normalOf(m_surface, t).normalized()));
+                }
+        std::vector<Patch*> rims;
+        for (Patch& patch : patches)
+            if (lengths[&patch].second < steep * lengths[&patch].first)
+                rims.push_back(&patch);
+        return rims;
+    }
+
+    /// Replaces the outer patch by one over both loops, and returns true, if that has clearly less area.
     bool join(Patch& outer, const Patch& inner)
     {
         constexpr std::size_t most = 2 * maxCorners;
         constexpr double leastGain = 1.5; // of the smaller patch's area; that of a hole in a flat face is 2
         if (outer.loop.size() + inner.loop.size() + 2 > most || !isNear(inner, outer))
             return false;
-        Patch both{.loop = joined(outer.loop, inner.loop), .box = outer.box};
-        both.faces = LoopFiller(m_surface, m_present, both.loop).fill(most);
-        both.area = doubleAreaOf(m_surface, both.faces);
-        if (outer.area + inner.area - both.area < leastGain * std::min(outer.area, inner.area) || foldsBack(both))
+        const std::vector<Slot> loop = joined(outer.loop, inner.loop);
+        const Slot from = loop[0], to = loop.back();
+        // A bridge that leads away from the patch is no part of a rim: it lies on the wall between the ends of a tube.
+        const Vec3 bridge = (m_surface.points[to] - m_surface.points[from]).cast<double>();
+        const double along = bridge.dot(outer.normal);
+        if (2 * along * along > bridge.squaredNorm() || !m_present.add(from, to))
             return false;
+        LoopFiller filler(m_surface, m_present, loop);
+        Patch both = patchOver(m_surface, loop, filler.fill(most));
+        const double gain = outer.doubleArea + inner.doubleArea - both.doubleArea;
+        if (!filler.isClean() || gain < leastGain * std::min(outer.doubleArea, inner.doubleArea)) {
+            m_present.remove(from, to);
+            return false;
+        }
+        both.box = outer.box;
         outer = std::move(both);
         return true;
     }
 
-    /// Returns whether a loop lies on or near the faces of another patch, measured by its own size.
+    /// Returns whether the first corner of a loop lies on or near the faces of another patch, measured by the loop's
+    /// size, and the loop's box in that of the other.
     bool isNear(const Patch& inner, const Patch& outer) const
     {
         const double slack = extentOf(inner.box) / 2;
@@ -274,8 +328,9 @@ private:
         });
     }
 
-    /// Returns one loop over two, with a bridge there and back between their nearest corners.
-    std::vector<Slot> joined(std::vector<Slot> a, std::vector<Slot> b)
+    /// Returns one loop over two, with a bridge there and back between their nearest corners, which are its first and
+    /// its last.
+    std::vector<Slot> joined(std::vector<Slot> a, std::vector<Slot> b) const
     {
         double least = std::numeric_limits<double>::infinity();
         std::size_t ofA = 0, ofB = 0;
@@ -290,35 +345,11 @@ private:
             }
         std::ranges::rotate(a, a.begin() + static_cast<std::ptrdiff_t>(ofA));
         std::ranges::rotate(b, b.begin() + static_cast<std::ptrdiff_t>(ofB));
-        m_present.add(a[0], b[0]);
         std::vector<Slot> loop = a;
         loop.push_back(a[0]);
         loop.insert(loop.end(), b.begin(), b.end());
         loop.push_back(b[0]);
         return loop;
-    }
-
-    /// Returns whether the patch lies upon the surface along half of its border, as one over both ends of a short tube.
-    bool foldsBack(const Patch& patch) const
-    {
-        constexpr double half = 0.5, opposite = -0.9; // cosine of the angle between the normals of faces at an edge
-        std::unordered_map<std::uint64_t, Vec3> normals;
-        const auto key = [](Slot from, Slot to) { return std::uint64_t(from) << 32 | to; };
-        for (const Triangle& t : patch.faces)
-            for (std::size_t i = 0; i < 3; ++i)
-                normals[key(t[i], t[i == 2 ? 0 : i + 1])] = normalOf(m_surface, t).normalized();
-        double border = 0, folded = 0;
-        for (const Triangle& t : m_surface.triangles)
-            for (std::size_t i = 0; i < 3; ++i) {
-                const Slot from = t[i], to = t[i == 2 ? 0 : i + 1];
-                const auto beyond = normals.find(key(to, from));
-                if (beyond == normals.end())
-                    continue;
-                const double length = (m_surface.points[to] - m_surface.points[from]).cast<double>().norm();
-                border += length;
-                folded += beyond->second.dot(normalOf(m_surface, t).normalized()) < opposite ? length : 0;
-            }
-        return folded > half * border;
     }
 
     const TriangleSoup& m_surface;
@@ -339,23 +370,20 @@ HoleFillingResult fillHoles(TriangleSoup& surface, bool largeToo, const JobContr
     for (std::vector<Slot>& loop : loops) {
         if (control.isCancelled())
             break;
-        Patch patch{.loop = std::move(loop)};
-        patch.box = boxOf(surface, patch.loop);
-        const bool isLarge = extentOf(patch.box) > largeHole * extent;
+        const bool isLarge = extentOf(boxOf(surface, loop)) > largeHole * extent;
         filled.largeHoles += isLarge;
         if (isLarge && !largeToo)
             continue;
         filled.holes += 1;
-        patch.faces = LoopFiller(surface, present, patch.loop).fill();
-        patch.area = doubleAreaOf(surface, patch.faces);
-        patches.push_back(std::move(patch));
+        std::vector<Triangle> faces = LoopFiller(surface, present, loop).fill();
+        patches.push_back(patchOver(surface, std::move(loop), std::move(faces)));
     }
     LoopJoiner(surface, present).run(patches, control);
     double added = 0;
     for (const Patch& patch : patches) {
         surface.triangles.insert(surface.triangles.end(), patch.faces.begin(), patch.faces.end());
         filled.faces += patch.faces.size();
-        added += patch.area;
+        added += patch.doubleArea;
     }
     filled.share = added / area;
     return filled;

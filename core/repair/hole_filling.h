@@ -20,8 +20,8 @@ struct HoleFillingResult
 inline constexpr double largeHole = 0.25;
 
 /// Closes the loops at which the surface ends with faces of the least total area (Barequet and Sharir 1995). Loops that
-/// bound one opening together, as the rims at the end of a pipe do, are filled together. A loop consists of edges that
-/// faces run along more often in one direction than in the other. Loops of more than 300 corners first lose their most
-/// pointed corners. New faces may meet other faces. Precondition: the surface is oriented.
+/// bound one opening together, as the rims at the end of a pipe do, are filled together, up to 600 corners. A loop
+/// consists of edges that faces run along more often in one direction than in the other. Loops of more than 300 corners
+/// first lose their most pointed corners. New faces may meet other faces. Precondition: the surface is oriented.
 HoleFillingResult fillHoles(TriangleSoup& surface, bool largeToo, const JobControl& control = {});
 } // namespace core::repair

@@ -218,7 +218,7 @@ void AmfDocumentReader::beginNode(bool isConstellation, const XmlAttributes& att
 {
     const std::string id(attributes.text("id"));
     if (!id.empty() && !(isConstellation ? m_constellationIds : m_objectIds).insert(id).second)
-        attributes.refuse(FileFault::Repeated, "id"); // another one has this id
+        attributes.refuse(FileFault::Repeated, "id"); // another of its kind has this id
     if (m_document.nodes.size() == maxNodes)
         throw tooMany("objects", maxNodes, errorWithToken({}, m_file, {}));
     AmfNode& node = m_document.nodes.emplace_back();

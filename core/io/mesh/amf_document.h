@@ -13,7 +13,7 @@ namespace core::io
 /// An object or a constellation with its placement.
 struct AmfInstance
 {
-    std::string object; ///< id of the object, or if there is none of the constellation
+    std::string object; ///< id of the object or, if no object has it, of the constellation
     std::uint64_t line = 0;
     Eigen::Vector3d move = Eigen::Vector3d::Zero(); ///< translation in the document's unit
     Eigen::Vector3d rotation = Eigen::Vector3d::Zero();

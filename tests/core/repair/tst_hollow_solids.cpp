@@ -352,7 +352,7 @@ void TestHollowSolids::missingRims_areRings()
     }
 }
 
-/// A wall without thickness is no rim for itself, however short it is.
+/// A wall without thickness is no rim for itself, however short it is, straight or bevelled.
 void TestHollowSolids::shortTubes_getLids()
 {
     StrokeFuzzer random(8);
@@ -360,6 +360,19 @@ void TestHollowSolids::shortTubes_getLids()
         const RepairResult result = repairMesh(turned(sides(48, 10, Vec3::Zero(), height), random));
         QVERIFY2(result.mesh, qPrintable(QString::number(height)));
         QVERIFY(std::abs(result.report.after.volume / (height * areaOfPrism(48, 10)) - 1) < 1e-3);
+    }
+    for (const double bevel : {0.2, 0.5, 2.0}) {
+        TriangleMesh coin = sides(48, 10, Vec3::Zero(), 1), upper = sides(48, 10, {0, 0, 1}, 1);
+        const auto widen = [&](Vec3f& p) {
+            if (p.z() == 1)
+                p.head<2>() *= static_cast<float>(1 + bevel / 10);
+        };
+        std::ranges::for_each(coin.points, widen);
+        std::ranges::for_each(upper.points, widen);
+        const RepairResult result = repairMesh(turned(shapes::together(coin, upper), random));
+        const double factor = 1 + bevel / 10, volume = 2.0 / 3 * areaOfPrism(48, 10) * (1 + factor + factor * factor);
+        QVERIFY2(result.mesh, qPrintable(QString::number(bevel)));
+        QVERIFY2(std::abs(result.report.after.volume / volume - 1) < 1e-3, qPrintable(QString::number(bevel)));
     }
 }
 
