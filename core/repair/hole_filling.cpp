@@ -115,7 +115,7 @@ public:
 private:
     Vec3 at(Slot v) const { return m_surface.points[v].cast<double>(); }
 
-    /// Returns twice the area of a face, or a huge cost if the face would be degenerate. The normal is exact.
+    /// Returns twice the area of a face, or a huge cost if the face would be degenerate: the normal is exact.
     double cost(Slot a, Slot b, Slot c) const
     {
         const double area = (at(b) - at(a)).cross(at(c) - at(a)).norm();
