@@ -4,6 +4,7 @@
 #include "core/repair/hole_filling.h"
 
 #include "core/analysis/winding_number.h"
+#include "core/geometry/box_tree.h"
 #include "core/geometry/rectangle_around.h"
 #include "core/util/disjoint_sets.h"
 
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 
 namespace core::repair
 {
@@ -84,23 +86,37 @@ bool isFlat(const Extent& extent)
     return extent.volume < ofBall * ballVolume;
 }
 
-/// Returns, averaged over the area of some of these faces, the distance of the other faces' winding number from a whole
-/// number. It is a half if the others need these faces to be closed. It is 0 if these faces are entirely outside, in a
-/// void or in the matter.
-double closingShare(const TriangleSoup& surface, std::span<const Vec3> points, const WindingNumber& winding,
-                    const Faces& faces)
+constexpr double minShare = 0.25; ///< part of a whole winding number by which others need a part
+
+/// Returns the mean, by area, of measure(middle, face) at about 64 of these faces. `face`: a span of one.
+template <typename Measure>
+double meanOver(std::span<const Triangle> triangles, std::span<const Vec3> points, std::span<const Slot> faces,
+                Measure measure)
 {
     constexpr std::size_t samples = 64;
+    const std::size_t step = faces.size() / samples | 1; // odd, because rows of grids often have a power of two
     double sum = 0, area = 0;
-    for (std::size_t i = 0; i < faces.size(); i += std::max<std::size_t>(1, faces.size() / samples)) {
-        const Triangle& t = surface.triangles[faces[i]];
-        const double share = (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]).norm();
-        const Vec3 middle = (points[t[0]] + points[t[1]] + points[t[2]]) / 3;
-        const double others = winding.at(middle, std::span(faces).subspan(i, 1));
-        sum += share * std::abs(others - std::round(others));
+    for (std::size_t i = 0; i < faces.size(); i += step) {
+        const auto& [a, b, c] = triangles[faces[i]];
+        const double share = (points[b] - points[a]).cross(points[c] - points[a]).norm();
+        sum += share * measure((points[a] + points[b] + points[c]) / 3, faces.subspan(i, 1));
         area += share;
     }
     return area > 0 ? sum / area : 0;
+}
+
+double fromWhole(double winding)
+{
+    return std::abs(winding - std::round(winding));
+}
+
+/// Returns the mean distance of the other faces' winding number at a part from a whole number. It is a half if the
+/// others need the part to be closed. It is 0 if the part is entirely outside, in a void or in the matter.
+double closingShare(const TriangleSoup& surface, std::span<const Vec3> points, const WindingNumber& winding,
+                    const Faces& part)
+{
+    return meanOver(surface.triangles, points, part,
+                    [&](const Vec3& p, std::span<const Slot> face) { return fromWhole(winding.at(p, face)); });
 }
 
 struct Candidate
@@ -108,6 +124,7 @@ struct Candidate
     Faces faces;
     double volume; ///< volume that it would have if it were closed
 };
+using Candidates = std::vector<Candidate>;
 
 /// Adds to `removed` a sheet of a surface with the area `wholeArea`.
 void add(const TriangleSoup& surface, const Candidate& sheet, double wholeArea, SheetRemoval& removed)
@@ -145,13 +162,136 @@ void drop(TriangleSoup& surface, std::span<const Candidate> parts, std::span<Can
         for (Slot& f : part.faces)
             f = newSlot[f];
 }
+
+/// Returns groups of parts, by their index, that are linked by nearness: boxes of parts, each enlarged on all sides by
+/// a third of its longest side, meet. Cost: O(pairs of boxes that meet).
+std::vector<std::vector<Slot>> groupsOf(const TriangleSoup& surface, std::span<const Faces> parts)
+{
+    constexpr float reach = 1.0F / 3;
+    std::vector<FaceBox> boxes(parts.size());
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        for (const Slot f : parts[i])
+            for (const Slot v : surface.triangles[f])
+                boxes[i].extend(surface.points[v].cast<float>().array());
+        const float margin = reach * (boxes[i].max - boxes[i].min).maxCoeff();
+        boxes[i].min -= margin;
+        boxes[i].max += margin;
+    }
+    const BoxTree tree(boxes);
+    DisjointSets sets(parts.size());
+    for (Slot i = 0; i < parts.size(); ++i)
+        tree.forEachMeeting(boxes[i], [&](Slot position) { sets.unite(i, tree.at(position)); });
+    std::map<Slot, std::vector<Slot>> groups;
+    for (Slot i = 0; i < parts.size(); ++i)
+        groups[sets.root(i)].push_back(i);
+    std::vector<std::vector<Slot>> result;
+    for (auto& [root, group] : groups)
+        result.push_back(std::move(group));
+    return result;
+}
+
+/// Returns for each of these parts the sum of the absolute values of the others' mean winding numbers at it. Where
+/// sheets cross, each winds around half of the other from its front and half from behind, so the mean is about 0. Cost:
+/// O(square of the parts).
+std::vector<double> sumsOfMeans(const TriangleSoup& surface, std::span<const Vec3> points, std::span<const Faces> parts,
+                                const JobControl& control)
+{
+    std::vector<double> sums(parts.size(), 0);
+    for (std::size_t i = 0; i < parts.size() && !control.isCancelled(); ++i) {
+        const TriangleSoup alone = partOf(surface, parts[i]);
+        const WindingNumber winding(alone.places(), alone.triangles);
+        for (std::size_t k = 0; k < parts.size(); ++k)
+            if (k != i)
+                sums[k] += std::abs(meanOver(surface.triangles, points, parts[k],
+                                             [&](const Vec3& p, std::span<const Slot>) { return winding.at(p); }));
+    }
+    return sums;
+}
+
+/// The parts of a surface that have an open edge.
+class OpenParts
+{
+public:
+    /// `points`: those of the surface. `winding`: its winding number. Keeps references.
+    OpenParts(const TriangleSoup& surface, std::span<const Vec3> points, const WindingNumber& winding)
+        : m_surface(surface)
+        , m_points(points)
+        , m_winding(winding)
+        , m_parts(openParts(surface))
+    {
+        std::vector<bool> isOpen(surface.triangles.size(), false);
+        for (const Faces& part : m_parts)
+            for (const Slot f : part)
+                isOpen[f] = true;
+        std::vector<Triangle> rest;
+        for (Slot f = 0; f < surface.triangles.size(); ++f)
+            if (!isOpen[f])
+                rest.push_back(surface.triangles[f]);
+        if (!rest.empty())
+            m_rest.emplace(points, rest);
+    }
+
+    /// Moves to the end the candidates that only seem to be needed, as sheets that cross do, and returns the first of
+    /// them: all open parts near such a part are candidates, their winding numbers at it are 0 on average, so is that
+    /// of all open parts together, and the faces in no open part are closed there.
+    Candidates::iterator moveFreeToEnd(Candidates& candidates, const JobControl& control) const
+    {
+        constexpr std::size_t most = 100; // parts of a group
+        if (m_parts.empty())              // sheets that went may have left others closed
+            return candidates.end();
+        std::vector<std::size_t> sizes(m_surface.triangles.size(), 0); // of candidates, by the first face
+        std::vector<bool> isFree(m_surface.triangles.size(), false);   // by the first face
+        for (const Candidate& candidate : candidates)
+            sizes[candidate.faces[0]] = candidate.faces.size();
+        const auto isCandidate = [&](Slot part) { return sizes[m_parts[part][0]] == m_parts[part].size(); };
+        for (const std::vector<Slot>& group : groupsOf(m_surface, m_parts)) {
+            if (control.isCancelled())
+                return candidates.end();
+            if (group.size() > most || !std::ranges::all_of(group, isCandidate))
+                continue;
+            std::vector<Faces> members;
+            for (const Slot i : group)
+                members.push_back(m_parts[i]);
+            const std::vector<double> sums = sumsOfMeans(m_surface, m_points, members, control);
+            if (control.isCancelled())
+                return candidates.end();
+            for (std::size_t i = 0; i < members.size(); ++i)
+                isFree[members[i][0]] = sums[i] <= minShare && std::abs(meanOfOpenAt(members[i])) <= minShare &&
+                                        restFromWholeAt(members[i]) <= minShare;
+        }
+        return std::stable_partition(candidates.begin(), candidates.end(),
+                                     [&](const Candidate& candidate) { return !isFree[candidate.faces[0]]; });
+    }
+
+private:
+    /// Returns the mean winding number of the other open parts at one of them.
+    double meanOfOpenAt(const Faces& part) const
+    {
+        return meanOver(m_surface.triangles, m_points, part, [&](const Vec3& p, std::span<const Slot> face) {
+            return m_winding.at(p, face) - (m_rest ? m_rest->at(p) : 0);
+        });
+    }
+
+    /// Returns the mean distance from a whole number of the winding number of the faces in no open part.
+    double restFromWholeAt(const Faces& part) const
+    {
+        return meanOver(m_surface.triangles, m_points, part,
+                        [&](const Vec3& p, std::span<const Slot>) { return m_rest ? fromWhole(m_rest->at(p)) : 0; });
+    }
+
+    const TriangleSoup& m_surface;
+    std::span<const Vec3> m_points;
+    const WindingNumber& m_winding;
+    std::vector<Faces> m_parts;
+    std::optional<WindingNumber> m_rest; ///< of the faces in no open part, which need not be closed
+};
 } // namespace
 
 SheetRemoval removeSheets(TriangleSoup& surface, const JobControl& control)
 {
-    constexpr double maxFilled = 0.75, minShare = 0.25;
+    constexpr double maxFilled = 0.75;
     SheetRemoval removed;
-    std::vector<Candidate> candidates;
+    Candidates candidates;
     for (Faces& faces : openParts(surface)) {
         if (control.isCancelled())
             return removed;
@@ -161,19 +301,21 @@ SheetRemoval removeSheets(TriangleSoup& surface, const JobControl& control)
             candidates.push_back({std::move(faces), extent.volume});
     }
     const double wholeArea = surface.triangles.empty() ? 0 : extentOf(surface).area;
-    bool doAnyGo = true;
     // Repeated, because sheets change the winding numbers at other sheets
-    while (doAnyGo && !candidates.empty() && !control.isCancelled()) {
+    while (!candidates.empty() && !control.isCancelled()) {
         const std::vector<Vec3> points = surface.places();
         const WindingNumber winding(points, surface.triangles);
         const auto isNeeded = [&](const Candidate& candidate) {
             return closingShare(surface, points, winding, candidate.faces) > minShare;
         };
-        const auto sheets = std::stable_partition(candidates.begin(), candidates.end(), isNeeded);
+        auto sheets = std::stable_partition(candidates.begin(), candidates.end(), isNeeded);
+        if (sheets == candidates.end())
+            sheets = OpenParts(surface, points, winding).moveFreeToEnd(candidates, control);
+        if (sheets == candidates.end())
+            break;
         for (auto sheet = sheets; sheet != candidates.end(); ++sheet)
             add(surface, *sheet, wholeArea, removed);
         drop(surface, {sheets, candidates.end()}, {candidates.begin(), sheets});
-        doAnyGo = sheets != candidates.end();
         candidates.erase(sheets, candidates.end());
     }
     return removed;

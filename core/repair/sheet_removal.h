@@ -22,8 +22,14 @@ struct SheetRemoval
 /// solid is one. A part is a sheet if three conditions hold:
 ///   - Closing it would add more than three quarters of its area.
 ///   - The closed part would be flat: at most a tenth of the volume of the ball with its area.
-///   - The other faces are closed without it: when other sheets are removed, the winding number of the other faces at
+///   - The other faces are closed without it: once the other sheets are gone, the winding number of the other faces at
 ///     the part is on average within a quarter of a whole number.
-/// Precondition: the surface is oriented. Cost: that of fillHoles(), and winding numbers at 64 faces per part.
+///     Where no part that is left meets this, groups of up to 100 open parts near each other are judged, if each meets
+///     the first two conditions. A part is a sheet if the absolute values of the mean winding numbers of the group's
+///     other parts at it sum to at most a quarter, if the mean winding number of all other open parts together is at
+///     most a quarter, and if the faces in no open part are closed there. These means are about 0 where sheets cross,
+///     and a half at a side of a solid.
+/// Precondition: the surface is oriented. Cost: that of fillHoles(), and winding numbers at 64 faces per part; each
+/// time that all parts fail, at 64 faces per pair of parts of a group, too.
 SheetRemoval removeSheets(TriangleSoup& surface, const JobControl& control = {});
 } // namespace core::repair

@@ -130,6 +130,12 @@ private Q_SLOTS:
     void masks_thatGoAreCounted();
     void nothingEnclosed_isRefused();
     void openSheets_areLeftOutAndNamed();
+    void sheetsThatCross_areLeftOut();
+    void wallsAroundSpace_areNotLeftOut_data();
+    void wallsAroundSpace_areNotLeftOut();
+    void lidOnAWell_isNoSheet();
+    void skinsOfThinSolids_areNotSheets_data();
+    void skinsOfThinSolids_areNotSheets();
     void looseFaces_areNotLost();
     void thinStrips_keepTheirVolume();
     void turnedParts_areRepairedAlike();
@@ -428,6 +434,181 @@ void TestRepair::openSheets_areLeftOutAndNamed()
     QVERIFY(trimmed.mesh && trimmed.report.isFaithful());
     QCOMPARE(trimmed.report.sheets, std::size_t(1));
     QCOMPARE(trimmed.mesh->triangles.size(), cube.triangles.size());
+}
+
+/// Each of two sheets beside a cube is in the way of the other, because they cross at some angle.
+void TestRepair::sheetsThatCross_areLeftOut()
+{
+    const TriangleMesh cube = shapes::cube(40);
+    const TriangleMesh sheet{{{-15, -15, 0}, {15, -15, 0}, {15, 15, 0}, {-15, 15, 0}}, {}, {{0, 1, 2}, {0, 2, 3}}};
+    const auto expectCube = [&](TriangleMesh other) {
+        const TriangleMesh both = shapes::moved(shapes::together(sheet, std::move(other)), {90, 0, 0});
+        const RepairResult result = repairMesh(shapes::together(cube, both));
+        QVERIFY(result.mesh && result.report.isFaithful());
+        QCOMPARE(result.report.sheets, std::size_t(2));
+        QCOMPARE(result.mesh->triangles.size(), cube.triangles.size());
+    };
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+        StrokeFuzzer random(seed);
+        const Eigen::AngleAxisd turn(random.uniform(0.5, 2.6), random.direction());
+        TriangleMesh other = sheet;
+        for (Vec3f& p : other.points)
+            p = (turn * p.cast<double>()).cast<float>();
+        expectCube(other);
+        if (QTest::currentTestFailed())
+            QFAIL(qPrintable(QStringLiteral("seed %1").arg(seed)));
+    }
+}
+
+/// Returns the faces of a mesh in pairs, each pair on its own and a little smaller.
+TriangleMesh wallsOf(const TriangleMesh& mesh)
+{
+    TriangleMesh walls;
+    for (std::size_t f = 0; f < mesh.triangles.size(); f += 2) {
+        TriangleMesh wall{mesh.points, {}, {mesh.triangles[f], mesh.triangles[f + 1]}};
+        Box box;
+        for (const Triangle& t : wall.triangles)
+            for (const Slot v : t)
+                box.extend(wall.points[v].cast<double>());
+        for (Vec3f& p : wall.points)
+            p = (box.center() + 0.97 * (p.cast<double>() - box.center())).cast<float>();
+        walls = shapes::together(walls, wall);
+    }
+    return walls;
+}
+
+void TestRepair::wallsAroundSpace_areNotLeftOut_data()
+{
+    QTest::addColumn<TriangleMesh>("walls");
+    const TriangleMesh room = wallsOf(shapes::cube(40));
+    const auto beside = [&](float x, float z) { return shapes::moved(room, {x, 0, z}); };
+    QTest::addRow("a room") << room;
+    QTest::addRow("two rooms") << shapes::together(room, beside(60, 0));
+    TriangleMesh yard = room;
+    for (const auto& [x, z] : {std::pair(0, 45), {0, 90}, {45, 90}, {90, 90}, {90, 45}, {90, 0}})
+        yard = shapes::together(yard, beside(static_cast<float>(x), static_cast<float>(z)));
+    QTest::addRow("rooms around a yard") << yard;
+}
+
+/// Walls that do not touch stand around rooms beside a cube. They are lost, but not as sheets.
+void TestRepair::wallsAroundSpace_areNotLeftOut()
+{
+    QFETCH(TriangleMesh, walls);
+    const RepairResult result = repairMesh(shapes::together(shapes::cube(40), shapes::moved(walls, {90, 0, 0})));
+    QCOMPARE(result.report.sheets, std::size_t(0));
+    QVERIFY(!result.mesh || !result.report.isFaithful());
+}
+
+/// Returns the inner and the outer skin of a tray of 100 x 100 without a rim, 1 thick.
+TriangleMesh tray(float height)
+{
+    const auto skin = [](const Vec3f& sizes, float bottom) {
+        TriangleMesh mesh = shapes::cube(1);
+        for (Vec3f& p : mesh.points)
+            p = (p + Vec3f(0, 0, 0.5F)).cwiseProduct(sizes) + Vec3f(0, 0, bottom);
+        std::erase_if(mesh.triangles, [&](const Triangle& t) {
+            return std::ranges::all_of(t, [&](Slot v) { return mesh.points[v].z() > bottom + sizes.z() / 2; });
+        });
+        return mesh;
+    };
+    return shapes::together(skin({100, 100, height}, 0), shapes::reversed(skin({98, 98, height - 1}, 1)));
+}
+
+/// Returns a sheet of count x count squares in the plane z = 0.
+TriangleMesh sheetOf(Slot count, float side)
+{
+    TriangleMesh mesh;
+    for (Slot i = 0; i <= count; ++i)
+        for (Slot k = 0; k <= count; ++k)
+            mesh.points.emplace_back(side * (static_cast<float>(i) / static_cast<float>(count) - 0.5F),
+                                     side * (static_cast<float>(k) / static_cast<float>(count) - 0.5F), 0);
+    for (Slot i = 0; i < count; ++i)
+        for (Slot k = 0; k < count; ++k) {
+            const Slot a = i * (count + 1) + k, b = a + count + 1;
+            mesh.triangles.insert(mesh.triangles.end(), {{a, b, b + 1}, {a, b + 1, a + 1}});
+        }
+    return mesh;
+}
+
+/// A slab lies on the mouth of a shaft through a plate. Four faces meet at each edge of the mouth. The slab's upper
+/// side lacks a triangle.
+void TestRepair::lidOnAWell_isNoSheet()
+{
+    TriangleMesh mesh;
+    const auto add = [&](std::initializer_list<Vec3f> corners) { // of a convex polygon
+        const auto first = static_cast<Slot>(mesh.points.size());
+        mesh.points.insert(mesh.points.end(), corners);
+        for (Slot i = 2; i < corners.size(); ++i)
+            mesh.triangles.push_back({first, first + i - 1, first + i});
+    };
+    constexpr float far = 50, near = 20, low = 0, high = 10, lid = 11;
+    const Vec3f turns[] = {{1, 1, 0}, {-1, 1, 0}, {-1, -1, 0}, {1, -1, 0}};
+    for (std::size_t i = 0; i < 4; ++i) {
+        const auto at = [](const Vec3f& turn, float reach, float z) {
+            return Vec3f(reach * turn + z * Vec3f::UnitZ());
+        };
+        const Vec3f &a = turns[i], &b = turns[(i + 1) % 4];
+        add({at(a, far, low), at(b, far, low), at(b, far, high), at(a, far, high)});
+        add({at(a, near, low), at(a, near, high), at(b, near, high), at(b, near, low)});
+        add({at(a, far, high), at(b, far, high), at(b, near, high), at(a, near, high)});
+        add({at(a, far, low), at(a, near, low), at(b, near, low), at(b, far, low)});
+        add({at(a, near, high), at(b, near, high), at(b, near, lid), at(a, near, lid)});
+    }
+    add({{near, near, high}, {near, -near, high}, {-near, -near, high}, {-near, near, high}});
+    add({{near, near, lid}, {-near, near, lid}, {-near, -near, lid}});
+    const RepairResult result = repairMesh(mesh);
+    QVERIFY(result.mesh);
+    QCOMPARE(result.report.sheets, std::size_t(0));
+    QVERIFY(std::abs(volumeOf(*result.mesh) / (84e3 + 1.6e3) - 1) < 1e-3);
+}
+
+void TestRepair::skinsOfThinSolids_areNotSheets_data()
+{
+    QTest::addColumn<TriangleMesh>("model");
+    QTest::addColumn<double>("volume");
+    QTest::addColumn<bool>("hasSheets");
+    const double low = 1e4 * 2 - 98.0 * 98, flat = 1e4 * 3 - 98.0 * 98 * 2;
+    const TriangleMesh large = shapes::moved(shapes::cube(200), {250, 0, 0}),
+                       above = shapes::moved(tray(3), {0, 0, 20});
+    QTest::addRow("a low tray") << tray(2) << low << false;
+    QTest::addRow("beside a large cube") << shapes::together(large, tray(2)) << low + 8e6 << false;
+    QTest::addRow("a plate of two skins that face the same way")
+        << shapes::together(
+               shapes::cube(40),
+               shapes::moved(shapes::together(sheetOf(1, 100), shapes::moved(sheetOf(1, 100), {0, 0, 6})), {0, 0, 60}))
+        << 64e3 << true;
+    QTest::addRow("two finely divided skins that face the same way")
+        << shapes::together(
+               shapes::cube(40),
+               shapes::moved(shapes::together(sheetOf(64, 100), shapes::moved(sheetOf(64, 100), {0, 0, 10})),
+                             {0, 0, 60}))
+        << 64e3 << true;
+    QTest::addRow("two trays") << shapes::together(tray(3), above) << 2 * flat << false;
+    QTest::addRow("two trays, one inside out")
+        << shapes::together(tray(3), shapes::reversed(above)) << 2 * flat << false;
+    for (const Slot count : {1U, 40U}) {
+        const TriangleMesh sheet = sheetOf(count, count == 1 ? 160 : 30);
+        TriangleMesh other = sheet;
+        for (Vec3f& p : other.points)
+            p = {p.x(), 0, p.y()};
+        const TriangleMesh cross = shapes::moved(shapes::together(sheet, other), {0, 0, count == 1 ? -120.F : -40.F});
+        QTest::addRow("beside crossing sheets of %u squares", count * count)
+            << shapes::together(cross, tray(3)) << flat << true;
+    }
+}
+
+/// The inner and the outer skin of a tray without a rim need only each other. They stay even if sheets near them are
+/// told as lost.
+void TestRepair::skinsOfThinSolids_areNotSheets()
+{
+    QFETCH(TriangleMesh, model);
+    QFETCH(double, volume);
+    const RepairResult result = repairMesh(model);
+    QFETCH(bool, hasSheets);
+    QVERIFY(result.mesh);
+    QCOMPARE(result.report.isFaithful(), !hasSheets);
+    QVERIFY(hasSheets || result.report.sheets == 0);
+    QVERIFY2(std::abs(volumeOf(*result.mesh) - volume) < 1, qPrintable(QString::number(volumeOf(*result.mesh))));
 }
 
 /// The model consists of the separated faces of a cube.
