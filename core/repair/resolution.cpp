@@ -270,6 +270,7 @@ Resolution resolveIntersections(TriangleSoup& surface, Inside inside, const Tria
     constexpr int maxTimes = 16;
     constexpr int firstReach = 16, lastReach = 2048; // lattice units; doubled each time
     constexpr std::size_t manyTimes = 4, fewStuck = 500;
+    constexpr std::uint64_t maxMet = 100'000; // pairs of faces; with more, cutting rarely converges
     Resolution resolution;
     std::size_t maxStuck = std::numeric_limits<std::size_t>::max();
     Cutting(surface, inside, {cavities, {}}, tolerance, resolution, budget, control).run(maxPairs);
@@ -297,7 +298,8 @@ Resolution resolveIntersections(TriangleSoup& surface, Inside inside, const Tria
             coverPoints(surface, separated.stuck, reach);
         weld(surface);
         Resolution unread;
-        Cutting(surface, Inside::Positive, {cavities, {}}, tolerance, unread, budget, {control.stop, {}}).run(budget);
+        Cutting(surface, Inside::Positive, {cavities, {}}, tolerance, unread, budget, {control.stop, {}})
+            .run(std::min(budget, maxMet));
         resolution.isDone = unread.isDone;
         resolution.knots += unread.knots;
         resolution.widestKnot = std::max(resolution.widestKnot, unread.widestKnot);

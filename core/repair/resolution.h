@@ -30,7 +30,7 @@ struct Resolution
 /// edges and vertices are then separated or joined. Last, crumbs are dropped: components less than 64 units thick and
 /// with less than 1/10,000 of the area. Away from these places no point moves. Uses all cores.
 /// A tangle in which more than 1,000,000 triples of faces meet each other stays unresolved: it would take more than a
-/// minute.
+/// minute. A surface also stays unresolved if more than 100,000 pairs of faces meet after contacts were moved apart.
 /// `cavities`: parts that face inwards (winding_solid.h). `tolerance`: accuracy of the surface's points, lattice units;
 /// nearer points of faces that meet are merged. `budget`: number of pairs of faces that may be cut after the first
 /// time, about 5,000 a second. It is reduced by what was cut; when it is spent, the surface stays unresolved.
