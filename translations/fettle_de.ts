@@ -6585,8 +6585,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1: Der Teil „%2“ ist verschlüsselt oder auf eine Art gepackt, die nicht gelesen wird.</translation>
     </message>
     <message>
-        <source>%1: the XML of the file is broken here.</source>
-        <translation>%1: Das XML der Datei ist hier fehlerhaft.</translation>
+        <source>%1: the XML of the file is broken here: &quot;%2&quot;.</source>
+        <translation>%1: Das XML der Datei ist hier fehlerhaft: „%2“.</translation>
     </message>
     <message>
         <source>%1: a document type is declared here, which models may not have.</source>

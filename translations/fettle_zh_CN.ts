@@ -6556,8 +6556,8 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>%1：部件“%2”已加密，或其压缩方式无法读取。</translation>
     </message>
     <message>
-        <source>%1: the XML of the file is broken here.</source>
-        <translation>%1：文件的 XML 在此处有误。</translation>
+        <source>%1: the XML of the file is broken here: &quot;%2&quot;.</source>
+        <translation>%1：文件的 XML 在此处有误：“%2”。</translation>
     </message>
     <message>
         <source>%1: a document type is declared here, which models may not have.</source>

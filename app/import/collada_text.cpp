@@ -45,6 +45,29 @@ void dropBlanksBeforeValues(std::string& text)
     text.resize(to);
 }
 
+/// Names a file in references of images that have none, at which Assimp 5.2 fails an assertion. Images are not read.
+std::string withReferences(std::string_view text)
+{
+    constexpr std::string_view begin = "<init_from", end = "</init_from", none = "<init_from>none</init_from>";
+    std::string result;
+    for (std::size_t at; (at = text.find(begin)) != std::string_view::npos;) {
+        const std::size_t close = text.find('>', at);
+        if (close == std::string_view::npos)
+            break;
+        const bool isClosed = text[close - 1] == '/';
+        const std::size_t endTag = isClosed ? close : text.find(end, close);
+        const std::size_t last = endTag == std::string_view::npos ? endTag : text.find('>', endTag);
+        if (last == std::string_view::npos)
+            break;
+        std::string_view words = isClosed ? std::string_view() : text.substr(close + 1, endTag - close - 1);
+        words.remove_prefix(std::min(words.find_first_not_of(blanks), words.size()));
+        const bool isEmpty = words.empty() || words.starts_with("<!") || words == "file://";
+        result.append(text.substr(0, at)).append(isEmpty ? none : text.substr(at, last + 1 - at));
+        text.remove_prefix(last + 1);
+    }
+    return result.append(text);
+}
+
 std::size_t wordsIn(std::string_view text)
 {
     std::size_t words = 0;
@@ -60,13 +83,16 @@ std::size_t wordsIn(std::string_view text)
 /// Returns the tag of a float_array with its count attribute set to `count`.
 std::string withCount(std::string_view tag, std::size_t count)
 {
-    constexpr std::string_view attribute = "count=\"";
-    const std::size_t at = tag.find(attribute);
-    if (at == std::string_view::npos)
-        return std::string(tag);
-    const std::size_t first = at + attribute.size();
-    return std::string(tag.substr(0, first)) + std::to_string(count) +
-           std::string(tag.substr(std::min(tag.find('"', first), tag.size())));
+    constexpr std::string_view attribute = "count";
+    for (std::size_t at = tag.find(attribute); at != std::string_view::npos; at = tag.find(attribute, at + 1)) {
+        const std::size_t equals = tag.find_first_not_of(blanks, at + attribute.size());
+        if (equals == std::string_view::npos || tag[equals] != '=')
+            continue;
+        const std::size_t first = std::min(tag.find_first_of("\"'", equals), tag.size() - 1) + 1;
+        return std::string(tag.substr(0, first)) + std::to_string(count) +
+               std::string(tag.substr(std::min(tag.find(tag[first - 1], first), tag.size())));
+    }
+    return tag.ends_with('/') ? std::string(tag) : std::string(tag) + " count=\"" + std::to_string(count) + '"';
 }
 } // namespace
 
@@ -75,6 +101,7 @@ std::string colladaText(std::string_view bytes)
     std::string text = asUtf8(bytes);
     dropDeclaration(text);
     dropBlanksBeforeValues(text);
+    text = withReferences(text);
     std::string result;
     std::string_view rest = text;
     while (true) {

@@ -84,7 +84,7 @@ enum class FileFault {
     NotInPackage,    ///< the package has no part of this name
     NoModelPart,     ///< the package's relationships name no model part
     PackedOtherwise, ///< encrypted, or compressed by an unsupported method
-    XmlSyntax,
+    XmlSyntax,       ///< the token is Expat's message
     XmlDocumentType, ///< a document type declaration, which is refused for safety
     XmlTooDeep,
     XmlLongTag

@@ -119,7 +119,7 @@ QString FileFaultMessages::ofPackage(const core::FileError& error, const QString
     case FileFault::PackedOtherwise:
         return tr("%1: the part \"%2\" is encrypted, or packed in a way that is not read.").arg(where, token);
     case FileFault::XmlSyntax:
-        return tr("%1: the XML of the file is broken here.").arg(where);
+        return tr("%1: the XML of the file is broken here: \"%2\".").arg(where, token);
     case FileFault::XmlDocumentType:
         return tr("%1: a document type is declared here, which models may not have.").arg(where);
     case FileFault::XmlTooDeep:

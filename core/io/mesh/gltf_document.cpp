@@ -218,8 +218,12 @@ void GltfDocument::refuseOldVersion() const
 {
     const auto asset = m_document.find("asset");
     const auto version = asset != m_document.end() && asset->is_object() ? asset->find("version") : m_document.end();
-    if (asset == m_document.end() || !asset->is_object() || version == asset->end() || !version->is_string())
-        return; // the version is optional here: many files omit it
+    if (asset == m_document.end() || !asset->is_object() || version == asset->end() || !version->is_string()) {
+        // The version is optional here: many files omit it
+        if (const auto meshes = m_document.find("meshes"); meshes != m_document.end() && meshes->is_object())
+            refuse(FileFault::OldGltf, "1.0"); // version 2 has a list of meshes
+        return;
+    }
     const std::string& text = version->get_ref<const std::string&>();
     if (text.starts_with("0.") || text.starts_with("1."))
         refuse(FileFault::OldGltf, text);
@@ -284,6 +288,10 @@ const GltfDocument::Json& GltfDocument::arrayIn(const Json& object, const char* 
 
 std::size_t GltfDocument::toIndex(const Json& value, const char* what) const
 {
+    constexpr double most = 1ULL << 53; // whole doubles are exact up to here
+    if (value.is_number_float())        // some programs write 3.0
+        if (const double number = value.get<double>(); number >= 0 && number <= most && number == std::floor(number))
+            return static_cast<std::size_t>(number);
     if (!value.is_number_integer() || value < 0)
         refuse(FileFault::NotAnIndex, what);
     return value.get<std::size_t>();

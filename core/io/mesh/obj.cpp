@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <unordered_map>
@@ -20,6 +21,16 @@ namespace core::io
 namespace
 {
 using RawColor = std::array<float, 3>;
+
+/// Returns the next word as a number, which may be NaN or infinite, such as nan, -nan(ind) or inf.
+float anyNumber(TextScanner& text)
+{
+    const std::string_view word = text.word();
+    const char* const last = word.data() + word.size();
+    float value = 0;
+    const char* const end = std::from_chars(word.data(), last, value).ptr;
+    return std::isfinite(value) || (end != last && *end != '(') ? text.toNumber(word) : value;
+}
 
 class ObjReader
 {
@@ -75,20 +86,24 @@ private:
         m_objects.push_back({cleanName(rest.substr(0, rest.find_first_of("\r\n"))), {}});
     }
 
-    /// Reads v x y z, with or without a weight and with or without r g b.
+    /// Reads v x y z, with or without a weight and with or without r g b. A weight or colour may be NaN or infinite;
+    /// such a colour is missing.
     void readVertex()
     {
         std::array<float, 7> numbers;
         std::size_t count = 0;
-        while (count < numbers.size() && !m_text.atLineEnd())
-            numbers[count++] = m_text.number();
+        while (count < numbers.size() && !m_text.atLineEnd()) {
+            numbers[count] = count < 3 ? m_text.number() : anyNumber(m_text);
+            ++count;
+        }
         if (count < 3 || count == 5 || !m_text.atLineEnd())
             m_text.fail(FileFault::VertexNumbers, m_text.word());
         if (m_mesh.points.size() == maxVertices)
             throw tooMany("vertices", maxVertices, errorAtLine({}, m_file, m_text.position()));
-        if (count >= 6) {
+        const RawColor color{numbers[count - 3], numbers[count - 2], numbers[count - 1]};
+        if (count >= 6 && std::ranges::all_of(color, [](float c) { return std::isfinite(c); })) {
             m_colors.resize(m_mesh.points.size(), noColor);
-            m_colors.push_back({numbers[count - 3], numbers[count - 2], numbers[count - 1]});
+            m_colors.push_back(color);
         }
         m_mesh.points.emplace_back(numbers[0], numbers[1], numbers[2]);
     }

@@ -65,6 +65,13 @@ bool isTriangle(const FileBytes& file, std::size_t number)
            corners[2] != corners[0];
 }
 
+/// Returns whether the bytes are printable ASCII, which may end with padding. Nearly all triangles have other bytes.
+bool isPrintableText(std::string_view bytes)
+{
+    const auto isPrintable = [](char c) { return (c >= ' ' && c <= '~') || (c >= '\t' && c <= '\r'); };
+    return std::ranges::all_of(withoutPadding(bytes), isPrintable);
+}
+
 /// Returns the number of triangles to read. Normally this is the header's count. All triangles in the file are read if
 /// the count is 0 or has all bits set, as written by programs that do not know it yet, or if nothing but triangles
 /// follows.
@@ -76,6 +83,8 @@ std::size_t trianglesIn(const FileBytes& file)
     const bool isWhole = stlHeaderSize + room * stlTriangleSize == file.bytes.size();
     if (announced == room || announced == 0 || announced == unknown)
         return room;
+    if (announced < room && isPrintableText(file.bytes.substr(stlHeaderSize + announced * stlTriangleSize)))
+        return announced;
     for (std::uint64_t i = announced; i < room; ++i)
         if (!isWhole || !isTriangle(file, i))
             return announced;

@@ -74,7 +74,7 @@ struct X3dDocument::Parser
             if (status != XML_STATUS_OK && XML_GetErrorCode(parser.get()) == XML_ERROR_NO_MEMORY)
                 throw std::bad_alloc();
             if (status != XML_STATUS_OK)
-                refuse(FileFault::XmlSyntax);
+                refuse(FileFault::XmlSyntax, XML_ErrorString(XML_GetErrorCode(parser.get())));
         }
     }
 

@@ -148,7 +148,7 @@ void XmlReader::take(std::string_view piece)
         throw std::bad_alloc();
     const auto understood = static_cast<std::uint64_t>(std::max<XML_Index>(0, XML_GetCurrentByteIndex(m_parser.get())));
     if (status != XML_STATUS_OK)
-        refuse(FileFault::XmlSyntax);
+        refuse(FileFault::XmlSyntax, XML_ErrorString(XML_GetErrorCode(m_parser.get())));
     if (m_given > understood + longestTag)
         refuse(FileFault::XmlLongTag);
 }
@@ -158,9 +158,9 @@ std::uint64_t XmlReader::line() const
     return XML_GetCurrentLineNumber(m_parser.get());
 }
 
-void XmlReader::refuse(FileFault fault) const
+void XmlReader::refuse(FileFault fault, std::string_view token) const
 {
-    FileError error = malformed(fault, errorWithToken({}, m_file, {}));
+    FileError error = malformed(fault, errorWithToken({}, m_file, token));
     error.place = {FilePlace::Unit::Line, line()};
     throw error;
 }

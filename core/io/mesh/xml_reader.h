@@ -67,7 +67,7 @@ public:
 private:
     struct Callbacks;
     void guarded(const std::function<void()>& work);
-    [[noreturn]] void refuse(FileFault fault) const;
+    [[noreturn]] void refuse(FileFault fault, std::string_view token = {}) const;
 
     const FileBytes& m_file;
     XmlNamespaces m_namespaces;

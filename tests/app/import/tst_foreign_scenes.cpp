@@ -965,13 +965,20 @@ void TestForeignScenes::ogex_metricsAreHeeded()
     QVERIFY(std::abs(volumeOf(model.mesh) - unit * unit * unit) < 1e-6 * unit * unit * unit);
 }
 
-/// A COLLADA tetrahedron with a wrong count and with leading spaces in values.
+/// A COLLADA tetrahedron with a wrong or missing count, with leading spaces in values, and with images that name no
+/// file.
 void TestForeignScenes::dae_isReadInUtf16AndWithBlanks()
 {
     const QString text = QStringLiteral(
         "<?xml version=\"1.0\" encoding=\"%1\"?>\n<COLLADA xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" "
-        "version=\"1.4.1\"><asset><unit meter=\"1\"/><up_axis>Y_UP</up_axis></asset><library_geometries>"
-        "<geometry id=\"g\"><mesh><source id=\"p\"><float_array id=\"a\" count=\"%2\">\n  0 0 0 1 0 0 0 1 0 0 0 1\n"
+        "version=\"1.4.1\"><asset><unit meter=\"1\"/><up_axis>Y_UP</up_axis></asset><library_images>"
+        "<image id=\"i\"><init_from/></image><image "
+        "id=\"k\"><init_from>\n</init_from></image></library_images>"
+        "<library_materials><material id=\"m\"><instance_effect url=\"#e\"/></material></library_materials>"
+        "<library_effects><effect id=\"e\"><profile_COMMON><technique sid=\"t\"><phong><diffuse><texture "
+        "texture=\"i\" texcoord=\"u\"/></diffuse></phong></technique></profile_COMMON></effect></library_effects>"
+        "<library_geometries>"
+        "<geometry id=\"g\"><mesh><source id=\"p\"><float_array id=\"a\"%2>\n  0 0 0 1 0 0 0 1 0 0 0 1\n"
         "</float_array><technique_common><accessor source=\"#a\" count=\"4\" stride=\"3\"><param name=\"X\" "
         "type=\"float\"/><param name=\"Y\" type=\"float\"/><param name=\"Z\" type=\"float\"/></accessor>"
         "</technique_common></source><vertices id=\"v\"><input semantic=\"POSITION\" source=\"#p\"/></vertices>"
@@ -979,9 +986,9 @@ void TestForeignScenes::dae_isReadInUtf16AndWithBlanks()
         "</triangles></mesh></geometry></library_geometries><library_visual_scenes><visual_scene id=\"s\">"
         "<node id=\"n\"><matrix>  1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1 </matrix><instance_geometry url=\"#g\"/></node>"
         "</visual_scene></library_visual_scenes><scene><instance_visual_scene url=\"#s\"/></scene></COLLADA>");
-    for (const int count : {12, 3, 99}) {
-        const QString utf8 = text.arg(QStringLiteral("utf-8")).arg(count),
-                      utf16 = text.arg(QStringLiteral("utf-16")).arg(count);
+    for (const char* count : {" count=\"12\"", " count=\"3\"", " count = '99'", ""}) {
+        const QString utf8 = text.arg(QStringLiteral("utf-8"), QLatin1StringView(count)),
+                      utf16 = text.arg(QStringLiteral("utf-16"), QLatin1StringView(count));
         QStringEncoder little(QStringEncoder::Utf16LE, QStringConverter::Flag::WriteBom),
             big(QStringEncoder::Utf16BE, QStringConverter::Flag::WriteBom), bare(QStringEncoder::Utf16LE);
         const QByteArray encoded[] = {

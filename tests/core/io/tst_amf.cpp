@@ -628,7 +628,7 @@ void TestAmf::badFiles_areRefused_data()
         Kind::Malformed, FileFault::XmlDocumentType, "", 2);
     row("a file from outside", wrong("<amf", "<!DOCTYPE amf [<!ENTITY a SYSTEM \"file:///etc/passwd\">]><amf"),
         Kind::Malformed, FileFault::XmlDocumentType, "", 2);
-    row("tags crossed", wrong("</x>", "</y>"), Kind::Malformed, FileFault::XmlSyntax, "", 3);
+    row("tags crossed", wrong("</x>", "</y>"), Kind::Malformed, FileFault::XmlSyntax, "mismatched tag", 3);
     row("comma", wrong("<y> +2.0", "<y>2,0"), Kind::NotANumber, FileFault::None, "2,0", 5);
     row("nan", wrong("<x>0", "<x>nan"), Kind::NotANumber, FileFault::None, "nan", 3);
     row("too large", wrong("<x>0", "<x>1e39"), Kind::NotANumber, FileFault::None, "1e39", 3);

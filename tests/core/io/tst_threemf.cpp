@@ -322,8 +322,8 @@ void TestThreeMf::badPackages_areRefused_data()
         R"(<!DOCTYPE model [<!ENTITY a "aaaaaaaaaa"><!ENTITY b "&a;&a;&a;&a;">]>)" + good.substr(21));
     row("a file from outside", Kind::Malformed, "",
         R"(<!DOCTYPE model [<!ENTITY a SYSTEM "file:///etc/passwd">]>)" + good.substr(21));
-    row("no end", Kind::Malformed, "", good.substr(0, good.size() - 9));
-    row("not XML", Kind::Malformed, "", "solid");
+    row("no end", Kind::Malformed, "unclosed token", good.substr(0, good.size() - 9));
+    row("not XML", Kind::Malformed, "syntax error", "solid");
     row("unknown unit", Kind::Malformed, "furlong", model(object(1, mesh()), item(1), R"(unit="furlong")"));
     row("unknown type", Kind::Malformed, "type banana", model(object(1, mesh(), R"(type="banana")"), item(1)));
     row("no such object", Kind::Malformed, "objectid 3", model(object(1, mesh()), item(3)));

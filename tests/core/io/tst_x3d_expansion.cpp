@@ -497,7 +497,7 @@ void TestX3dExpansion::badFiles_areRefused_data()
     };
     row("holds itself", "\n<Group DEF='G'><Group USE='G'/></Group>", FileFault::TooDeep, "nodes of USE=G");
     row("not defined", "\n<Group USE='G'/>", FileFault::Missing, "DEF=G");
-    row("no XML", "\n<Group>", FileFault::XmlSyntax, "");
+    row("no XML", "\n<Group>", FileFault::XmlSyntax, "mismatched tag");
     row("no index", "\n" + set("coordIndex='0 x 2'"), FileFault::VertexIndex, "x");
     row("negative", "\n" + set("coordIndex='0 -2 2'"), FileFault::VertexIndex, "-2");
     row("beyond", "\n" + set("coordIndex='0 1 6'"), FileFault::None, "6", Kind::IndexOutOfRange);
