@@ -11,7 +11,7 @@
 
 namespace
 {
-constexpr core::Slot cuts = 71; ///< 50,412 vertices
+constexpr core::Slot ballCuts = 71; ///< 50,412 vertices
 
 std::unique_ptr<core::Mesh> balls(std::int64_t count)
 {
@@ -20,7 +20,7 @@ std::unique_ptr<core::Mesh> balls(std::int64_t count)
     for (std::int64_t i = 0; i < count; ++i) {
         const core::Vec3f by = i == 0 ? core::Vec3f(core::Vec3f::Zero()) : random.direction().cast<float>();
         pieces.push_back({static_cast<core::PartId>(i),
-                          shapes::moved(bench::geodesicSphere(cuts), {by.x(), by.y(), by.z()}),
+                          shapes::moved(bench::geodesicSphere(ballCuts), {by.x(), by.y(), by.z()}),
                           {},
                           {}});
     }

@@ -10,6 +10,7 @@
 //   handles    from the lip to the shoulder, and its image        1           18   each handle adds one
 //   motifs     rotated waves and pearls                           1           18
 #include "tests/app/commands/played_strokes.h"
+#include "tests/support/effort.h"
 #include "tests/support/mirror_asserts.h"
 #include "tests/support/solid_asserts.h"
 #include "tests/support/test_main.h"
@@ -233,8 +234,12 @@ void TestVase::eachStage_hasTheHandlesCounted()
 {
     Potter potter;
     std::size_t vertices = 0;
-    for (const auto& stage : stages) {
+    for (std::size_t i = 0; i < std::size(stages); ++i) {
+        const auto& stage = stages[i];
         (potter.*stage.work)();
+        const bool isLast = i + 1 == std::size(stages);
+        if (effort() == Effort::Small && i % 2 == 0 && !isLast) // each stage repeats the strokes of all earlier ones
+            continue;
         const auto vase = played_strokes::replay(potter.file());
         QVERIFY2(vase, stage.name);
         const auto mesh = mesh_asserts::sculptable(vase->mesh);

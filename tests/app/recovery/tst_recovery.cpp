@@ -486,7 +486,7 @@ void TestRecovery::kill_losesNothingThatWasFinished()
 {
     QFETCH(quint64, seed);
     const int changes = byEffort(40, 60);
-    const int kills = byEffort(4, 12, 300);
+    const int kills = byEffort(3, 12, 300);
     QProcess whole;
     QElapsedTimer clock;
     startVictim(whole, newRoot(), seed, changes);

@@ -509,12 +509,13 @@ void TestViewArea::randomAreas_leaveSoundParts()
 {
     const auto seed = numberFromEnvironment("FETTLE_SEED", 1);
     int changes = 0, refusals = 0;
-    for (int round = 0; round < byEffort(8, 200); ++round) {
+    for (int round = 0; round < byEffort(5, 200); ++round) {
         StrokeFuzzer random(seed * 1000 + static_cast<std::uint64_t>(round));
         const TriangleMesh starts[] = {icosphere(3, 1), shapes::torus({1, 0.4, 40, 20}), clay::spiral(),
                                        shapes::nestedSpheres(true),
                                        shapes::together(ballAt({0, 0, 0}, 1), ballAt({0, 0, 2.5}, 0.7))};
-        const auto mesh = document({starts[random.below(std::size(starts))], ballAt({0.5F, 0.3F, 1}, 1, 2)});
+        const auto mesh =
+            document({starts[static_cast<std::size_t>(round) % std::size(starts)], ballAt({0.5F, 0.3F, 1}, 1, 2)});
         for (int i = 0; i < 6; ++i) {
             const ViewArea area = randomArea(random);
             const ModelCommand commands[] = {Trim{area}, Trim{area, Rgb{9, 9, 9}}, SplitPart{area, "new"},
@@ -535,7 +536,7 @@ void TestViewArea::randomAreas_leaveSoundParts()
             }
         }
     }
-    QVERIFY2(changes > 2 * byEffort(8, 200), qPrintable(QString::number(changes)));
+    QVERIFY2(changes > 2 * byEffort(5, 200), qPrintable(QString::number(changes)));
     QVERIFY2(refusals < changes / 10, qPrintable(QString::number(refusals)));
 }
 

@@ -304,7 +304,7 @@ void TestHollowSolids::volume_isKept()
 /// A grid of cubes with many common edges and corners. After a rotation, equal corners are rounded differently.
 void TestHollowSolids::cubesThatTouch_areTakenApart()
 {
-    constexpr int side = 12;
+    const int side = byEffort(9, 12);
     const unsigned count = byEffort(1, 3, 10);
     for (unsigned seed = 1; seed <= count; ++seed) {
         StrokeFuzzer random(seed);
@@ -329,7 +329,7 @@ void TestHollowSolids::missingRims_areRings()
 {
     constexpr double height = 40, outer = 10, inner = 8, bore = 3;
     StrokeFuzzer random(7);
-    const int turns = byEffort(3, 12);
+    const int turns = byEffort(2, 12);
     for (const double deeper : {0.0, 0.2, 1.0}) {
         const TriangleMesh pipe =
             shapes::together(sides(64, outer, Vec3::Zero(), height),

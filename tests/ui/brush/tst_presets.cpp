@@ -114,7 +114,8 @@ private Q_SLOTS:
             names.insert(entry.name);
             tips.insert(entry.tip);
             const QImage picture = ui::presetImage(entry.file, 64, {});
-            QVERIFY(picture == ui::presetImage(entry.file, 64, {}));
+            if (pictures.empty() || effort() != Effort::Small)
+                QVERIFY(picture == ui::presetImage(entry.file, 64, {}));
             pictures.insert(QByteArray(reinterpret_cast<const char*>(picture.constBits()), picture.sizeInBytes()));
         }
         QVERIFY(names.size() == oursCount && tips.size() == oursCount && pictures.size() == oursCount);
