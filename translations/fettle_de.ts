@@ -707,6 +707,14 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>With --repair: what to do with parts inside of others that face outwards (default: fill).</source>
         <translation>Mit --repair: Umgang mit Teilen im Innern anderer, die nach außen zeigen (Vorgabe: fill).</translation>
     </message>
+    <message>
+        <source>Move the middle of the model to the origin.</source>
+        <translation>Verschiebt die Mitte des Modells in den Ursprung.</translation>
+    </message>
+    <message>
+        <source>--recentre does that.</source>
+        <translation>--recentre tut das.</translation>
+    </message>
     <message numerus="yes">
         <source>convert: needs two files, IN and OUT; %n were given.</source>
         <translation>

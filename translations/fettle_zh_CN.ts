@@ -699,6 +699,14 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>With --repair: what to do with parts inside of others that face outwards (default: fill).</source>
         <translation>与 --repair 一起使用：如何处理位于其他部件内部且朝外的部件（默认 fill）。</translation>
     </message>
+    <message>
+        <source>Move the middle of the model to the origin.</source>
+        <translation>将模型的中心移到原点。</translation>
+    </message>
+    <message>
+        <source>--recentre does that.</source>
+        <translation>可使用 --recentre。</translation>
+    </message>
     <message numerus="yes">
         <source>convert: needs two files, IN and OUT; %n were given.</source>
         <translation>

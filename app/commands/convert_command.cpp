@@ -10,6 +10,7 @@
 #include "core/analysis/mesh_check.h"
 #include "core/decimation/decimate.h"
 #include "core/geometry/face_geometry.h"
+#include "core/geometry/lattice_placement.h"
 #include "core/io/mesh_io.h"
 #include "core/io/placed_mesh.h"
 #include "core/mesh/mesh_builder.h"
@@ -34,7 +35,8 @@ constexpr double minSize = 0.001, maxSize = 1e6; ///< smallest and largest lengt
 constexpr unsigned fewestTriangles = 4;          ///< least number of triangles of a solid
 const QString repairOption = QStringLiteral("repair"), wrap = QStringLiteral("wrap"),
               largeHoles = QStringLiteral("large-holes"), innerParts = QStringLiteral("inner-parts"),
-              partsOption = QStringLiteral("parts"), overlaps = QStringLiteral("overlaps");
+              partsOption = QStringLiteral("parts"), overlaps = QStringLiteral("overlaps"),
+              recentre = QStringLiteral("recentre");
 
 struct ConvertOptions
 {
@@ -42,6 +44,7 @@ struct ConvertOptions
     double unit = 1;            ///< unit of IN's coordinates, mm
     std::optional<double> size; ///< longest side of OUT, mm
     std::optional<UpAxis> up;   ///< up axis of IN
+    bool recentres = false;     ///< moves the middle of the model to the origin
     std::size_t triangles = 0;  ///< largest number of triangles of OUT; 0: no limit
     std::optional<core::RepairOptions> repair;
     bool keepsObjects = false; ///< makes a part of each object of IN
@@ -83,6 +86,7 @@ void addConvertOptions(QCommandLineParser& parser)
          {QStringLiteral("up"),
           ConvertMessages::tr("Axis of IN that points up (default: z for STL, 3MF and AMF, y for others)."),
           upWords().join(u'|')},
+         {{recentre, QStringLiteral("recenter")}, ConvertMessages::tr("Move the middle of the model to the origin.")},
          {QStringLiteral("triangles"),
           ConvertMessages::tr("Most triangles of OUT, 4 or more (default: as many as it has). They are removed where "
                               "shape and colours change least."),
@@ -132,7 +136,7 @@ std::optional<ConvertOptions> parseConvertOptions(const QStringList& arguments)
     if (files.size() != 2)
         CommandLine::fail(ConvertMessages::tr("convert: needs two files, IN and OUT; %n were given.", nullptr,
                                               static_cast<int>(files.size())));
-    ConvertOptions options{{}, {}, CommandUnit::of(given), {}, {}, 0, repairFrom(given)};
+    ConvertOptions options{{}, {}, CommandUnit::of(given), {}, {}, given.has(recentre), 0, repairFrom(given)};
     if (given.has(size))
         options.size = given.number(size, minSize, maxSize);
     if (given.has(up))
@@ -209,7 +213,8 @@ struct Repaired
 {
     core::RepairReport report;
     core::TriangleMesh old; ///< the mesh before the repair; see core::RepairResult::old
-    QString doubt; ///< one sentence if the repaired model may differ too much from the original; otherwise empty
+    QString doubt;    ///< one sentence if the repaired model may differ too much from the original; otherwise empty
+    core::Vec3 place; ///< place of `old` in the coordinates of the mesh
 };
 
 /// Repairs the model if it is not sound. Returns nothing if it was sound already.
@@ -225,15 +230,16 @@ std::optional<Repaired> makeSound(const ConvertOptions& options, core::TriangleM
     CommandLine::printProgress({});
     if (!repaired.mesh)
         throw CommandFailure{refusalText(file, repaired, *options.repair), AnswerIsNo};
-    mesh = core::placedMesh(toPath(options.out), std::move(*repaired.mesh), -repaired.report.moved);
-    return Repaired{repaired.report, std::move(repaired.old), ui::RepairMessages::doubt(file, repaired.report)};
+    const core::Vec3 place = options.recentres ? core::Vec3::Zero() : core::Vec3(-repaired.report.moved);
+    mesh = core::placedMesh(toPath(options.out), std::move(*repaired.mesh), place);
+    return Repaired{repaired.report, std::move(repaired.old), ui::RepairMessages::doubt(file, repaired.report), place};
 }
 
 /// Measures the losses again after decimation, replacing those of the repair alone.
 void measureAgain(const QString& file, Repaired& repaired, core::TriangleMesh mesh)
 {
     for (core::Vec3f& p : mesh.points)
-        p = (p.cast<double>() + repaired.report.moved).cast<float>();
+        p = (p.cast<double>() - repaired.place).cast<float>();
     core::measureAgain(repaired.report, repaired.old, mesh);
     if (const QString doubt = ui::RepairMessages::doubt(file, repaired.report);
         !repaired.doubt.isEmpty() && !doubt.isEmpty())
@@ -283,6 +289,22 @@ core::TriangleMesh reduced(const ConvertOptions& options, const core::TriangleMe
         throw CommandFailure{tooManyText(options.in, few, options.triangles), AnswerIsNo};
     return core::placedMesh(toPath(options.out), std::move(few), place);
 }
+
+/// Moves the middle of the model's box to the origin, by a vector of the lattice that the window would choose for it.
+/// Returns the vector.
+core::Vec3 moveToOrigin(const ConvertOptions& options, core::TriangleMesh& mesh)
+{
+    const core::Vec3 moved = core::placeOnLattice(core::boxOf(mesh), true).moved;
+    mesh = core::placedMesh(toPath(options.out), std::move(mesh), moved);
+    return moved;
+}
+
+QString sentence(const core::FileError& error, const ConvertOptions& options)
+{
+    const QString words = ui::ErrorMessages::sentence(error);
+    const bool mayHelp = error.kind == core::FileErrorKind::TooFar && !options.recentres;
+    return mayHelp ? words + u' ' + ConvertMessages::tr("--recentre does that.") : words;
+}
 } // namespace
 
 ExitStatus convertCommand(const QStringList& arguments)
@@ -306,6 +328,11 @@ ExitStatus convertCommand(const QStringList& arguments)
         if (repaired && parts.size() > 1)
             parts = {}; // the repair made one part of all
         dropHidden(*options, mesh, parts);
+        if (options->recentres) {
+            const core::Vec3 moved = moveToOrigin(*options, mesh);
+            if (repaired)
+                repaired->place += moved;
+        }
         const bool areJoined = joinParts(*options, mesh);
         if (areJoined)
             parts = {};
@@ -325,7 +352,7 @@ ExitStatus convertCommand(const QStringList& arguments)
         if (repaired && !repaired->doubt.isEmpty())
             throw CommandFailure{repaired->doubt, AnswerIsNo};
     } catch (const core::FileError& error) {
-        CommandLine::fail(ui::ErrorMessages::sentence(error));
+        CommandLine::fail(sentence(error, *options));
     }
     return Done;
 }

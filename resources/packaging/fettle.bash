@@ -42,8 +42,8 @@ _fettle()
                    --to --no-clobber --help -h' ;;
         check) words="$model --json --csv --print --nozzle --overhang --bed" ;;
         convert)
-            words="$model --to --no-clobber --size --up --triangles --repair --legalise --legalize --wrap --large-holes
-                   --inner-parts --parts --overlaps" ;;
+            words="$model --to --no-clobber --size --up --recentre --recenter --triangles --repair --legalise --legalize
+                   --wrap --large-holes --inner-parts --parts --overlaps" ;;
         boolean) words="$model --out --output -o --to --no-clobber --up" ;;
         replay)
             words='--strokes --in --parts --out -o --stats --frames --every --verify --from --to --no-clobber

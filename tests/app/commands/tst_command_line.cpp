@@ -144,6 +144,7 @@ private Q_SLOTS:
     void check_printRefusals();
     void check_goesOnAfterABadFile();
     void convert_keepsCoordinates();
+    void convert_recentre();
     void convert_unitAndSize();
     void convert_triangles();
     void convert_up();
@@ -1064,6 +1065,30 @@ void TestCommandLine::convert_keepsCoordinates()
         for (std::size_t f = 0; f < back.triangles.size(); ++f)
             for (std::size_t c = 0; c < 3; ++c)
                 QVERIFY(back.points[back.triangles[f][c]] == model.points[model.triangles[f][c]]);
+    }
+}
+
+/// Two balls that overlap, near the origin, far away, and so far that their union does not fit into floats there.
+void TestCommandLine::convert_recentre()
+{
+    const QString option = QStringLiteral("--recentre"), repair = QStringLiteral("--repair");
+    for (const float x : {0.3F, 1000.F, 3e5F}) {
+        const core::TriangleMesh ball = shapes::moved(core::icosphere(3, 1), {x, 2 * x, 0});
+        core::writeMesh(at("two.obj").toStdString(), shapes::together(ball, shapes::moved(ball, {0, 0, 0.7F})));
+        const bool isFar = x > 1e5F;
+        const Answer there = fettle({QStringLiteral("convert"), repair, at("two.obj"), at("there.stl")});
+        QCOMPARE(there.status, isFar ? 2 : 0);
+        QCOMPARE(there.err.contains("--recentre"), isFar);
+        QCOMPARE(fettle({QStringLiteral("convert"), repair, option, at("two.obj"), at("here.stl")}).status, 0);
+        const core::TriangleMesh here = core::readMesh(at("here.stl").toStdString());
+        const core::Box box = core::boxOf(here);
+        QVERIFY(box.center().norm() < 1e-3 && core::checkMesh(here).printReady());
+        QCOMPARE(fettle({QStringLiteral("convert"), option, at("here.stl"), at("again.stl")}).status, 0);
+        QVERIFY(core::readMesh(at("again.stl").toStdString()).points == here.points);
+        if (!isFar) { // a sound model is moved only
+            QCOMPARE(fettle({QStringLiteral("convert"), option, at("there.stl"), at("moved.stl")}).status, 0);
+            QCOMPARE(core::readMesh(at("moved.stl").toStdString()).triangles.size(), here.triangles.size());
+        }
     }
 }
 
