@@ -6577,6 +6577,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1 ist FBX der Version %2; gelesen wird ab Version 7.1: Speichern Sie die Datei als FBX 7 oder GLB.</translation>
     </message>
     <message>
+        <source>%1 is IFC of the schema %2; IFC2X3 is read: save it as that or as GLB.</source>
+        <translation>%1 ist IFC nach dem Schema %2; gelesen wird IFC2X3: Speichern Sie die Datei so oder als GLB.</translation>
+    </message>
+    <message>
         <source>%1: &quot;%2&quot; leads out of the package; nothing from elsewhere is read.</source>
         <translation>%1: „%2“ führt aus dem Paket hinaus; von anderswo wird nichts gelesen.</translation>
     </message>

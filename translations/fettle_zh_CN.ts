@@ -6548,6 +6548,10 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>%1 是 FBX %2 版；可读取 7.1 及以上版本：请保存为 FBX 7 或 GLB。</translation>
     </message>
     <message>
+        <source>%1 is IFC of the schema %2; IFC2X3 is read: save it as that or as GLB.</source>
+        <translation>%1 是 %2 模式的 IFC；可读取的是 IFC2X3：请保存为该模式或 GLB。</translation>
+    </message>
+    <message>
         <source>%1: &quot;%2&quot; leads out of the package; nothing from elsewhere is read.</source>
         <translation>%1：“%2”指向包外；不会读取别处的内容。</translation>
     </message>

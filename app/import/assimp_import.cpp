@@ -180,6 +180,23 @@ void requireFbxVersion(const fs::path& path, std::string_view start)
     throw error;
 }
 
+/// Throws FileError for an IFC schema of which Assimp reads little.
+void requireIfcSchema(const fs::path& path, std::string_view start)
+{
+    constexpr std::string_view keyword = "FILE_SCHEMA", letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
+    constexpr std::size_t longest = 40;
+    std::string_view schema = start.substr(std::min(start.find(keyword), start.size()));
+    schema.remove_prefix(std::min(schema.find('\''), schema.size()));
+    schema = schema.substr(std::min<std::size_t>(1, schema.size()));
+    schema = schema.substr(0, std::min(schema.find_first_not_of(letters), longest));
+    if (schema.empty() || schema.starts_with("IFC2X"))
+        return;
+    core::FileError error(core::FileErrorKind::Malformed, path);
+    error.fault = core::FileFault::OtherIfc;
+    error.token = schema;
+    throw error;
+}
+
 /// Adds information about the file other than its mesh to the header.
 void addNotes(const aiScene& scene, const ImportFolder::Notes& notes, const fs::path& path, ImportHeader& header)
 {
@@ -238,9 +255,12 @@ int importForeign(const fs::path& path, const ImportLimits& limits, bool keepsOb
     const aiScene* const scene = importer.ReadFile(path.string(), 0);
     if (notes.problem)
         std::rethrow_exception(notes.problem);
-    if (!scene || !scene->mRootNode)
+    if (!scene || !scene->mRootNode) {
+        if (lowerEnding(path) == ".ifc")
+            requireIfcSchema(path, start);
         return notes.outside.empty() ? refuse(ImportHeader::Outcome::Refused, wordsOf(importer, path))
                                      : refuse(ImportHeader::Outcome::Outside, notes.outside);
+    }
     if (!notes.isFollowed) // the unmodified file might be read with wrong rotations
         return refuse(ImportHeader::Outcome::Refused, "the records of its models cannot be followed");
     SceneMesh mesh(*scene, limits, keepsObjects);

@@ -80,6 +80,7 @@ enum class FileFault {
     CompressedCut,   ///< compressed data that ends too early
     CompressedWrong, ///< compressed data that is corrupt
     OldFbx,          ///< FBX of a version before 7.1
+    OtherIfc,        ///< IFC of another schema than IFC2X3, the token
     OutsidePackage,  ///< a path that leads out of the package
     NotInPackage,    ///< the package has no part of this name
     NoModelPart,     ///< the package's relationships name no model part

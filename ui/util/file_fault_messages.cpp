@@ -101,6 +101,8 @@ QString FileFaultMessages::ofGltf(const core::FileError& error, const QString& w
         return tr("%1: the compressed data of \"%2\" is not packed as its extension says.").arg(where, token);
     case FileFault::OldFbx:
         return tr("%1 is FBX of version %2; versions from 7.1 on are read: save it as FBX 7 or GLB.").arg(where, token);
+    case FileFault::OtherIfc:
+        return tr("%1 is IFC of the schema %2; IFC2X3 is read: save it as that or as GLB.").arg(where, token);
     default:
         return {};
     }

@@ -159,6 +159,7 @@ private Q_SLOTS:
     void fbx_numbersAreFinite();
     void fbx_wordsAreNumbers();
     void fbx_oldVersionsAreRefusedByName();
+    void ifc_otherSchemasAreRefusedByName();
     void fbx_subdivisionsAndNurbsAreTold();
 
     void x3d_usesAreThere();
@@ -692,6 +693,24 @@ void TestForeignScenes::fbx_oldVersionsAreRefusedByName()
     const QByteArray header("Kaydara FBX Binary  \0\x1a\0\x88\x13\0\0", 27); // header of a binary file of version 5000
     const auto binary = errorOf(QStringLiteral("old.fbx"), header + QByteArray(100, '\0'));
     QVERIFY(binary && binary->fault == core::FileFault::OldFbx && binary->token == "5.0");
+}
+
+/// A project of IFC 4 may have no history, which Assimp requires.
+void TestForeignScenes::ifc_otherSchemasAreRefusedByName()
+{
+    const auto error = [&](const char* schema) {
+        const QByteArray text =
+            QByteArray("ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('','',(''),"
+                       "(''),'','','');\nFILE_SCHEMA(('") +
+            schema +
+            "'));\nENDSEC;\nDATA;\n#1=IFCPROJECT('x',$,'p',$,$,$,$,$,$);\nENDSEC;\n"
+            "END-ISO-10303-21;\n";
+        return errorOf(QStringLiteral("a.ifc"), text);
+    };
+    const auto other = error("IFC4");
+    QVERIFY(other && other->fault == core::FileFault::OtherIfc && other->token == "IFC4");
+    const auto same = error("IFC2X3");
+    QVERIFY(same && same->kind == core::FileErrorKind::ReaderRefused);
 }
 
 void TestForeignScenes::fbx_subdivisionsAndNurbsAreTold()
