@@ -2,10 +2,13 @@
 
 #include "core/repair/edge_faces.h"
 
+#include "core/geometry/box_tree.h"
 #include "core/geometry/point_triangle.h"
 #include "core/geometry/predicates.h"
+#include "core/util/disjoint_sets.h"
 
 #include <cmath>
+#include <optional>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -67,6 +70,73 @@ std::vector<std::vector<Slot>> loopsOf(std::unordered_multimap<Slot, Slot> ways,
     return loops;
 }
 
+/// Returns the normal of a face, as long as twice its area.
+Vec3 normalOf(const TriangleSoup& surface, const Triangle& t)
+{
+    const Vec3 a = surface.points[t[0]].cast<double>();
+    return (surface.points[t[1]].cast<double>() - a).cross(surface.points[t[2]].cast<double>() - a);
+}
+
+std::array<Vec3, 3> cornersOf(const TriangleSoup& surface, const Triangle& t)
+{
+    const auto at = [&](Slot v) { return Vec3(surface.points[v].cast<double>()); };
+    return {at(t[0]), at(t[1]), at(t[2])};
+}
+
+double doubleAreaOf(const TriangleSoup& surface, std::span<const Triangle> faces)
+{
+    double area = 0;
+    for (const Triangle& t : faces)
+        area += normalOf(surface, t).norm();
+    return area;
+}
+
+LatticeBox boxOf(const TriangleSoup& surface, std::span<const Slot> corners)
+{
+    LatticeBox box;
+    for (const Slot v : corners)
+        box.extend(surface.points[v]);
+    return box;
+}
+
+double extentOf(const LatticeBox& box)
+{
+    return (box.max - box.min).maxCoeff();
+}
+
+std::uint64_t key(Slot from, Slot to)
+{
+    return std::uint64_t(from) << 32 | to;
+}
+
+/// Finds the face at an edge of a hole loop. The face runs along the edge in the other direction.
+class RimFaces
+{
+public:
+    RimFaces(const TriangleSoup& surface, const std::vector<std::vector<Slot>>& loops)
+    {
+        for (const std::vector<Slot>& loop : loops)
+            for (std::size_t i = 0; i < loop.size(); ++i)
+                m_faces.emplace(key(loop[i], loop[(i + 1) % loop.size()]), noSlot);
+        for (Slot f = 0; f < surface.triangles.size(); ++f)
+            for (std::size_t i = 0; i < 3; ++i) {
+                const Triangle& t = surface.triangles[f];
+                if (const auto way = m_faces.find(key(t[i == 2 ? 0 : i + 1], t[i])); way != m_faces.end())
+                    way->second = f;
+            }
+    }
+
+    /// Returns the face, or noSlot if no loop runs from one corner to the other. Of several faces, it is the last.
+    Slot at(Slot from, Slot to) const
+    {
+        const auto way = m_faces.find(key(from, to));
+        return way != m_faces.end() ? way->second : noSlot;
+    }
+
+private:
+    std::unordered_map<std::uint64_t, Slot> m_faces;
+};
+
 /// The surface's edges whose ends are both on hole loops.
 class EdgeSet
 {
@@ -80,25 +150,172 @@ public:
         for (const Triangle& t : surface.triangles)
             for (std::size_t i = 0; i < 3; ++i)
                 if (const Slot a = t[i], b = t[i == 2 ? 0 : i + 1]; isOnLoop[a] && isOnLoop[b])
-                    m_edges.insert(key(a, b));
+                    add(a, b);
     }
 
-    bool has(Slot a, Slot b) const { return m_edges.contains(key(a, b)); }
+    bool has(Slot a, Slot b) const { return m_edges.contains(keyOf(a, b)); }
     /// Returns false if the edge is already there.
-    bool add(Slot a, Slot b) { return m_edges.insert(key(a, b)).second; }
-    void remove(Slot a, Slot b) { m_edges.erase(key(a, b)); }
+    bool add(Slot a, Slot b) { return m_edges.insert(keyOf(a, b)).second; }
+    void remove(Slot a, Slot b) { m_edges.erase(keyOf(a, b)); }
 
 private:
-    static std::uint64_t key(Slot a, Slot b) { return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b); }
+    static std::uint64_t keyOf(Slot a, Slot b) { return key(std::min(a, b), std::max(a, b)); }
     std::unordered_set<std::uint64_t> m_edges;
+};
+
+constexpr double parallel = 0.99; ///< cosine of the angle between the normals of faces in one plane
+
+/// Finds faces that lie on the surface.
+class CoverSearch
+{
+public:
+    /// Keeps a reference.
+    explicit CoverSearch(const TriangleSoup& surface) : m_surface(surface), m_tree(boxesOf(surface)) {}
+
+    /// Returns whether the middle of a face lies on a face of the surface, within a hundredth of the new face's extent,
+    /// and both are in one plane.
+    bool covers(const Triangle& t) const
+    {
+        const auto [a, b, c] = cornersOf(m_surface, t);
+        const Vec3 middle = (a + b + c) / 3, normal = (b - a).cross(c - a);
+        const double slack = 0.01 * std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+        FaceBox near;
+        near.extend((middle.array() - slack).cast<float>());
+        near.extend((middle.array() + slack).cast<float>());
+        bool isCovered = false;
+        m_tree.forEachMeeting(near, [&](Slot position) {
+            const Triangle& face = m_surface.triangles[m_tree.at(position)];
+            const Vec3 other = normalOf(m_surface, face);
+            if (!isCovered && std::abs(normal.dot(other)) >= parallel * normal.norm() * other.norm())
+                isCovered = (nearestInTriangle(middle, cornersOf(m_surface, face)) - middle).norm() <= slack;
+        });
+        return isCovered;
+    }
+
+private:
+    static std::vector<FaceBox> boxesOf(const TriangleSoup& surface)
+    {
+        std::vector<FaceBox> boxes(surface.triangles.size());
+        for (std::size_t f = 0; f < boxes.size(); ++f)
+            for (const Slot v : surface.triangles[f])
+                boxes[f].extend(surface.points[v].cast<float>().array());
+        return boxes;
+    }
+
+    const TriangleSoup& m_surface;
+    BoxTree m_tree;
+};
+
+/// The signed volumes between the faces of each component and the mean of their corners. Components share points.
+class ComponentVolumes
+{
+public:
+    /// Keeps a reference.
+    explicit ComponentVolumes(const TriangleSoup& surface) : m_surface(surface), m_sets(surface.points.size())
+    {
+        for (const auto& [a, b, c] : surface.triangles) {
+            m_sets.unite(a, b);
+            m_sets.unite(b, c);
+        }
+        std::unordered_map<Slot, double> corners;
+        for (const Triangle& t : surface.triangles)
+            for (const Slot v : t) {
+                m_components[m_sets.root(v)].middle += surface.points[v].cast<double>();
+                ++corners[m_sets.root(v)];
+            }
+        for (auto& [root, component] : m_components)
+            component.middle /= corners[root];
+        for (const Triangle& t : surface.triangles) {
+            Component& component = m_components[m_sets.root(t[0])];
+            component.volume += volumeBelow({&t, 1}, component.middle);
+        }
+    }
+
+    /// Returns the volume, without its sign, of the component of these faces' corners together with them.
+    double with(std::span<const Triangle> faces)
+    {
+        const Component& component = m_components[m_sets.root(faces[0][0])];
+        return std::abs(component.volume + volumeBelow(faces, component.middle));
+    }
+
+private:
+    struct Component
+    {
+        Vec3 middle = Vec3::Zero();
+        double volume = 0; ///< lattice units^3, times 6
+    };
+
+    double volumeBelow(std::span<const Triangle> faces, const Vec3& apex) const
+    {
+        double volume = 0;
+        for (const Triangle& t : faces)
+            volume += (m_surface.points[t[0]].cast<double>() - apex).dot(normalOf(m_surface, t));
+        return volume;
+    }
+
+    const TriangleSoup& m_surface;
+    DisjointSets m_sets;
+    std::unordered_map<Slot, Component> m_components; ///< by the root of their points
+};
+
+/// A cost so large that a face is only taken where there is no other.
+constexpr double farMore = 1e12 * Lattice::limit;
+
+/// Weighs the faces over an opening that goes over edges of a model with flat sides: the missing sides are in planes of
+/// the rim.
+class FaceWeights
+{
+public:
+    /// Keeps references.
+    FaceWeights(const TriangleSoup& surface, const std::vector<Slot>& loop, const CoverSearch& search)
+        : m_loop(loop)
+        , m_search(search)
+    {
+        constexpr double flat = 5e-3;   // distance from a plane, as a share of the loop's extent
+        constexpr std::size_t part = 4; // a plane has one in so many corners, and four or more
+        constexpr std::size_t steps = 16;
+        const std::size_t n = loop.size(), fewest = std::max<std::size_t>(4, n / part);
+        const std::size_t step = std::max<std::size_t>(1, n / steps); // rims of scans are uneven
+        const double slack = flat * extentOf(boxOf(surface, loop));
+        const auto at = [&](std::size_t i) { return Vec3(surface.points[loop[i % n]].cast<double>()); };
+        for (std::size_t i = 0; i < n; ++i) {
+            const Vec3 normal = (at(i) - at(i + n - step)).cross(at(i + step) - at(i)).normalized();
+            std::vector<bool> isIn(n);
+            for (std::size_t k = 0; k < n; ++k)
+                isIn[k] = std::abs(normal.dot(at(k) - at(i))) <= slack;
+            if (!normal.isZero() && static_cast<std::size_t>(std::ranges::count(isIn, true)) >= fewest &&
+                std::ranges::find(m_planes, isIn) == m_planes.end())
+                m_planes.push_back(std::move(isIn));
+        }
+    }
+
+    bool areCovered(std::size_t i, std::size_t m, std::size_t k) const
+    {
+        return m_search.covers({m_loop[i], m_loop[m], m_loop[k]});
+    }
+    /// Returns the factor by which the area of a face between three corners of the loop, by their index, counts.
+    double at(std::size_t i, std::size_t m, std::size_t k) const
+    {
+        constexpr double offPlanes = 2;
+        const auto hasAll = [&](const std::vector<bool>& isIn) { return isIn[i] && isIn[m] && isIn[k]; };
+        return std::ranges::any_of(m_planes, hasAll) ? 1 : offPlanes;
+    }
+
+private:
+    const std::vector<Slot>& m_loop;
+    const CoverSearch& m_search;
+    std::vector<std::vector<bool>> m_planes; ///< for each plane of the rim, which corners are in it
 };
 
 class LoopFiller
 {
 public:
-    LoopFiller(const TriangleSoup& surface, const EdgeSet& present, std::vector<Slot> loop)
+    /// Keeps references. `weights`: null for plain areas.
+    LoopFiller(const TriangleSoup& surface, const EdgeSet& present, std::vector<Slot> loop,
+               const FaceWeights* weights = nullptr)
         : m_surface(surface)
         , m_present(present)
+        , m_weights(weights)
         , m_loop(std::move(loop))
     {}
 
@@ -109,17 +326,21 @@ public:
             fillWithLeastArea();
         return std::move(m_faces);
     }
-    /// Returns whether no face is degenerate and no edge was there before.
+    /// Returns whether no face is degenerate or covered by the surface, and no edge was there before.
     bool isClean() const { return m_cost < farMore; }
 
 private:
     Vec3 at(Slot v) const { return m_surface.points[v].cast<double>(); }
 
-    /// Returns twice the area of a face, or a huge cost if the face would be degenerate: the normal is exact.
-    double cost(Slot a, Slot b, Slot c) const
+    /// Returns twice the weighted area of a face between corners of the loop, by their index, or a huge cost if the
+    /// face would be degenerate or covered by the surface: the normal is exact.
+    double cost(std::size_t i, std::size_t m, std::size_t k) const
     {
-        const double area = (at(b) - at(a)).cross(at(c) - at(a)).norm();
-        return area == 0 ? farMore : area;
+        const Vec3 a = at(m_loop[i]);
+        const double area = (at(m_loop[m]) - a).cross(at(m_loop[k]) - a).norm();
+        if (area == 0 || (m_weights && m_weights->areCovered(i, m, k)))
+            return farMore;
+        return m_weights ? area * m_weights->at(i, m, k) : area;
     }
     /// Returns a huge cost if the edge between two corners of the loop exists already, as it would then have four
     /// faces; otherwise 0.
@@ -128,7 +349,6 @@ private:
         const bool isBorder = k == i + 1 || (i == 0 && k + 1 == m_loop.size());
         return !isBorder && m_present.has(m_loop[i], m_loop[k]) ? farMore : 0;
     }
-    static constexpr double farMore = 1e12 * Lattice::limit;
 
     void cutCorners(std::size_t most)
     {
@@ -163,8 +383,7 @@ private:
                 double& best = minCost[i * n + k] = std::numeric_limits<double>::infinity();
                 const double chord = costOfChord(i, k);
                 for (std::size_t m = i + 1; m < k; ++m) {
-                    const double sum =
-                        minCost[i * n + m] + minCost[m * n + k] + chord + cost(m_loop[i], m_loop[m], m_loop[k]);
+                    const double sum = minCost[i * n + m] + minCost[m * n + k] + chord + cost(i, m, k);
                     if (sum < best) {
                         best = sum;
                         apex[i * n + k] = m;
@@ -188,38 +407,67 @@ private:
 
     const TriangleSoup& m_surface;
     const EdgeSet& m_present;
+    const FaceWeights* m_weights;
     std::vector<Slot> m_loop;
     std::vector<Triangle> m_faces;
     double m_cost = 0;
 };
 
-/// Returns the normal of a face, as long as twice its area.
-Vec3 normalOf(const TriangleSoup& surface, const Triangle& t)
+/// Fills loops as Covering::Avoided says.
+class OpeningFiller
 {
-    const Vec3 a = surface.points[t[0]].cast<double>();
-    return (surface.points[t[1]].cast<double>() - a).cross(surface.points[t[2]].cast<double>() - a);
-}
+public:
+    /// Keeps references.
+    OpeningFiller(const TriangleSoup& surface, const EdgeSet& present, const RimFaces& rim)
+        : m_surface(surface)
+        , m_present(present)
+        , m_rim(rim)
+    {}
 
-double doubleAreaOf(const TriangleSoup& surface, std::span<const Triangle> faces)
-{
-    double area = 0;
-    for (const Triangle& t : faces)
-        area += normalOf(surface, t).norm();
-    return area;
-}
+    /// Where an opening goes over an edge of the model, the least area cuts that edge off, with faces that lie on the
+    /// surface. On a sheet most faces do, and the least area is kept.
+    std::vector<Triangle> fill(const std::vector<Slot>& loop)
+    {
+        std::vector<Triangle> faces = LoopFiller(m_surface, m_present, loop).fill();
+        if (loop.size() > maxCorners || !isFoldedBack(faces))
+            return faces;
+        if (!m_search) {
+            m_search.emplace(m_surface);
+            m_volumes.emplace(m_surface);
+        }
+        std::vector<Triangle> covered;
+        std::ranges::copy_if(faces, std::back_inserter(covered),
+                             [&](const Triangle& t) { return m_search->covers(t); });
+        if (2 * doubleAreaOf(m_surface, covered) > doubleAreaOf(m_surface, faces))
+            return faces;
+        const FaceWeights weights(m_surface, loop, *m_search);
+        LoopFiller beside(m_surface, m_present, loop, &weights);
+        std::vector<Triangle> others = beside.fill();
+        return beside.isClean() && m_volumes->with(others) > m_volumes->with(faces) ? others : faces;
+    }
 
-double extentOf(const LatticeBox& box)
-{
-    return (box.max - box.min).maxCoeff();
-}
+private:
+    /// Returns whether one of the faces lies on the face beyond the loop: their normals are opposite.
+    bool isFoldedBack(std::span<const Triangle> faces) const
+    {
+        return std::ranges::any_of(faces, [&](const Triangle& t) {
+            const Vec3 normal = normalOf(m_surface, t);
+            for (std::size_t i = 0; i < 3; ++i)
+                if (const Slot beyond = m_rim.at(t[i], t[i == 2 ? 0 : i + 1]); beyond != noSlot) {
+                    const Vec3 other = normalOf(m_surface, m_surface.triangles[beyond]);
+                    if (normal.dot(other) <= -parallel * normal.norm() * other.norm())
+                        return true;
+                }
+            return false;
+        });
+    }
 
-LatticeBox boxOf(const TriangleSoup& surface, const std::vector<Slot>& loop)
-{
-    LatticeBox box;
-    for (const Slot v : loop)
-        box.extend(surface.points[v]);
-    return box;
-}
+    const TriangleSoup& m_surface;
+    const EdgeSet& m_present;
+    const RimFaces& m_rim;
+    std::optional<CoverSearch> m_search; ///< made when it is first needed, as are the volumes
+    std::optional<ComponentVolumes> m_volumes;
+};
 
 /// A loop and the faces that fill it.
 struct Patch
@@ -246,7 +494,11 @@ Patch patchOver(const TriangleSoup& surface, std::vector<Slot> loop, std::vector
 class LoopJoiner
 {
 public:
-    LoopJoiner(const TriangleSoup& surface, EdgeSet& present) : m_surface(surface), m_present(present) {}
+    LoopJoiner(const TriangleSoup& surface, EdgeSet& present, const RimFaces& rim)
+        : m_surface(surface)
+        , m_present(present)
+        , m_rim(rim)
+    {}
 
     /// Joins patches, beginning with the largest. Joined patches are empty.
     void run(std::vector<Patch>& patches, const JobControl& control)
@@ -264,26 +516,19 @@ private:
     std::vector<Patch*> rimsAmong(std::vector<Patch>& patches) const
     {
         constexpr double steep = 0.9; // cosine of the angle between the normals of the patch and of the surface
-        const auto key = [](Slot from, Slot to) { return std::uint64_t(from) << 32 | to; };
-        std::unordered_map<std::uint64_t, std::pair<Patch*, double>> edges;
-        std::unordered_map<Patch*, std::pair<double, double>> lengths; // of the border, and of it times the cosine
-        for (Patch& patch : patches)
+        std::vector<Patch*> rims;
+        for (Patch& patch : patches) {
+            double whole = 0, weighted = 0; // length of the border, and of it times the cosine
             for (std::size_t i = 0; i < patch.loop.size(); ++i) {
                 const Slot from = patch.loop[i], to = patch.loop[(i + 1) % patch.loop.size()];
                 const double length = (m_surface.points[to] - m_surface.points[from]).cast<double>().norm();
-                edges.emplace(key(to, from), std::pair(&patch, length)); // the surface's face runs the other way
-                lengths[&patch].first += length;
+                const Vec3 normal = normalOf(m_surface, m_surface.triangles[m_rim.at(from, to)]);
+                whole += length;
+                weighted += length * std::abs(patch.normal.dot(normal.normalized()));
             }
-        for (const Triangle& t : m_surface.triangles)
-            for (std::size_t i = 0; i < 3; ++i)
-                if (const auto edge = edges.find(key(t[i], t[i == 2 ? 0 : i + 1])); edge != edges.end()) {
-                    const auto [patch, length] = edge->second;
-                    lengths[patch].second += length * std::abs(patch->normal.dot(normalOf(m_surface, t).normalized()));
-                }
-        std::vector<Patch*> rims;
-        for (Patch& patch : patches)
-            if (lengths[&patch].second < steep * lengths[&patch].first)
+            if (weighted < steep * whole)
                 rims.push_back(&patch);
+        }
         return rims;
     }
 
@@ -323,8 +568,7 @@ private:
             ((outer.box.max - inner.box.max).cast<double>().array() < -slack).any())
             return false;
         return std::ranges::any_of(outer.faces, [&](const Triangle& t) {
-            const auto at = [&](Slot v) { return Vec3(m_surface.points[v].cast<double>()); };
-            return (nearestInTriangle(p, {at(t[0]), at(t[1]), at(t[2])}) - p).norm() <= slack;
+            return (nearestInTriangle(p, cornersOf(m_surface, t)) - p).norm() <= slack;
         });
     }
 
@@ -354,10 +598,11 @@ private:
 
     const TriangleSoup& m_surface;
     EdgeSet& m_present;
+    const RimFaces& m_rim;
 };
 } // namespace
 
-HoleFillingResult fillHoles(TriangleSoup& surface, bool largeToo, const JobControl& control)
+HoleFillingResult fillHoles(TriangleSoup& surface, bool largeToo, Covering covering, const JobControl& control)
 {
     HoleFillingResult filled;
     if (surface.triangles.empty())
@@ -365,7 +610,9 @@ HoleFillingResult fillHoles(TriangleSoup& surface, bool largeToo, const JobContr
     const double extent = extentOf(surface.box());
     std::vector<std::vector<Slot>> loops = loopsOf(openWays(surface), surface.points.size());
     EdgeSet present(surface, loops);
+    const RimFaces rim(surface, loops);
     const double area = doubleAreaOf(surface, surface.triangles);
+    OpeningFiller filler(surface, present, rim);
     std::vector<Patch> patches;
     for (std::vector<Slot>& loop : loops) {
         if (control.isCancelled())
@@ -375,10 +622,11 @@ HoleFillingResult fillHoles(TriangleSoup& surface, bool largeToo, const JobContr
         if (isLarge && !largeToo)
             continue;
         filled.holes += 1;
-        std::vector<Triangle> faces = LoopFiller(surface, present, loop).fill();
+        std::vector<Triangle> faces =
+            covering == Covering::Allowed ? LoopFiller(surface, present, loop).fill() : filler.fill(loop);
         patches.push_back(patchOver(surface, std::move(loop), std::move(faces)));
     }
-    LoopJoiner(surface, present).run(patches, control);
+    LoopJoiner(surface, present, rim).run(patches, control);
     double added = 0;
     for (const Patch& patch : patches) {
         surface.triangles.insert(surface.triangles.end(), patch.faces.begin(), patch.faces.end());

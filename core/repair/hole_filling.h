@@ -16,6 +16,16 @@ struct HoleFillingResult
     double share = 0;           ///< added area as a share of the area before
 };
 
+/// Whether new faces may lie on the surface.
+enum class Covering {
+    Allowed,
+    /// If, with the least area, a face folds back at the rim, and at most half of the area would lie on the surface, a
+    /// loop of up to 300 corners is filled again: no face has its middle on the surface, and faces in planes of the
+    /// loop are preferred. That is kept if it encloses more. So a box without two sides that meet is filled up to its
+    /// edge.
+    Avoided
+};
+
 /// A hole is large if the longest side of its box exceeds this share of the longest side of the surface's box.
 inline constexpr double largeHole = 0.25;
 
@@ -23,5 +33,5 @@ inline constexpr double largeHole = 0.25;
 /// bound one opening together, as the rims at the end of a pipe do, are filled together, up to 600 corners. A loop
 /// consists of edges that faces run along more often in one direction than in the other. Loops of more than 300 corners
 /// first lose their most pointed corners. New faces may meet other faces. Precondition: the surface is oriented.
-HoleFillingResult fillHoles(TriangleSoup& surface, bool largeToo, const JobControl& control = {});
+HoleFillingResult fillHoles(TriangleSoup& surface, bool largeToo, Covering covering, const JobControl& control = {});
 } // namespace core::repair

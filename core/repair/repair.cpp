@@ -256,7 +256,8 @@ ClosedSurface stitchAndFill(TriangleSoup& surface, double unit, const RepairOpti
     report.before.volume = removed.volume * std::pow(unit, 3);
     dropFaces(*result.whole, removed.largeOnes);
     result.unfilled = surface;
-    const repair::HoleFillingResult filled = repair::fillHoles(surface, options.fillLargeHoles, progress.control);
+    const repair::HoleFillingResult filled =
+        repair::fillHoles(surface, options.fillLargeHoles, repair::Covering::Avoided, progress.control);
     report.holes = filled.holes;
     report.largeHoles = filled.largeHoles;
     result.isRefused = filled.largeHoles > 0 && !options.fillLargeHoles;

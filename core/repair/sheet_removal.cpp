@@ -296,7 +296,7 @@ SheetRemoval removeSheets(TriangleSoup& surface, const JobControl& control)
         if (control.isCancelled())
             return removed;
         TriangleSoup part = partOf(surface, faces);
-        const bool isOpen = fillHoles(part, true, control).share > maxFilled;
+        const bool isOpen = fillHoles(part, true, Covering::Allowed, control).share > maxFilled;
         if (const Extent extent = extentOf(part); isOpen && isFlat(extent))
             candidates.push_back({std::move(faces), extent.volume});
     }

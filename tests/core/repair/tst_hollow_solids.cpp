@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <tuple>
 #include <vector>
 
 using namespace core;
@@ -58,6 +60,31 @@ TriangleMesh sides(Slot count, double radius, const Vec3& foot, double height)
 double areaOfPrism(Slot count, double radius)
 {
     return count * radius * radius / 2 * std::sin(2 * std::numbers::pi / count);
+}
+
+/// Returns a box from the origin with cells x cells squares on each side, without the far sides in x and y.
+TriangleMesh boxWithoutTwoSides(const Vec3f& size, int cells)
+{
+    TriangleMesh mesh;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const bool isFar : {false, true}) {
+            if (isFar && axis != 2)
+                continue;
+            const int u = (axis + (isFar ? 1 : 2)) % 3, v = 3 - axis - u;
+            for (int cell = 0; cell < cells * cells; ++cell) {
+                const auto first = static_cast<Slot>(mesh.points.size());
+                for (const auto& [i, k] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}}) {
+                    Vec3f p = Vec3f::Zero();
+                    p[axis] = isFar ? size[axis] : 0;
+                    p[u] = size[u] * static_cast<float>(cell % cells + i) / static_cast<float>(cells);
+                    p[v] = size[v] * static_cast<float>(cell / cells + k) / static_cast<float>(cells);
+                    mesh.points.push_back(p);
+                }
+                mesh.triangles.push_back({first, first + 1, first + 2});
+                mesh.triangles.push_back({first, first + 2, first + 3});
+            }
+        }
+    return mesh;
 }
 
 /// Adds a face at an edge of the cavity. Its third corner is `corner`, which is in the hollow or in the wall.
@@ -175,6 +202,8 @@ private Q_SLOTS:
     void cubesThatTouch_areTakenApart();
     void missingRims_areRings();
     void shortTubes_getLids();
+    void openingOverAnEdge_isFilledToTheEdge();
+    void openingInARoundSide_keepsTheBody();
 };
 
 void TestHollowSolids::volume_isKept_data()
@@ -374,6 +403,57 @@ void TestHollowSolids::shortTubes_getLids()
         QVERIFY2(result.mesh, qPrintable(QString::number(bevel)));
         QVERIFY2(std::abs(result.report.after.volume / volume - 1) < 1e-3, qPrintable(QString::number(bevel)));
     }
+}
+
+/// The least area would cut off the edge that is missing, and lie on the surface at its ends. So it is with a scan,
+/// whose points are off by `noise`.
+void TestHollowSolids::openingOverAnEdge_isFilledToTheEdge()
+{
+    StrokeFuzzer random(9);
+    for (const Vec3f& size : {Vec3f(10, 10, 10), Vec3f(10, 20, 35)})
+        for (const int cells : {1, 2, 3, 8})
+            for (const double noise : {0.0, 0.01}) {
+                TriangleMesh open = boxWithoutTwoSides(size, cells);
+                std::map<std::tuple<float, float, float>, Vec3f> moved;
+                for (Vec3f& p : open.points)
+                    p = moved.try_emplace({p.x(), p.y(), p.z()}, p + (noise * random.direction()).cast<float>())
+                            .first->second;
+                for (const TriangleMesh& mesh : {open, turned(open, random)}) {
+                    const RepairResult result = repairMesh(mesh);
+                    const QString row = QStringLiteral("%1 %2 %3").arg(size.z()).arg(cells).arg(noise);
+                    QVERIFY2(result.mesh, qPrintable(row));
+                    QVERIFY2(std::abs(result.report.after.volume / double(size.prod()) - 1) < 1e-3 + noise,
+                             qPrintable(row));
+                    QCOMPARE(result.report.after.parts, std::size_t(1));
+                }
+            }
+}
+
+/// A notch in a body with round or sloping sides is closed by the least area, which keeps more of the body.
+void TestHollowSolids::openingInARoundSide_keepsTheBody()
+{
+    constexpr Slot count = 90;
+    TriangleMesh open = sides(count, 10, Vec3::Zero(), 20);
+    TriangleMesh ends; // fans of a cylinder's ends
+    for (const bool isUpper : {false, true}) {
+        const auto middle = static_cast<Slot>(ends.points.size());
+        ends.points.push_back(Vec3f(0, 0, isUpper ? 20.0F : 0.0F));
+        for (Slot i = 0; i < count; ++i)
+            ends.points.push_back(open.points[2 * i + (isUpper ? 1 : 0)]);
+        for (Slot i = 0; i < count; ++i) {
+            const Slot a = middle + 1 + i, b = middle + 1 + (i + 1) % count;
+            ends.triangles.push_back(isUpper ? Triangle{middle, a, b} : Triangle{middle, b, a});
+        }
+    }
+    open = shapes::together(open, ends);
+    const auto isInQuarter = [&](const Triangle& t) {
+        return std::ranges::all_of(t,
+                                   [&](Slot v) { return open.points[v].x() > -1e-3F && open.points[v].y() > -1e-3F; });
+    };
+    std::erase_if(open.triangles, isInQuarter);
+    const RepairResult result = repairMesh(open);
+    QVERIFY(result.mesh);
+    QVERIFY(result.report.after.volume > 0.85 * 20 * areaOfPrism(count, 10));
 }
 
 FETTLE_TEST(TestHollowSolids)
