@@ -64,6 +64,9 @@ std::string_view withoutMark(std::string_view text);
 /// Returns the text without trailing NUL and Ctrl+Z characters, which old systems and padding append, and without
 /// blanks between them.
 std::string_view withoutPadding(std::string_view text);
+/// Returns the length in bytes of the UTF-8 character at the start of the text, 0 if there is none (RFC 3629).
+/// Precondition: the text is not empty.
+std::size_t utf8Length(std::string_view text);
 
 /// Detects the format from the first bytes and the size. Returns "stl", "obj", "ply", "off", another format's name
 /// ("png", "zip", ...), "utf-16", "text", or an empty text.

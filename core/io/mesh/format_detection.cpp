@@ -129,6 +129,27 @@ std::string_view withoutPadding(std::string_view text)
     return text;
 }
 
+std::size_t utf8Length(std::string_view text)
+{
+    const auto byteAt = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const unsigned char first = byteAt(0);
+    const std::size_t length = first < 0x80   ? 1
+                               : first < 0xc2 ? 0
+                               : first < 0xe0 ? 2
+                               : first < 0xf0 ? 3
+                               : first < 0xf5 ? 4
+                                              : 0;
+    if (length > text.size())
+        return 0;
+    for (std::size_t i = 1; i < length; ++i)
+        if ((byteAt(i) & 0xc0) != 0x80)
+            return 0;
+    const bool isTooLong = length > 2 && ((first == 0xe0 && byteAt(1) < 0xa0) || (first == 0xf0 && byteAt(1) < 0x90));
+    const bool isSurrogate = first == 0xed && byteAt(1) >= 0xa0;
+    const bool isTooLarge = first == 0xf4 && byteAt(1) >= 0x90;
+    return isTooLong || isSurrogate || isTooLarge ? 0 : length;
+}
+
 bool isBinaryOff(std::string_view start)
 {
     const std::string_view text = withoutComments(start);

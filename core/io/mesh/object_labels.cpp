@@ -1,42 +1,19 @@
 #include "core/io/mesh/object_labels.h"
 
+#include "core/io/mesh/format.h"
+
 #include <algorithm>
 #include <limits>
 
 namespace core::io
 {
-namespace
-{
-/// Returns the length of the UTF-8 character at the start of the text, 0 if there is none (RFC 3629).
-std::size_t characterLength(std::string_view text)
-{
-    const auto byteAt = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const unsigned char first = byteAt(0);
-    const std::size_t length = first < 0x80   ? 1
-                               : first < 0xc2 ? 0
-                               : first < 0xe0 ? 2
-                               : first < 0xf0 ? 3
-                               : first < 0xf5 ? 4
-                                              : 0;
-    if (length > text.size())
-        return 0;
-    for (std::size_t i = 1; i < length; ++i)
-        if ((byteAt(i) & 0xc0) != 0x80)
-            return 0;
-    const bool isTooLong = length > 2 && ((first == 0xe0 && byteAt(1) < 0xa0) || (first == 0xf0 && byteAt(1) < 0x90));
-    const bool isSurrogate = first == 0xed && byteAt(1) >= 0xa0;
-    const bool isTooLarge = first == 0xf4 && byteAt(1) >= 0x90;
-    return isTooLong || isSurrogate || isTooLarge ? 0 : length;
-}
-} // namespace
-
 std::string cleanName(std::string_view name)
 {
     constexpr unsigned char del = 0x7f;
     std::string clean;
     while (!name.empty() && clean.size() <= PartList::maxNameBytes) {
         const auto first = static_cast<unsigned char>(name.front());
-        const std::size_t length = characterLength(name);
+        const std::size_t length = utf8Length(name);
         const bool isControl =
             first < ' ' || first == del || (length == 2 && first == 0xc2 && static_cast<unsigned char>(name[1]) < 0xa0);
         const bool isNoCharacter =

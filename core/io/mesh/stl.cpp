@@ -65,25 +65,48 @@ bool isTriangle(const FileBytes& file, std::size_t number)
            corners[2] != corners[0];
 }
 
-/// Returns whether the bytes are printable ASCII, which may end with padding. Nearly all triangles have other bytes.
-bool isPrintableText(std::string_view bytes)
+/// Returns whether the character is a part of UTF-8 text.
+bool canBeText(char c)
 {
-    const auto isPrintable = [](char c) { return (c >= ' ' && c <= '~') || (c >= '\t' && c <= '\r'); };
-    return std::ranges::all_of(withoutPadding(bytes), isPrintable);
+    return static_cast<unsigned char>(c) >= 0x80 || (c >= ' ' && c <= '~') || (c >= '\t' && c <= '\r');
+}
+
+/// Returns whether the bytes are UTF-8 text, which may end with padding. Nearly all triangles have other bytes.
+bool isUtf8Text(std::string_view bytes)
+{
+    bytes = withoutPadding(bytes);
+    while (!bytes.empty()) {
+        const std::size_t length = utf8Length(bytes);
+        if (length == 0 || !canBeText(bytes.front()))
+            return false;
+        bytes.remove_prefix(length);
+    }
+    return true;
+}
+
+/// Returns how many records of triangles come before what can be text at the end of the file.
+std::size_t triangleRecordsIn(const FileBytes& file)
+{
+    const std::size_t all = (file.bytes.size() - stlHeaderSize) / stlTriangleSize;
+    std::size_t end = withoutPadding(file.bytes).size();
+    while (end > stlHeaderSize && canBeText(file.bytes[end - 1]))
+        --end;
+    const std::size_t before = (std::max(end, stlHeaderSize) - stlHeaderSize + stlTriangleSize - 1) / stlTriangleSize;
+    return before < all && isUtf8Text(file.bytes.substr(stlHeaderSize + before * stlTriangleSize)) ? before : all;
 }
 
 /// Returns the number of triangles to read. Normally this is the header's count. All triangles in the file are read if
 /// the count is 0 or has all bits set, as written by programs that do not know it yet, or if nothing but triangles
-/// follows.
+/// follows. Text behind the triangles is not counted.
 std::size_t trianglesIn(const FileBytes& file)
 {
     constexpr std::uint64_t unknown = 0xffffffff;
     const std::uint64_t announced = announcedStlTriangles(file.bytes),
                         room = (file.bytes.size() - stlHeaderSize) / stlTriangleSize;
     const bool isWhole = stlHeaderSize + room * stlTriangleSize == file.bytes.size();
-    if (announced == room || announced == 0 || announced == unknown)
-        return room;
-    if (announced < room && isPrintableText(file.bytes.substr(stlHeaderSize + announced * stlTriangleSize)))
+    if (announced == 0 || announced == unknown)
+        return triangleRecordsIn(file);
+    if (announced < room && isUtf8Text(file.bytes.substr(stlHeaderSize + announced * stlTriangleSize)))
         return announced;
     for (std::uint64_t i = announced; i < room; ++i)
         if (!isWhole || !isTriangle(file, i))

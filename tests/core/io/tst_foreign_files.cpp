@@ -900,6 +900,9 @@ void TestForeignFiles::whatIsLeftOut_isTold_data()
     row("a rest", "a.stl", binaryStl(12, std::string(50, '\0')), 0, 0, false, 50);
     row("no rest", "a.stl", binaryStl(11), 0, 0, false, 0);
     row("text", "a.stl", binaryStl(12, "Made by a program of 1999. All rights are reserved"), 0, 0, false, 50);
+    row("text in UTF-8", "a.stl", binaryStl(12, "Gemessen mit Prüfgerät Nr. 7, 20 °C, ±0,1 mm, Köln"), 0, 0, false, 55);
+    row("text, no count", "a.stl", binaryStl(0, "Made by a program of 1999. All rights are reserved"), 0, 0, false, 50);
+    row("a rest, no count", "a.stl", binaryStl(0, std::string(100, '\0')), 0, 0, false, 100);
     row("a rest of OFF", "a.off", BinaryOff().bytes() + "xyz", 0, 0, false, 3);
 }
 
