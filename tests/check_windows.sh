@@ -65,12 +65,12 @@ compile()
     return 1
 }
 
-# Writes what CMake compiles, which is files of a folder together or a file alone, as a unit each. The files of Windows
-# are left out.
+# Writes what CMake compiles as a unit for each folder, whose headers take most of the time. The files of Windows are
+# left out.
 units_of_core()
 {
     python3 - "$build/core/compile_commands.json" "$build/units" <<'EOF'
-import json, os, shlex, sys
+import json, os, re, shlex, sys
 commands, units = sys.argv[1:]
 flags = None
 for entry in json.load(open(commands)):
@@ -78,13 +78,14 @@ for entry in json.load(open(commands)):
         continue
     if entry["file"].endswith("_windows.cpp"):
         continue
-    name = os.path.basename(entry["file"]).removesuffix("_cxx.cxx").removesuffix(".cpp")
+    # A folder of many files has several of CMake's units, which end with a number.
+    name = re.sub(r"_\d+$", "", os.path.basename(entry["file"]).removesuffix("_cxx.cxx").removesuffix(".cpp"))
     if not flags:
         words = shlex.split(entry["command"])[1:]
         # Neither an object nor a precompiled header is made: the compiler reads one more slowly than what is in it.
         flags = [word for i, word in enumerate(words)
                  if word not in ("-c", "-o", "-include") and words[i - 1] not in ("-c", "-o", "-include")]
-    with open(os.path.join(units, f"core_{name}.cpp"), "w") as file:
+    with open(os.path.join(units, f"core_{name}.cpp"), "a") as file:
         file.write(f'#include "{entry["file"]}"\n')
 if not flags:
     sys.exit("no file of core is compiled for Windows")

@@ -14,7 +14,7 @@ namespace core
 {
 namespace
 {
-constexpr std::uint8_t whole = 255;
+constexpr std::uint8_t fullMask = 255;
 /// Number of times that a blur averages over the one-ring. Once is hardly visible.
 constexpr int blurRings = 2;
 /// Limits for masking by colour, on the largest difference in any channel (0 to 255): up to sameColor a vertex is
@@ -117,7 +117,7 @@ Masks wholeParts(const Mesh& mesh)
         if (reached[v])
             continue;
         reached[v] = true;
-        masks[v] = whole;
+        masks[v] = fullMask;
         mesh.forEachOutgoing(v, [&](Slot h) { front.push_back(mesh.to(h)); });
     }
     return masks;
@@ -127,7 +127,7 @@ Masks changed(const Mesh& mesh, const MaskOperation& command)
 {
     switch (command.how) {
     case MaskOperation::Kind::Invert:
-        return each(mesh, [&](Slot v) { return static_cast<std::uint8_t>(whole - mesh.mask(v)); });
+        return each(mesh, [&](Slot v) { return static_cast<std::uint8_t>(fullMask - mesh.mask(v)); });
     case MaskOperation::Kind::Blur:
         return blurred(mesh);
     case MaskOperation::Kind::Sharpen:
@@ -190,7 +190,7 @@ void applyMaskArea(Mesh& mesh, const MaskArea& command, std::optional<PartId> pa
     const auto isIn = verticesIn(command.area, mesh, part);
     if (!isIn)
         change.refusal = ModelRefusal::NoOutline;
-    const std::uint8_t mask = command.isErasing ? 0 : whole;
+    const std::uint8_t mask = command.isErasing ? 0 : fullMask;
     for (const Slot v : mesh.vertices()) {
         if (isIn && (*isIn)[v] && mesh.mask(v) != mask)
             mesh.setMask(v, mask);

@@ -54,10 +54,10 @@ struct Sides
 };
 
 /// Computes the winding numbers on both sides of a piece: those of the arranged surface and of Beside::beyond together.
-class Windings
+class SideWindings
 {
 public:
-    Windings(const TriangleSoup& original, const Beside& beside, Inside inside)
+    SideWindings(const TriangleSoup& original, const Beside& beside, Inside inside)
         : m_ofSurface(original.places(), original.triangles)
         , m_ofCavities(beside.cavities.places(), beside.cavities.triangles)
         , m_beyond(beside.beyond)
@@ -106,7 +106,7 @@ std::vector<Sides> classifyAll(const TriangleSoup& original, const Arrangement& 
     for (Slot f = 0; f < count; ++f)
         if (largest[f] != noSlot)
             roots.push_back(f);
-    const Windings windings(original, beside, inside);
+    const SideWindings windings(original, beside, inside);
     std::vector<Sides> sides(count);
     constexpr std::size_t patchesPerChunk = 4;
     forEachChunkWithProgress(roots.size(), patchesPerChunk, control,
