@@ -41,7 +41,9 @@ fettle_unlock
 status=0
 log=$fettle_root/build/$preset/Testing/Temporary/LastTest.log
 rm -f "$log" # of an earlier run
-ctest --test-dir "$fettle_root/build/$preset" --output-on-failure --no-tests=error -j "$(($(nproc) + 1))" ${soak[@]+"${soak[@]}"} "$@" || status=$?
+# Some tests wait rather than compute.
+ctest --test-dir "$fettle_root/build/$preset" --output-on-failure --no-tests=error -j "$(($(nproc) + 2))" \
+    ${soak[@]+"${soak[@]}"} "$@" || status=$?
 [ -f "$log" ] || exit $status # nothing was to run, as with -N
 echo "Skipped, and why:"
 grep "^SKIP" "$log" || echo "nothing"

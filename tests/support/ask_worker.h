@@ -2,12 +2,11 @@
 
 #include "app/worker/sculpt_worker.h"
 #include "core/sculpt/sculptor.h"
-#include "tests/support/effort.h"
+#include "tests/support/waiting.h"
 #include "ui/util/thread_mailbox.h"
 
 #include <QCoreApplication>
 #include <QEventLoop>
-#include <QTest>
 #include <QTimer>
 
 #include <cstdint>

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "tests/support/display.h"
-#include "tests/support/effort.h"
 #include "tests/support/program.h"
 #include "tests/support/test_main.h"
 #include "tests/ui/ui_test.h"
@@ -68,9 +67,9 @@ inline void openFile(Program& program, const QString& path, const QSize& size = 
     program.window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&program.window));
     Q_EMIT program.window.files()->openRequested(path);
-    QTRY_COMPARE_WITH_TIMEOUT(program.document.modelInfo().path, path, longestWait);
-    QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), longestWait);
-    QTRY_VERIFY_WITH_TIMEOUT(program.window.viewport()->stats().patches > 0, longestWait);
+    QTRY_COMPARE(program.document.modelInfo().path, path);
+    QTRY_VERIFY(!program.document.job().isBusy());
+    QTRY_VERIFY(program.window.viewport()->stats().patches > 0);
     program.window.activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(&program.window));
 }
@@ -82,11 +81,11 @@ inline void sculptBall(Program& program)
     program.window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&program.window));
     program.document.opener().openBall();
-    QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), longestWait);
-    QTRY_VERIFY_WITH_TIMEOUT(program.window.viewport()->stats().patches > 0, longestWait);
+    QTRY_VERIFY(!program.document.job().isBusy());
+    QTRY_VERIFY(program.window.viewport()->stats().patches > 0);
     drag(program.window.viewport(), {40, 20});
-    QTRY_COMPARE_WITH_TIMEOUT(program.document.history().stack().count(), 1, longestWait);
-    QTRY_VERIFY_WITH_TIMEOUT(program.document.queue().isSettled(), longestWait);
+    QTRY_COMPARE(program.document.history().stack().count(), 1);
+    QTRY_VERIFY(program.document.queue().isSettled());
 }
 
 /// Presses a button in the question about unsaved changes that will appear next. Repeats the press until the dialog
@@ -109,14 +108,13 @@ inline void answerQuestion(Program& program, QMessageBox::StandardButton button)
 inline void chooseFile(Program& program, const char* dialogName, const QString& path)
 {
     QFileDialog* dialog = nullptr;
-    QTRY_VERIFY_WITH_TIMEOUT((dialog = program.window.findChild<QFileDialog*>(QLatin1StringView(dialogName))) &&
-                                 dialog->isVisible(),
-                             longestWait);
+    QTRY_VERIFY((dialog = program.window.findChild<QFileDialog*>(QLatin1StringView(dialogName))) &&
+                dialog->isVisible());
     auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
     dialog->setDirectory(QFileInfo(path).absolutePath());
     name->setText(QFileInfo(path).fileName());
     // an inactive dialog would leave Return to the window behind it
-    QTRY_VERIFY_WITH_TIMEOUT(dialog->isActiveWindow(), longestWait);
+    QTRY_VERIFY(dialog->isActiveWindow());
     QTest::keyClick(name, Qt::Key_Return);
 }
 

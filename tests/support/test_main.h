@@ -1,7 +1,8 @@
 #pragma once
 
+#include "tests/support/waiting.h"
+
 #include <QCoreApplication>
-#include <QTest>
 
 #include <type_traits>
 

@@ -166,7 +166,7 @@ struct Class
     void nextWithQuestions()
     {
         press("classNext");
-        QTRY_VERIFY_WITH_TIMEOUT(questions() && isIdle(), longestWait);
+        QTRY_VERIFY(questions() && isIdle());
         QVERIFY(!asks());
     }
     void answer(int question, int points)
@@ -179,7 +179,7 @@ struct Class
     {
         QVERIFY(QTest::qWaitForWindowExposed(&program.window));
         mode.begin();
-        QTRY_VERIFY_WITH_TIMEOUT(asks() && isIdle(), longestWait);
+        QTRY_VERIFY(asks() && isIdle());
     }
     void beginTurn(const QString& name, const char* starter = "new.ball")
     {
@@ -187,7 +187,7 @@ struct Class
         part<QLineEdit>("pupilName")->clear();
         QTest::keyClicks(part<QLineEdit>("pupilName"), name);
         QTest::keyClick(part<QLineEdit>("pupilName"), Qt::Key_Return);
-        QTRY_VERIFY_WITH_TIMEOUT(!asks() && isIdle() && text("classPupil") == name, longestWait);
+        QTRY_VERIFY(!asks() && isIdle() && text("classPupil") == name);
     }
     void sculptAs(const QString& name, const char* starter = "new.ball")
     {
@@ -198,19 +198,19 @@ struct Class
     {
         const int before = program.document.history().stack().index();
         drag(program.window.viewport(), way);
-        QTRY_COMPARE_WITH_TIMEOUT(program.document.history().stack().index(), before + 1, longestWait);
-        QTRY_VERIFY_WITH_TIMEOUT(isIdle(), longestWait);
+        QTRY_COMPARE(program.document.history().stack().index(), before + 1);
+        QTRY_VERIFY(isIdle());
     }
     void trigger(const char* id)
     {
         program.window.action(QLatin1StringView(id))->trigger();
-        QTRY_VERIFY_WITH_TIMEOUT(isIdle(), longestWait);
+        QTRY_VERIFY(isIdle());
     }
     void press(const char* button) { QTest::mouseClick(part<QPushButton>(button), Qt::LeftButton); }
     void next()
     {
         press("classNext");
-        QTRY_VERIFY_WITH_TIMEOUT(asks() && isIdle(), longestWait);
+        QTRY_VERIFY(asks() && isIdle());
     }
     void typePin(const QString& text)
     {
@@ -424,10 +424,10 @@ void TestClassroom::twentyFiveTurns_areKept()
             if (QTest::currentTestFailed())
                 return;
         }
-        QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), turns, longestWait);
-        QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.places.outbox), QStringList(), longestWait);
-        QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.journals()).size(), 1,
-                                  longestWait); // journal of the starter model that is prepared for the next pupil
+        QTRY_COMPARE(foldersIn(home.works).size(), turns);
+        QTRY_COMPARE(foldersIn(home.places.outbox), QStringList());
+        QTRY_COMPARE(foldersIn(home.journals()).size(),
+                     1); // journal of the starter model that is prepared for the next pupil
     }
     QCOMPARE(foldersIn(home.journals()), QStringList());
     QStringList kept;
@@ -490,7 +490,7 @@ void TestClassroom::aMistakenPress_isTakenBack()
     QVERIFY(c.part<QPushButton>("classResume")->text().contains(QStringLiteral("Anna")));
     c.now += 2 * minute; // time between turns, which counts for no pupil
     c.press("classResume");
-    QTRY_VERIFY_WITH_TIMEOUT(!c.asks() && c.isIdle() && c.text("classPupil") == QStringLiteral("Anna"), longestWait);
+    QTRY_VERIFY(!c.asks() && c.isIdle() && c.text("classPupil") == QStringLiteral("Anna"));
     QCOMPARE(c.hash(), hash);
     QVERIFY(c.program.document.modelInfo().path.isEmpty());
     c.mode.tick();
@@ -504,8 +504,8 @@ void TestClassroom::aMistakenPress_isTakenBack()
     c.sculpt();
     // the bar also hides the button when it is laid out again
     QTRY_VERIFY(!c.part<QPushButton>("classResume")->isVisible());
-    QTRY_VERIFY_WITH_TIMEOUT(foldersIn(home.works).size() == 2 && !foldersIn(home.works).constFirst().startsWith(u'.'),
-                             longestWait); // the earlier work stays in the class folder
+    QTRY_VERIFY(foldersIn(home.works).size() == 2 &&
+                !foldersIn(home.works).constFirst().startsWith(u'.')); // the earlier work stays in the class folder
     const QString folder = home.works + u'/' + foldersIn(home.works).last();
     QCOMPARE(hashOf(folder + QStringLiteral("/model.glb")), later);
     QCOMPARE(WorkArchive::turnOf(folder).seconds(), std::optional(6.0 * 60)); // 5 + 1 minutes, without the pause
@@ -526,19 +526,18 @@ void TestClassroom::resuming_withoutAChangeKeepsOneWork()
     for (int i = 0; i < 2; ++i) {
         QTRY_VERIFY(c.part<QPushButton>("classResume")->isVisible());
         c.press("classResume");
-        QTRY_VERIFY_WITH_TIMEOUT(!c.asks() && c.isIdle() && c.text("classPupil") == QStringLiteral("Anna"),
-                                 longestWait);
+        QTRY_VERIFY(!c.asks() && c.isIdle() && c.text("classPupil") == QStringLiteral("Anna"));
         QCOMPARE(c.hash(), hash);
         c.now += 2 * minute;
         c.next();
     }
     c.press("classResume");
-    QTRY_VERIFY_WITH_TIMEOUT(!c.asks() && c.isIdle(), longestWait);
+    QTRY_VERIFY(!c.asks() && c.isIdle());
     c.mode.tick();
     QCOMPARE(c.text("classTime"), QStringLiteral("11 minutes left")); // the turn's time has continued
     c.press("classLeave");
     c.typePin(pin);
-    QTRY_VERIFY_WITH_TIMEOUT(!c.program.window.isVisible(), longestWait);
+    QTRY_VERIFY(!c.program.window.isVisible());
     QCOMPARE(foldersIn(home.works).size(), 1);
     QVERIFY(!turnIn(home.works + u'/' + foldersIn(home.works).constFirst())[QStringLiteral("computer")]
                  .toString()
@@ -557,11 +556,11 @@ void TestClassroom::returnBegins_whereverTheFocusIs()
     QTest::mouseClick(torus, Qt::LeftButton);
     torus->setFocus();
     QTest::keyClick(torus, Qt::Key_Return);
-    QTRY_VERIFY_WITH_TIMEOUT(!c.asks() && c.isIdle() && c.text("classPupil") == QStringLiteral("Anna"), longestWait);
+    QTRY_VERIFY(!c.asks() && c.isIdle() && c.text("classPupil") == QStringLiteral("Anna"));
     QCOMPARE(c.program.document.modelInfo().path, QString());
     c.sculpt();
     c.next();
-    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), 1, longestWait);
+    QTRY_COMPARE(foldersIn(home.works).size(), 1);
 }
 
 /// The projector window shows the current pupil, the remaining time and the next pupil.
@@ -606,7 +605,7 @@ void TestClassroom::theProjectorsClock_saysWhoIsNext()
     c.mode.tick();
     QCOMPARE(c.text("clockTime"), QStringLiteral("+1:05"));
     c.next();
-    QTRY_VERIFY_WITH_TIMEOUT(c.part<QListWidget>("pupils")->item(0)->text().contains(u'✓'), longestWait);
+    QTRY_VERIFY(c.part<QListWidget>("pupils")->item(0)->text().contains(u'✓'));
     QCOMPARE(c.text("clockNext"), QStringLiteral("Next: Ben"));
     QVERIFY(c.text("clockPupil").isEmpty() && c.text("clockTime").isEmpty());
     QTest::keyClick(c.part<QWidget>("classClock"), Qt::Key_Escape);
@@ -628,10 +627,10 @@ void TestClassroom::names_areChosenFromTheList()
     list->setCurrentRow(1);
     QCOMPARE(c.part<QLineEdit>("pupilName")->text(), QStringLiteral("Ben, B."));
     QTest::keyClick(list, Qt::Key_Return);
-    QTRY_VERIFY_WITH_TIMEOUT(!c.asks() && c.isIdle() && c.text("classPupil") == QStringLiteral("Ben, B."), longestWait);
+    QTRY_VERIFY(!c.asks() && c.isIdle() && c.text("classPupil") == QStringLiteral("Ben, B."));
     c.sculpt();
     c.next();
-    QTRY_VERIFY_WITH_TIMEOUT(list->item(1)->text().contains(u'✓'), longestWait);
+    QTRY_VERIFY(list->item(1)->text().contains(u'✓'));
     QCOMPARE(list->item(0)->text(), QStringLiteral("Anna"));
     QVERIFY(list->selectedItems().isEmpty() && c.part<QLineEdit>("pupilName")->text().isEmpty());
     c.sculptAs(QStringLiteral("Guest"));
@@ -652,7 +651,7 @@ void TestClassroom::noOtherName_ifTheTeacherSaysSo()
     QVERIFY(!c.part<QLineEdit>("pupilName")->isVisible());
     c.part<QListWidget>("pupils")->setCurrentRow(0);
     c.press("beginTurn");
-    QTRY_VERIFY_WITH_TIMEOUT(!c.asks() && c.isIdle() && c.text("classPupil") == QStringLiteral("Anna"), longestWait);
+    QTRY_VERIFY(!c.asks() && c.isIdle() && c.text("classPupil") == QStringLiteral("Anna"));
 }
 
 void TestClassroom::aLesson_isGivenInATurn_data()
@@ -677,7 +676,7 @@ void TestClassroom::aLesson_isGivenInATurn()
         c.part<QLineEdit>("pupilName")->clear();
         QTest::keyClicks(c.part<QLineEdit>("pupilName"), name);
         c.press("beginTurn");
-        QTRY_VERIFY_WITH_TIMEOUT(!c.asks() && c.isIdle() && c.text("classPupil") == name, longestWait);
+        QTRY_VERIFY(!c.asks() && c.isIdle() && c.text("classPupil") == name);
         QVERIFY(panel->isVisible());
         QCOMPARE(c.text("lessonTitle"), step.arg(1));
         QCOMPARE(c.part<QComboBox>("lessonSpeed")->currentIndex(), 2);
@@ -688,13 +687,13 @@ void TestClassroom::aLesson_isGivenInATurn()
     begin(QStringLiteral("Anna"));
     c.part<QComboBox>("lessonSpeed")->setCurrentIndex(4);
     c.press("lessonPlay");
-    QTRY_VERIFY_WITH_TIMEOUT(c.program.worker.strokes().isOpen(), longestWait);
+    QTRY_VERIFY(c.program.worker.strokes().isOpen());
     c.press("lessonNext"); // plays the rest of the step at once
-    QTRY_COMPARE_WITH_TIMEOUT(c.text("lessonTitle"), step.arg(2), longestWait);
+    QTRY_COMPARE(c.text("lessonTitle"), step.arg(2));
     QCOMPARE(c.program.window.brush()->tool(), core::Tool::Push);
     const std::uint64_t hash = c.hash();
     c.next();
-    QTRY_COMPARE_WITH_TIMEOUT(WorkArchive::worksIn(home.works).size(), 1, longestWait);
+    QTRY_COMPARE(WorkArchive::worksIn(home.works).size(), 1);
     const QJsonObject kept =
         turnIn(WorkArchive::worksIn(home.works).constFirst()).value(QStringLiteral("lesson")).toObject();
     QCOMPARE(kept.value(QStringLiteral("lesson")).toString(), QStringLiteral("first-clay"));
@@ -712,14 +711,14 @@ void TestClassroom::aLesson_isGivenInATurn()
                  verdict.facts[static_cast<std::size_t>(i)].holds);
 
     c.press("classResume");
-    QTRY_VERIFY_WITH_TIMEOUT(!c.asks() && c.isIdle() && c.text("lessonTitle") == step.arg(2), longestWait);
+    QTRY_VERIFY(!c.asks() && c.isIdle() && c.text("lessonTitle") == step.arg(2));
     QVERIFY(panel->isVisible());
     QCOMPARE(c.hash(), hash);
     c.press("lessonPlay");
     c.press("lessonOne");
-    QTRY_VERIFY_WITH_TIMEOUT(c.program.document.history().stack().count() > 0, longestWait);
+    QTRY_VERIFY(c.program.document.history().stack().count() > 0);
     c.next(); // Next Pupil is pressed while the teacher's strokes are playing
-    QTRY_COMPARE_WITH_TIMEOUT(WorkArchive::worksIn(home.works).size(), 2, longestWait);
+    QTRY_COMPARE(WorkArchive::worksIn(home.works).size(), 2);
     QVERIFY(turnIn(WorkArchive::worksIn(home.works).constLast())
                 .value(QStringLiteral("lesson"))
                 .toObject()
@@ -736,7 +735,7 @@ void TestClassroom::aLesson_isGivenInATurn()
     for (const core::Tool tool : {core::Tool::Stamp, core::Tool::Mask})
         QVERIFY(!c.program.window.brush()->isOffered(tool));
     c.next();
-    QTRY_COMPARE_WITH_TIMEOUT(WorkArchive::worksIn(home.works).size(), 4, longestWait);
+    QTRY_COMPARE(WorkArchive::worksIn(home.works).size(), 4);
     for (const QString& folder : WorkArchive::worksIn(home.works))
         QCOMPARE(turnIn(folder).contains(QStringLiteral("lesson")), !folder.endsWith(QStringLiteral("Cem")));
 }
@@ -779,18 +778,18 @@ void TestClassroom::stopping_leavesNobodyWithoutClay()
     QTest::keyClick(c.part<QLineEdit>("pupilName"), Qt::Key_Return);
     const auto stop = [&c] { // a cancelled job may be started again, and the name may be asked for again
         c.program.document.cancelJob();
-        QTRY_VERIFY_WITH_TIMEOUT(c.isIdle(), longestWait);
+        QTRY_VERIFY(c.isIdle());
         QTest::qWait(50);
-        QTRY_VERIFY_WITH_TIMEOUT(c.isIdle(), longestWait);
+        QTRY_VERIFY(c.isIdle());
     };
     stop();
     if (c.asks()) // otherwise the starter was complete before it could be cancelled
         c.sculptAs(QStringLiteral("Anna"));
     c.press("classNext");
     stop();
-    QTRY_VERIFY_WITH_TIMEOUT(c.asks() && c.isIdle(), longestWait);
+    QTRY_VERIFY(c.asks() && c.isIdle());
     c.sculptAs(QStringLiteral("Ben"));
-    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), 1, longestWait);
+    QTRY_COMPARE(foldersIn(home.works).size(), 1);
 }
 
 void TestClassroom::theClock_warnsAndTakesNothing()
@@ -867,7 +866,7 @@ void TestClassroom::aMissingFolder_isSaidAtOnce()
     QVERIFY(QDir().mkpath(home.works)); // the folder is available again
     c.sculptAs(QStringLiteral("Ben"));
     c.next();
-    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), 2, longestWait);
+    QTRY_COMPARE(foldersIn(home.works).size(), 2);
     QTRY_VERIFY(c.text("classWaiting").isEmpty());
     QCOMPARE(foldersIn(home.places.outbox), QStringList());
 }
@@ -883,8 +882,7 @@ void TestClassroom::noRoomAnywhere_keepsTheModelOpen()
     const std::uint64_t hash = c.hash();
     QVERIFY(QDir().rmdir(home.works));
     c.press("classNext");
-    QTRY_VERIFY_WITH_TIMEOUT(c.part<QMessageBox>("problem") && c.part<QMessageBox>("problem")->isVisible(),
-                             longestWait);
+    QTRY_VERIFY(c.part<QMessageBox>("problem") && c.part<QMessageBox>("problem")->isVisible());
     QVERIFY(c.part<QMessageBox>("problem")->text().contains(QStringLiteral("The work of Anna stays open")));
     c.part<QMessageBox>("problem")->accept();
     QVERIFY(!c.asks() && c.text("classPupil") == QStringLiteral("Anna"));
@@ -1070,9 +1068,9 @@ void TestClassroom::closing_takesThePin()
         c.typePin(QStringLiteral("000"));
         QVERIFY(!c.part<QLineEdit>("pin")->isEnabled()); // disabled after three wrong PINs
         QVERIFY(c.text("pinWord").contains(QStringLiteral("seconds")));
-        QTRY_VERIFY_WITH_TIMEOUT(c.part<QLineEdit>("pin")->isEnabled(), longestWait);
+        QTRY_VERIFY(c.part<QLineEdit>("pin")->isEnabled());
         c.typePin(pin);
-        QTRY_VERIFY_WITH_TIMEOUT(!window.isVisible(), longestWait);
+        QTRY_VERIFY(!window.isVisible());
     }
     QCOMPARE(foldersIn(home.works).size(), 1);
     QCOMPARE(foldersIn(home.journals()), QStringList());
@@ -1173,8 +1171,7 @@ void TestClassroom::leaving_saysWhatWaits()
     QVERIFY2(pinQuestion(c).contains(QStringLiteral("1 model")), qPrintable(pinQuestion(c)));
     c.typePin(pin);
     QPointer<ui::WaitingWorksDialog> dialog;
-    QTRY_VERIFY_WITH_TIMEOUT((dialog = c.part<ui::WaitingWorksDialog>("waitingWorks")) && dialog->isVisible(),
-                             longestWait);
+    QTRY_VERIFY((dialog = c.part<ui::WaitingWorksDialog>("waitingWorks")) && dialog->isVisible());
     QVERIFY(c.program.window.isVisible());
     QString said;
     for (const QLabel* label : dialog->findChildren<QLabel*>())
@@ -1183,11 +1180,11 @@ void TestClassroom::leaving_saysWhatWaits()
                  said.contains(home.works),
              qPrintable(said));
     Q_EMIT dialog->copyRequested(stick);
-    QTRY_VERIFY_WITH_TIMEOUT(c.text("waitingWord").contains(stick), longestWait);
+    QTRY_VERIFY(c.text("waitingWord").contains(stick));
     QCOMPARE(foldersIn(stick).size(), 2);
     QCOMPARE(foldersIn(home.places.outbox).size(), 2);
     c.press("endClass");
-    QTRY_VERIFY_WITH_TIMEOUT(!c.program.window.isVisible(), longestWait);
+    QTRY_VERIFY(!c.program.window.isVisible());
 }
 
 /// The question before the PIN states whether a work is open.
@@ -1233,12 +1230,11 @@ void TestClassroom::leaving_doesNotWaitForEver()
     c.typePin(pin);
     QTRY_VERIFY(!c.program.window.isEnabled());
     QPointer<ui::WaitingWorksDialog> dialog;
-    QTRY_VERIFY_WITH_TIMEOUT((dialog = c.part<ui::WaitingWorksDialog>("waitingWorks")) && dialog->isVisible(),
-                             longestWait);
+    QTRY_VERIFY((dialog = c.part<ui::WaitingWorksDialog>("waitingWorks")) && dialog->isVisible());
     QVERIFY(c.program.window.isEnabled());
     QVERIFY(release()); // the folder responds again
     c.press("endClass");
-    QTRY_VERIFY_WITH_TIMEOUT(!c.program.window.isVisible(), longestWait);
+    QTRY_VERIFY(!c.program.window.isVisible());
 }
 
 void TestClassroom::theTeachersDialog_changesAFile_data()
@@ -1350,10 +1346,10 @@ void TestClassroom::theTeachersDialog_movesWhatWaits()
     QVERIFY(move->isVisible());
     auto* note = dialog->findChild<ui::WaitingWorksNote*>();
     Q_EMIT note->moveRequested(root.filePath(QStringLiteral("none")));
-    QTRY_VERIFY_WITH_TIMEOUT(text("movedModels").contains(QStringLiteral("does not exist")), longestWait);
+    QTRY_VERIFY(text("movedModels").contains(QStringLiteral("does not exist")));
     QVERIFY(move->isVisible() && text("waitingModels").contains(gone)); // the works are still there
     Q_EMIT note->moveRequested(stick);
-    QTRY_VERIFY_WITH_TIMEOUT(text("movedModels").contains(stick), longestWait);
+    QTRY_VERIFY(text("movedModels").contains(stick));
     QVERIFY(WorkArchive::worksIn(stick).size() == 1 && ClassPaths::waiting().isEmpty());
     QVERIFY(!move->isVisible() && text("waitingModels").isEmpty());
     dialog->reject();
@@ -1436,7 +1432,7 @@ void TestClassroom::answers_areKeptWithTheWork()
         c.press("questionsDone");
         QTRY_VERIFY(c.asks() && !c.questions());
         QCOMPARE(QApplication::focusWidget(), c.part<QLineEdit>("pupilName"));
-        QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), 1, longestWait);
+        QTRY_COMPARE(foldersIn(home.works).size(), 1);
         c.sculptAs(QStringLiteral("Ben"));
         c.nextWithQuestions();
         for (const QToolButton* point : c.part<QWidget>("questionnairePanel")->findChildren<QToolButton*>())
@@ -1474,7 +1470,7 @@ void TestClassroom::skipping_keepsNothing()
     c.press("skipQuestions");
     QTRY_VERIFY(c.asks() && !c.questions());
     // works in delivery are hidden until they are complete
-    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.places.outbox), QStringList(), longestWait);
+    QTRY_COMPARE(foldersIn(home.places.outbox), QStringList());
     QCOMPARE(foldersIn(home.works).size(), 1);
     const QString folder = home.works + u'/' + foldersIn(home.works).constFirst();
     QVERIFY(!QFile::exists(folder + u'/' + TurnAnswers::fileName));
@@ -1609,14 +1605,14 @@ void TestClassroom::stopping_keepsTheForm()
                 Qt::QueuedConnection);
     });
     c.press("classNext");
-    QTRY_VERIFY_WITH_TIMEOUT(c.questions(), longestWait);
-    QTRY_VERIFY_WITH_TIMEOUT(stops == 5 && c.isIdle() && c.hash() != hash, longestWait);
+    QTRY_VERIFY(c.questions());
+    QTRY_VERIFY(stops == 5 && c.isIdle() && c.hash() != hash);
     QVERIFY(c.questions() && !c.asks());
     c.answer(1, 3);
     c.press("questionsDone");
     QTRY_VERIFY(c.asks());
     c.beginTurn(QStringLiteral("Ben"));
-    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.places.outbox).size(), 0, longestWait);
+    QTRY_COMPARE(foldersIn(home.places.outbox).size(), 0);
     const QString work = home.works + u'/' + foldersIn(home.works).constFirst();
     QCOMPARE(TurnAnswers::read(work).questionnaire.answers[0], 3);
 }
@@ -1635,8 +1631,7 @@ void TestClassroom::eachPanel_opensOnce()
     c.nextWithQuestions();
     QCOMPARE(counts(), std::pair(0, 1));
     c.press("classResume");
-    QTRY_VERIFY_WITH_TIMEOUT(!c.questions() && c.isIdle() && c.text("classPupil") == QStringLiteral("Anna"),
-                             longestWait);
+    QTRY_VERIFY(!c.questions() && c.isIdle() && c.text("classPupil") == QStringLiteral("Anna"));
     QCOMPARE(counts(), std::pair(0, 0));
     c.nextWithQuestions();
     c.press("questionsDone");
@@ -1646,7 +1641,7 @@ void TestClassroom::eachPanel_opensOnce()
     c.nextWithQuestions();
     c.press("classLeave");
     c.typePin(pin);
-    QTRY_VERIFY_WITH_TIMEOUT(!c.program.window.isVisible(), longestWait);
+    QTRY_VERIFY(!c.program.window.isVisible());
     QCOMPARE(counts(), std::pair(0, 1));
 }
 
@@ -1664,10 +1659,10 @@ void TestClassroom::aFailedAnswer_isWrittenAtDone()
         home.places.outbox + u'/' + foldersIn(home.places.outbox).constFirst() + u'/' + TurnAnswers::fileName;
     QVERIFY(QDir().mkdir(answers));
     c.answer(5, 6);
-    QTRY_VERIFY_WITH_TIMEOUT(notice(c.program).contains(TurnAnswers::fileName), longestWait);
+    QTRY_VERIFY(notice(c.program).contains(TurnAnswers::fileName));
     QVERIFY(QDir().rmdir(answers));
     c.press("questionsDone");
-    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.places.outbox).size(), 0, longestWait);
+    QTRY_COMPARE(foldersIn(home.places.outbox).size(), 0);
     const QString work = home.works + u'/' + foldersIn(home.works).constFirst();
     QCOMPARE(TurnAnswers::read(work).questionnaire.answers[4], 6);
 }
@@ -1702,14 +1697,13 @@ void TestClassroom::aSlowDelivery_holdsNoAnswerBack()
     QCOMPARE(foldersIn(home.places.outbox).size(), 2); // no work has been delivered
     const QString ben = foldersIn(home.places.outbox).filter(QStringLiteral("Ben")).constFirst();
     c.answer(6, 5);
-    QTRY_COMPARE_WITH_TIMEOUT(TurnAnswers::read(home.places.outbox + u'/' + ben).questionnaire.answers[5], 5,
-                              longestWait);
+    QTRY_COMPARE(TurnAnswers::read(home.places.outbox + u'/' + ben).questionnaire.answers[5], 5);
     QCOMPARE(foldersIn(home.works), QStringList{anna});
-    QTRY_VERIFY_WITH_TIMEOUT(isReleased || (isReleased = release()), longestWait);
+    QTRY_VERIFY(isReleased || (isReleased = release()));
     // Ben's work waits while his form is open
-    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.places.outbox), QStringList{ben}, longestWait);
+    QTRY_COMPARE(foldersIn(home.places.outbox), QStringList{ben});
     c.press("questionsDone");
-    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.places.outbox).size(), 0, longestWait);
+    QTRY_COMPARE(foldersIn(home.places.outbox).size(), 0);
     QCOMPARE(TurnAnswers::read(home.works + u'/' + ben).questionnaire.answers[5], 5);
 }
 
@@ -1725,14 +1719,13 @@ void TestClassroom::resuming_fromTheQuestions()
     c.nextWithQuestions();
     QTRY_VERIFY(c.part<QPushButton>("classResume")->isVisible());
     c.press("classResume");
-    QTRY_VERIFY_WITH_TIMEOUT(
-        !c.questions() && !c.asks() && c.isIdle() && c.text("classPupil") == QStringLiteral("Anna"), longestWait);
+    QTRY_VERIFY(!c.questions() && !c.asks() && c.isIdle() && c.text("classPupil") == QStringLiteral("Anna"));
     QCOMPARE(c.hash(), hash);
     c.sculpt({-40, 30});
     c.nextWithQuestions();
     c.press("questionsDone");
     QTRY_VERIFY(c.asks());
-    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), 2, longestWait);
+    QTRY_COMPARE(foldersIn(home.works).size(), 2);
 }
 
 void TestClassroom::leaving_keepsWhatWasAnswered()
@@ -1747,7 +1740,7 @@ void TestClassroom::leaving_keepsWhatWasAnswered()
         c.answer(4, 1);
         c.press("classLeave");
         c.typePin(pin);
-        QTRY_VERIFY_WITH_TIMEOUT(!c.program.window.isVisible(), longestWait);
+        QTRY_VERIFY(!c.program.window.isVisible());
     }
     QCOMPARE(foldersIn(home.works).size(), 1);
     QCOMPARE(foldersIn(home.places.outbox), QStringList());
@@ -1772,7 +1765,7 @@ void TestClassroom::aPowerCutInTheQuestions_losesNothing()
     Class c(home, home.classroomWithQuestions());
     c.begin();
     QVERIFY(!c.questions()); // no form, because its pupil has left
-    QTRY_VERIFY_WITH_TIMEOUT(!foldersIn(home.works).isEmpty() && foldersIn(home.places.outbox).isEmpty(), longestWait);
+    QTRY_VERIFY(!foldersIn(home.works).isEmpty() && foldersIn(home.places.outbox).isEmpty());
     int answered = 0;
     for (const QString& name : foldersIn(home.works)) {
         QCOMPARE(hashOf(home.works + u'/' + name + QStringLiteral("/model.glb")), hash);
@@ -1802,7 +1795,7 @@ void TestClassroom::aPowerCutInALesson_keepsItsResult()
     const Home home(root.path());
     Class c(home, withLesson(home.classroom(), true));
     c.begin();
-    QTRY_VERIFY_WITH_TIMEOUT(!foldersIn(home.works).isEmpty() && foldersIn(home.places.outbox).isEmpty(), longestWait);
+    QTRY_VERIFY(!foldersIn(home.works).isEmpty() && foldersIn(home.places.outbox).isEmpty());
     const QString work = home.works + u'/' + foldersIn(home.works).constFirst();
     const core::CheckpointVerdict verdict = core::evaluate(readLesson(QStringLiteral("first-clay")).steps[1].checkpoint,
                                                            core::readMesh(toPath(WorkArchive::modelOf(work))), nullptr);
@@ -1816,7 +1809,7 @@ void TestClassroom::aPowerCutInALesson_keepsItsResult()
              qPrintable(QString::number(turn.seconds().value_or(0))));
     QTRY_VERIFY(c.part<QPushButton>("classResume")->isVisible());
     c.press("classResume");
-    QTRY_VERIFY_WITH_TIMEOUT(!c.asks() && c.isIdle() && c.text("classPupil") == QStringLiteral("Anna"), longestWait);
+    QTRY_VERIFY(!c.asks() && c.isIdle() && c.text("classPupil") == QStringLiteral("Anna"));
     QCOMPARE(c.hash(), hash);
     QVERIFY(c.text("lessonTitle").contains(QStringLiteral("step 2 of")));
     c.mode.tick();
@@ -1847,7 +1840,7 @@ void TestClassroom::aPowerCut_losesNobodysWork()
     const Home home(root.path());
     Class c(home);
     c.begin();
-    QTRY_VERIFY_WITH_TIMEOUT(!foldersIn(home.works).isEmpty() && foldersIn(home.places.outbox).isEmpty(), longestWait);
+    QTRY_VERIFY(!foldersIn(home.works).isEmpty() && foldersIn(home.places.outbox).isEmpty());
     // two, if the work was saved but its journal did not record that
     for (const QString& name : foldersIn(home.works)) {
         QVERIFY2(!name.startsWith(u'.') && name.contains(QStringLiteral("Anna")), qPrintable(name));
@@ -1856,7 +1849,7 @@ void TestClassroom::aPowerCut_losesNobodysWork()
         QCOMPARE(replayed(core::Starter::Ball, home.works + u'/' + name + QStringLiteral("/record.json")), hash);
     }
     QVERIFY(foldersIn(home.works).size() <= 2);
-    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.journals()).size(), 1, longestWait);
+    QTRY_COMPARE(foldersIn(home.journals()).size(), 1);
 }
 
 namespace

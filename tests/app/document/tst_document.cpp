@@ -10,7 +10,6 @@
 #include "core/mesh/mesh_hash.h"
 #include "core/sculpt/sculptor.h"
 #include "tests/support/ask_worker.h"
-#include "tests/support/effort.h"
 #include "tests/support/test_main.h"
 #include "ui/util/error_messages.h"
 #include "ui/util/thread_mailbox.h"
@@ -40,7 +39,7 @@ struct Session
     /// Waits until no job or step is in progress.
     void wait()
     {
-        QTRY_VERIFY_WITH_TIMEOUT(!document.job().isBusy() && document.queue().isSettled(), longestWait);
+        QTRY_VERIFY(!document.job().isBusy() && document.queue().isSettled());
         settle();
     }
 

@@ -7,7 +7,6 @@
 #include "core/mesh/mesh_builder.h"
 #include "core/sculpt/sculptor.h"
 #include "tests/support/ask_worker.h"
-#include "tests/support/effort.h"
 #include "tests/support/shapes.h"
 #include "tests/support/test_main.h"
 #include "tests/support/viewer.h"
@@ -33,7 +32,7 @@ QString exportedBrush(Document& document)
 {
     QSignalSpy kept(&document.saver(), &ModelSaver::brushExported);
     document.saver().exportBrush();
-    [&] { QTRY_COMPARE_WITH_TIMEOUT(kept.count(), 1, longestWait); }();
+    [&] { QTRY_COMPARE(kept.count(), 1); }();
     return kept.isEmpty() ? QString() : kept[0][0].toString();
 }
 
@@ -50,7 +49,7 @@ struct ViewedSession
     /// Waits until no job or step is in progress.
     void wait()
     {
-        QTRY_VERIFY_WITH_TIMEOUT(!document.job().isBusy() && document.queue().isSettled(), longestWait);
+        QTRY_VERIFY(!document.job().isBusy() && document.queue().isSettled());
         settle();
     }
 
@@ -315,7 +314,7 @@ void TestDocumentModel::change_isToldOnceItIsMade()
         noticed(&session.document, &Document::noticed);
     session.document.changer().apply(core::Scale{2}); // the mesh thread makes a copy first
     session.worker.post([&delay](core::Sculptor&) { delay.acquire(); });
-    QTRY_VERIFY_WITH_TIMEOUT(!cancellable.isEmpty() && !cancellable.last()[0].toBool(), longestWait);
+    QTRY_VERIFY(!cancellable.isEmpty() && !cancellable.last()[0].toBool());
     QVERIFY(!session.document.savedState().isModified() && !session.document.history().canUndo() &&
             session.document.job().isBusy());
     session.stroke({0, 0, 50});

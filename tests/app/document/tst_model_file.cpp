@@ -2,7 +2,6 @@
 #include "tests/support/test_main.h"
 
 #include "core/io/mesh_io.h"
-#include "tests/support/effort.h"
 #include "ui/files/file_browser.h"
 #include "ui/files/file_grid.h"
 #include "ui/settings/settings.h"
@@ -33,8 +32,7 @@ struct Opened
     void wait()
     {
         QVERIFY(QTest::qWaitForWindowActive(&program.window));
-        QTRY_VERIFY_WITH_TIMEOUT(program.document.modelInfo().path == path && !program.document.job().isBusy(),
-                                 longestWait);
+        QTRY_VERIFY(program.document.modelInfo().path == path && !program.document.job().isBusy());
         QTRY_COMPARE(grid->model()->rowCount(), 2);
     }
     void choose(const QString& name) const
@@ -105,8 +103,7 @@ void TestModelFile::aNewNameIsTheModels()
     QVERIFY(!ui::Settings().recentFiles().contains(o.path));
     QVERIFY(!o.program.window.isWindowModified());
     o.press("file.save");
-    QTRY_VERIFY_WITH_TIMEOUT(
-        notice(o.program).contains(QStringLiteral("tiger.ply")) && !o.program.document.job().isBusy(), longestWait);
+    QTRY_VERIFY(notice(o.program).contains(QStringLiteral("tiger.ply")) && !o.program.document.job().isBusy());
     QVERIFY(!o.question() && !QFile::exists(o.path));
     QCOMPARE(Opened::verticesIn(renamed), quint64(642));
 }
@@ -155,14 +152,12 @@ void TestModelFile::goneFromOutside_isWrittenAgainAndSaidSo()
     o.wait();
     QVERIFY(QFile::remove(o.path));
     o.press("file.save");
-    QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(o.path) && !o.program.document.job().isBusy(), longestWait);
+    QTRY_VERIFY(QFile::exists(o.path) && !o.program.document.job().isBusy());
     QCOMPARE(Opened::verticesIn(o.path), quint64(642));
     QVERIFY(notice(o.program).contains(QStringLiteral("written again")));
     QVERIFY(!o.program.document.savedState().isModified() && !o.question());
     o.press("file.save");
-    QTRY_VERIFY_WITH_TIMEOUT(!notice(o.program).contains(QStringLiteral("written again")) &&
-                                 !o.program.document.job().isBusy(),
-                             longestWait);
+    QTRY_VERIFY(!notice(o.program).contains(QStringLiteral("written again")) && !o.program.document.job().isBusy());
 }
 
 void TestModelFile::changedByAnother_asks()
@@ -181,10 +176,10 @@ void TestModelFile::changedByAnother_asks()
     o.press("file.save");
     o.answer(QMessageBox::DestructiveRole);
     QTRY_COMPARE(Opened::verticesIn(o.path), quint64(642));
-    QTRY_VERIFY_WITH_TIMEOUT(!o.program.document.job().isBusy() && !o.question(), longestWait);
+    QTRY_VERIFY(!o.program.document.job().isBusy() && !o.question());
     o.press("file.save"); // the file is now the program's own version
     QVERIFY(!o.question());
-    QTRY_VERIFY_WITH_TIMEOUT(!o.program.document.job().isBusy(), longestWait);
+    QTRY_VERIFY(!o.program.document.job().isBusy());
 }
 
 void TestModelFile::changedByAnother_maySaveElsewhere()
@@ -198,8 +193,7 @@ void TestModelFile::changedByAnother_maySaveElsewhere()
     o.press("file.save");
     o.answer(QMessageBox::AcceptRole);
     chooseFile(o.program, "saveDialog", mine);
-    QTRY_VERIFY_WITH_TIMEOUT(o.program.document.modelInfo().path == mine && !o.program.document.job().isBusy(),
-                             longestWait);
+    QTRY_VERIFY(o.program.document.modelInfo().path == mine && !o.program.document.job().isBusy());
     QCOMPARE(Opened::verticesIn(o.path), others);
     QCOMPARE(Opened::verticesIn(mine), quint64(642));
 }
@@ -209,13 +203,12 @@ void TestModelFile::ownWritingIsNotAnothers()
     Opened o;
     o.wait();
     o.program.document.changer().apply(core::Recentre{});
-    QTRY_VERIFY_WITH_TIMEOUT(!o.program.document.job().isBusy() && o.program.document.queue().isSettled(), longestWait);
+    QTRY_VERIFY(!o.program.document.job().isBusy() && o.program.document.queue().isSettled());
     o.program.document.saver().exportTo(o.path);
-    QTRY_VERIFY_WITH_TIMEOUT(
-        notice(o.program).contains(QStringLiteral("lion.ply")) && !o.program.document.job().isBusy(), longestWait);
+    QTRY_VERIFY(notice(o.program).contains(QStringLiteral("lion.ply")) && !o.program.document.job().isBusy());
     o.press("file.save");
     QVERIFY(!o.question());
-    QTRY_VERIFY_WITH_TIMEOUT(!o.program.document.job().isBusy(), longestWait);
+    QTRY_VERIFY(!o.program.document.job().isBusy());
 }
 
 /// Types a file name with real keys while the dialog suggests existing names with the same beginning.
@@ -242,7 +235,7 @@ void TestModelFile::aTypedNameWinsOverTheSuggestedOne()
     QTRY_VERIFY(QApplication::activePopupWidget());
     QTest::keyClick(dialog->windowHandle(), Qt::Key_Return);
     QTRY_COMPARE(o.program.document.modelInfo().path, o.folder.filePath(QStringLiteral("tiger.glb")));
-    QTRY_VERIFY_WITH_TIMEOUT(!o.program.document.job().isBusy(), longestWait);
+    QTRY_VERIFY(!o.program.document.job().isBusy());
     QCOMPARE(QDir(o.folder.path()).entryList(QDir::Files).size(), 5);
 }
 

@@ -7,7 +7,6 @@
 #include "core/mesh/mesh_builder.h"
 #include "core/sculpt/sculptor.h"
 #include "tests/support/ask_worker.h"
-#include "tests/support/effort.h"
 #include "tests/support/shapes.h"
 #include "tests/support/test_main.h"
 #include "ui/model/insert_request.h"
@@ -64,7 +63,7 @@ struct PlacedSession
 
     void wait()
     {
-        QTRY_VERIFY_WITH_TIMEOUT(!document.job().isBusy() && document.queue().isSettled(), longestWait);
+        QTRY_VERIFY(!document.job().isBusy() && document.queue().isSettled());
         app::settle(worker);
     }
 

@@ -3,7 +3,6 @@
 #include "tests/support/test_main.h"
 
 #include "core/io/mesh_io.h"
-#include "tests/support/effort.h"
 #include "ui/files/file_browser.h"
 #include "ui/files/file_grid.h"
 #include "ui/settings/settings.h"
@@ -40,8 +39,8 @@ bool dropFile(Program& program, const QString& path)
 /// Waits until the document is idle. Checks that the model of this file is open and that no other was opened before it.
 void expectOnly(Program& program, const QSignalSpy& opened, const QString& path)
 {
-    QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, longestWait);
-    QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy() && program.document.queue().isSettled(), longestWait);
+    QTRY_COMPARE(opened.size(), 1);
+    QTRY_VERIFY(!program.document.job().isBusy() && program.document.queue().isSettled());
     QTest::qWait(200);
     QCOMPARE(opened.size(), 1);
     QCOMPARE(program.document.modelInfo().path, path);
@@ -109,13 +108,13 @@ void TestOpening::theStartPageStandsOverTheFirstModel()
     program.window.show();
     program.document.opener().openBall();
     program.window.action(QStringLiteral("help.start"))->trigger();
-    QTRY_VERIFY_WITH_TIMEOUT(program.document.modelInfo().faces > 0 && !program.document.job().isBusy(), longestWait);
+    QTRY_VERIFY(program.document.modelInfo().faces > 0 && !program.document.job().isBusy());
     const auto* page = program.window.findChild<QWidget*>(QStringLiteral("startPage"));
     QVERIFY(page->isVisible());
     const Files files;
     QSignalSpy opened(&program.document, &Document::opened);
     program.document.opener().open(files.small);
-    QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, longestWait);
+    QTRY_COMPARE(opened.size(), 1);
     QVERIFY(!page->isVisible());
 }
 
@@ -216,7 +215,7 @@ void TestOpening::whoWillNotLoseThemKeepsTheModel()
     program.document.history().redo();
     QTRY_VERIFY(program.document.savedState().isModified());
     program.document.opener().open(files.small);
-    QTRY_COMPARE_WITH_TIMEOUT(asked.times, 1, longestWait);
+    QTRY_COMPARE(asked.times, 1);
     QTest::qWait(200);
     QVERIFY(!program.document.job().isBusy() && opened.isEmpty());
     QVERIFY(program.document.modelInfo().path.isEmpty() && program.document.savedState().isModified() &&
@@ -254,7 +253,7 @@ void TestOpening::stopEndsBoth()
     program.document.opener().open(files.other);
     QVERIFY(program.document.job().isBusy());
     program.window.action(QStringLiteral("edit.stop"))->trigger();
-    QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), longestWait);
+    QTRY_VERIFY(!program.document.job().isBusy());
     QTest::qWait(200);
     QVERIFY(opened.isEmpty() && !program.document.job().isBusy());
     QCOMPARE(program.document.modelInfo().vertices, quint64(10242));
@@ -290,12 +289,12 @@ void TestOpening::aBrokenModelIsRepaired()
     program.window.show();
     QSignalSpy opened(&program.document, &Document::opened), refused(&program.document, &Document::refused);
     program.document.opener().open(broken);
-    QTRY_VERIFY_WITH_TIMEOUT(repairQuestion(program) && !program.document.job().isBusy(), longestWait);
+    QTRY_VERIFY(repairQuestion(program) && !program.document.job().isBusy());
     opened.clear();
     QTest::keyClick(repairQuestion(program), agrees ? Qt::Key_Return : Qt::Key_Escape);
     QTRY_VERIFY(!repairQuestion(program));
     if (agrees) {
-        QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, longestWait);
+        QTRY_COMPARE(opened.size(), 1);
         QVERIFY(repairReport(program).contains(QStringLiteral("Intersections resolved")));
         QVERIFY(program.document.modelInfo().path.isEmpty());
         QVERIFY(program.document.savedState().isModified()); // the repaired model differs from the file
@@ -315,21 +314,21 @@ void TestOpening::aRepairThatLosesMuchIsAsked()
     core::writeMesh(path.toStdString(), shapes::takenApart(core::icosphere(3, 10)));
     Program program;
     program.document.opener().openBall();
-    QTRY_VERIFY_WITH_TIMEOUT(program.document.modelInfo().faces > 0 && !program.document.job().isBusy(), longestWait);
+    QTRY_VERIFY(program.document.modelInfo().faces > 0 && !program.document.job().isBusy());
     const QSignalSpy opened(&program.document, &Document::opened);
     const auto question = [&] { return program.window.findChild<QDialog*>(QStringLiteral("repairDoubtDialog")); };
     for (const Qt::Key answer : {Qt::Key_Escape, Qt::Key_Return}) {
         program.document.opener().open(path);
-        QTRY_VERIFY_WITH_TIMEOUT(repairQuestion(program) && !program.document.job().isBusy(), longestWait);
+        QTRY_VERIFY(repairQuestion(program) && !program.document.job().isBusy());
         QTest::keyClick(repairQuestion(program), Qt::Key_Return);
-        QTRY_VERIFY_WITH_TIMEOUT(question() && !program.document.job().isBusy(), longestWait);
+        QTRY_VERIFY(question() && !program.document.job().isBusy());
         QVERIFY(opened.isEmpty());
         const QList<QLabel*> labels = question()->findChildren<QLabel*>();
         QCOMPARE(std::ranges::count_if(labels, [](const QLabel* label) { return !label->pixmap().isNull(); }), 2);
         QTest::keyClick(question(), answer);
         QTRY_VERIFY(!question() && !repairQuestion(program));
     }
-    QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, longestWait);
+    QTRY_COMPARE(opened.size(), 1);
     QVERIFY(program.document.savedState().isModified());
     QVERIFY(repairReport(program).contains(QStringLiteral("rebuilt")));
 }
@@ -346,7 +345,7 @@ void TestOpening::aRepairAsksNoSecondTime()
     QSignalSpy opened(&program.document, &Document::opened);
     const auto ask = [&] {
         program.document.opener().open(broken);
-        QTRY_VERIFY_WITH_TIMEOUT(repairQuestion(program) && !program.document.job().isBusy(), longestWait);
+        QTRY_VERIFY(repairQuestion(program) && !program.document.job().isBusy());
     };
     ask();
     QCOMPARE(asked.times, 1);
@@ -358,14 +357,14 @@ void TestOpening::aRepairAsksNoSecondTime()
     ask(); // the undo and redo count as new changes
     QCOMPARE(asked.times, 2);
     QTest::keyClick(repairQuestion(program), Qt::Key_Return);
-    QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, longestWait);
+    QTRY_COMPARE(opened.size(), 1);
     QCOMPARE(asked.times, 2);
     // the file is listed although the repaired model is not saved
     QCOMPARE(ui::Settings().recentFiles().value(0), broken);
     QVERIFY(program.document.modelInfo().path.isEmpty());
     program.document.opener().open(files.small);
-    QTRY_COMPARE_WITH_TIMEOUT(asked.times, 3, longestWait);
-    QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 2, longestWait);
+    QTRY_COMPARE(asked.times, 3);
+    QTRY_COMPARE(opened.size(), 2);
 }
 
 void TestOpening::aBrokenModelIsRepairedAndInserted()
@@ -381,10 +380,10 @@ void TestOpening::aBrokenModelIsRepairedAndInserted()
     QDialog* place = nullptr;
     QTRY_VERIFY((place = program.window.findChild<QDialog*>(QStringLiteral("insertDialog"))) && place->isVisible());
     QTest::keyClick(place, Qt::Key_Return);
-    QTRY_VERIFY_WITH_TIMEOUT(repairQuestion(program) && !program.document.job().isBusy(), longestWait);
+    QTRY_VERIFY(repairQuestion(program) && !program.document.job().isBusy());
     QTest::keyClick(repairQuestion(program), Qt::Key_Return);
-    QTRY_VERIFY_WITH_TIMEOUT(repairReport(program).contains(QStringLiteral("Intersections resolved")), longestWait);
-    QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), longestWait);
+    QTRY_VERIFY(repairReport(program).contains(QStringLiteral("Intersections resolved")));
+    QTRY_VERIFY(!program.document.job().isBusy());
     QCOMPARE(program.document.history().stack().count(), 2);
     QTRY_VERIFY(program.document.modelInfo().size.x() > before + 29);
     QTest::keyClick(program.window.findChild<QMessageBox*>(QStringLiteral("mendedDialog")), Qt::Key_Return);

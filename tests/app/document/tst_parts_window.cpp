@@ -1,7 +1,6 @@
 // Tests the parts of a document in the real window: the panel, the commands, picking, and undo across parts.
 
 #include "tests/support/clay.h"
-#include "tests/support/effort.h"
 #include "tests/support/program_driver.h"
 #include "tests/support/shapes.h"
 #include "tests/support/test_main.h"
@@ -56,7 +55,7 @@ QStringList names(Program& program)
 
 void waitUntilSettled(Program& program)
 {
-    QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy() && program.document.queue().isSettled(), longestWait);
+    QTRY_VERIFY(!program.document.job().isBusy() && program.document.queue().isSettled());
 }
 
 void trigger(Program& program, const char* id)
@@ -155,7 +154,7 @@ QWidget* preview(Program& program, const char* id)
 {
     auto* card = program.window.findChild<ui::CombinationCard*>();
     program.window.action(QLatin1StringView(id))->trigger();
-    [card] { QTRY_VERIFY_WITH_TIMEOUT(card->isVisible(), longestWait); }();
+    [card] { QTRY_VERIFY(card->isVisible()); }();
     return card;
 }
 
@@ -365,7 +364,7 @@ void TestPartsWindow::handles_moveTheActivePart()
     const auto before = hashes(program);
     program.window.action(QStringLiteral("model.transform"))->trigger();
     const auto* gizmo = program.window.findChild<ui::Gizmo*>(QStringLiteral("transformGizmo"));
-    QTRY_VERIFY_WITH_TIMEOUT(gizmo->frame().has_value(), longestWait);
+    QTRY_VERIFY(gizmo->frame().has_value());
     QVERIFY((gizmo->frame()->centre - core::Vec3(30, 0, 0)).norm() < 0.1);
     ui::Viewport* view = program.window.viewport();
     const auto at = [&](const core::Vec3& point) {
@@ -384,7 +383,7 @@ void TestPartsWindow::handles_moveTheActivePart()
     for (int i = 1; i <= 8; ++i)
         send(QEvent::MouseMove, from + (to - from) * i / 8, Qt::NoButton, Qt::LeftButton);
     send(QEvent::MouseButtonRelease, to, Qt::LeftButton, Qt::NoButton);
-    QTRY_VERIFY_WITH_TIMEOUT(hashes(program) != before, longestWait);
+    QTRY_VERIFY(hashes(program) != before);
     waitUntilSettled(program);
     QCOMPARE(program.document.history().undoText(), QStringLiteral("Part 1 copy: Move"));
     QCOMPARE(hashes(program).at(0), before.at(0));
@@ -413,7 +412,7 @@ void TestPartsWindow::handles_comeWithAnInsertedPart()
     QTRY_COMPARE(names(program).size(), 3);
     QVERIFY(!action->isChecked());
     Q_EMIT program.window.commandRequested(insert);
-    QTRY_VERIFY_WITH_TIMEOUT(action->isChecked(), longestWait);
+    QTRY_VERIFY(action->isChecked());
     QTRY_COMPARE(names(program).size(), 4);
     const auto* gizmo = program.window.findChild<ui::Gizmo*>(QStringLiteral("transformGizmo"));
     QTRY_VERIFY(gizmo->frame() && (gizmo->frame()->centre - insert.centre).norm() < 0.1);
@@ -646,11 +645,11 @@ void TestPartsWindow::tube_isDrawnInTheView()
     }
     QTest::mouseRelease(view, Qt::LeftButton, {}, at(1));
     auto* card = view->findChild<ui::TubeCard*>();
-    QTRY_VERIFY_WITH_TIMEOUT(card->isVisible(), longestWait);
+    QTRY_VERIFY(card->isVisible());
     card->findChild<QComboBox*>(QStringLiteral("tubeCombination"))->setCurrentIndex(0);
     savePicture(program);
     QTest::keyClick(view, Qt::Key_Return);
-    QTRY_COMPARE_WITH_TIMEOUT(names(program), QStringList({"Part 1", "Part 1 copy", "Tube"}), longestWait);
+    QTRY_COMPARE(names(program), QStringList({"Part 1", "Part 1 copy", "Tube"}));
     waitUntilSettled(program);
     QCOMPARE(program.document.parts().active(), PartId(2));
     QTRY_VERIFY(program.window.action(QStringLiteral("model.transform"))->isChecked());
@@ -873,13 +872,13 @@ void TestPartsWindow::modelPanel_isOfTheActivePart()
     const auto value = [&program](const char* id) {
         return program.window.modelPanel()->findChild<QLabel*>(QLatin1StringView(id))->text();
     };
-    QTRY_COMPARE_WITH_TIMEOUT(value("model.part"), QStringLiteral("Part 1 copy"), longestWait);
+    QTRY_COMPARE(value("model.part"), QStringLiteral("Part 1 copy"));
     QCOMPARE(value("model.components"), QStringLiteral("1"));
     const QString size = value("model.size");
     apply(program, core::FlattenBase{20});
-    QTRY_VERIFY_WITH_TIMEOUT(value("model.size") != size, longestWait);
+    QTRY_VERIFY(value("model.size") != size);
     program.document.parts().activate(0);
-    QTRY_COMPARE_WITH_TIMEOUT(value("model.part"), QStringLiteral("Part 1"), longestWait);
+    QTRY_COMPARE(value("model.part"), QStringLiteral("Part 1"));
     QCOMPARE(value("model.size"), size); // the other part is as large as it was
 }
 
@@ -900,11 +899,11 @@ void TestPartsWindow::printCheck_isOfTheVisibleParts()
                      });
     analysis.setOptions({{}, core::PrintPicture::Overhang});
     const std::size_t whole = program.document.modelInfo().faces;
-    QTRY_COMPARE_WITH_TIMEOUT(faces, whole, longestWait);
+    QTRY_COMPARE(faces, whole);
     QVERIFY(shaded > 0);
     const std::size_t shadedBefore = shaded;
     trigger(program, "parts.hide");
-    QTRY_COMPARE_WITH_TIMEOUT(faces, whole / 2, longestWait);
+    QTRY_COMPARE(faces, whole / 2);
     QVERIFY(shaded > 0 && shaded < shadedBefore);
 }
 
@@ -947,7 +946,7 @@ void TestPartsWindow::printCheck_unitesPartsThatOverlap()
                      });
     analysis.setOptions({{}, core::PrintPicture::Thickness});
     analysis.setActive(true);
-    QTRY_VERIFY_WITH_TIMEOUT(united, longestWait);
+    QTRY_VERIFY(united);
     QCOMPARE(int(*united), int(core::PartUnion::Done));
     QVERIFY(isAscending);
     QVERIFY(surface.printReady());
@@ -961,14 +960,14 @@ void TestPartsWindow::printCheck_unitesPartsThatOverlap()
     const auto count = [findings] {
         return findings->findItems(QStringLiteral("Overlapping parts checked as one"), Qt::MatchExactly).size();
     };
-    QTRY_COMPARE_WITH_TIMEOUT(count(), 1, longestWait);
+    QTRY_COMPARE(count(), 1);
     savePicture(program);
     united.reset();
     share = 0;
     trigger(program, "parts.isolate");
-    QTRY_VERIFY_WITH_TIMEOUT(united, longestWait);
+    QTRY_VERIFY(united);
     QCOMPARE(int(*united), int(core::PartUnion::NotNeeded));
-    QTRY_COMPARE_WITH_TIMEOUT(count(), 0, longestWait);
+    QTRY_COMPARE(count(), 0);
 }
 
 FETTLE_TEST(TestPartsWindow, app::OnScreen)

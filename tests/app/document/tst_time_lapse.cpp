@@ -6,7 +6,6 @@
 #include "app/document/history_visit.h"
 #include "app/document/time_lapse.h"
 
-#include "tests/support/effort.h"
 #include "ui/history/time_lapse_dialog.h"
 #include "ui/util/thread_mailbox.h"
 
@@ -59,9 +58,8 @@ struct Studio
 
     void rest()
     {
-        QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy() && program.document.queue().isSettled() &&
-                                     program.document.modelInfo().faces > 0,
-                                 longestWait);
+        QTRY_VERIFY(!program.document.job().isBusy() && program.document.queue().isSettled() &&
+                    program.document.modelInfo().faces > 0);
     }
 
     std::uint64_t state()
@@ -86,7 +84,7 @@ struct Studio
                 outcome = TimeLapse::run(request, history, control);
             },
             [&isDone] { isDone = true; });
-        [&] { QTRY_VERIFY_WITH_TIMEOUT(began && isDone, longestWait); }();
+        [&] { QTRY_VERIFY(began && isDone); }();
         return outcome;
     }
 
@@ -247,8 +245,8 @@ void TestTimeLapse::handsRestMeanwhile()
     s.program.document.history().undo(); // undo waits for the end of the time lapse
     QCOMPARE(s.program.document.history().stack().index(), 3);
     mayGoOn = true;
-    QTRY_VERIFY_WITH_TIMEOUT(isDone, longestWait);
-    QTRY_COMPARE_WITH_TIMEOUT(s.program.document.history().stack().index(), 2, longestWait);
+    QTRY_VERIFY(isDone);
+    QTRY_COMPARE(s.program.document.history().stack().index(), 2);
 }
 
 void TestTimeLapse::byTheMenu()
@@ -265,9 +263,9 @@ void TestTimeLapse::byTheMenu()
     QVERIFY(dialog->findChild<QLabel*>(QStringLiteral("frameCount"))->text().contains(QStringLiteral("3")));
     dialog->accept();
     chooseFile(s.program, "folderDialog", folder.path());
-    QTRY_COMPARE_WITH_TIMEOUT(filesIn(folder.path()).size(), 3, longestWait);
+    QTRY_COMPARE(filesIn(folder.path()).size(), 3);
     s.rest();
-    QTRY_VERIFY_WITH_TIMEOUT(notice(s.program).contains(QStringLiteral("3")), longestWait);
+    QTRY_VERIFY(notice(s.program).contains(QStringLiteral("3")));
     for (const QString& name : filesIn(folder.path()))
         QCOMPARE(QImage(folder.filePath(name)).size(), chosen);
 }

@@ -49,9 +49,8 @@ struct TimelineFixture
 
     void rest()
     {
-        QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy() && program.document.queue().isSettled() &&
-                                     program.document.modelInfo().faces > 0,
-                                 longestWait);
+        QTRY_VERIFY(!program.document.job().isBusy() && program.document.queue().isSettled() &&
+                    program.document.modelInfo().faces > 0);
     }
 
     /// Returns the hash of the mesh including slot numbers and free lists, or 0 if the mesh is not valid.
@@ -83,13 +82,13 @@ struct TimelineFixture
     void showHistory()
     {
         find<ui::SidePanel>("historyPanel")->bringForward();
-        QTRY_VERIFY_WITH_TIMEOUT(program.window.history()->isVisible(), longestWait);
+        QTRY_VERIFY(program.window.history()->isVisible());
     }
     QAction* edit() { return program.window.action(QStringLiteral("edit.lastStroke")); }
     void beginEdit()
     {
         edit()->trigger();
-        QTRY_VERIFY_WITH_TIMEOUT(bar() && bar()->isVisible(), longestWait);
+        QTRY_VERIFY(bar() && bar()->isVisible());
     }
     /// Sets a value as if it were typed.
     void set(const char* box, double value)
@@ -106,7 +105,7 @@ struct TimelineFixture
     {
         QTest::mouseClick(bar()->findChild<QPushButton*>(QLatin1StringView(button)), Qt::LeftButton);
         rest();
-        QTRY_VERIFY_WITH_TIMEOUT(!bar(), longestWait);
+        QTRY_VERIFY(!bar());
     }
 
     Program program;
@@ -174,7 +173,7 @@ void TestTimeline::scrub_eachStateIsWhatItWasWhenItWasMade()
     }
     auto* slider = fixture.find<QSlider>("timeline");
     fixture.showHistory();
-    QTRY_COMPARE_WITH_TIMEOUT(slider->maximum(), steps, longestWait);
+    QTRY_COMPARE(slider->maximum(), steps);
     QCOMPARE(slider->minimum(), 0);
     for (int i = 0; i < byEffort(8, 25); ++i) {
         int wanted = 0;
@@ -184,7 +183,7 @@ void TestTimeline::scrub_eachStateIsWhatItWasWhenItWasMade()
             if (burst % 2 == 1)
                 QCoreApplication::processEvents();
         }
-        QTRY_COMPARE_WITH_TIMEOUT(fixture.index(), wanted, longestWait);
+        QTRY_COMPARE(fixture.index(), wanted);
         QCOMPARE(fixture.state(), states[static_cast<std::size_t>(wanted)]);
         QCOMPARE(slider->value(), wanted);
     }
@@ -200,22 +199,22 @@ void TestTimeline::scrub_keysGoByOneAndPlayToTheEnd()
     const std::uint64_t last = fixture.state();
     auto* slider = fixture.find<QSlider>("timeline");
     fixture.showHistory();
-    QTRY_COMPARE_WITH_TIMEOUT(slider->maximum(), 3, longestWait);
+    QTRY_COMPARE(slider->maximum(), 3);
     QTest::keyClick(slider, Qt::Key_Left);
     QTest::keyClick(slider, Qt::Key_Left);
-    QTRY_COMPARE_WITH_TIMEOUT(fixture.index(), 1, longestWait);
+    QTRY_COMPARE(fixture.index(), 1);
     QTest::keyClick(slider, Qt::Key_Right);
-    QTRY_COMPARE_WITH_TIMEOUT(fixture.index(), 2, longestWait);
+    QTRY_COMPARE(fixture.index(), 2);
     const QString text = fixture.find<QLabel>("timelineText")->text();
     QVERIFY2(text.contains(QStringLiteral("2")) && text.contains(QStringLiteral("3")) &&
                  text.contains(fixture.program.document.history().stack().text(1)),
              qPrintable(text));
     auto* play = fixture.find<QToolButton>("timelinePlay");
     QTest::mouseClick(play, Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(fixture.index() == 3 && !play->isChecked(), longestWait);
+    QTRY_VERIFY(fixture.index() == 3 && !play->isChecked());
     QSignalSpy moved(&fixture.program.document.history().stack(), &QUndoStack::indexChanged);
     QTest::mouseClick(play, Qt::LeftButton); // starts from the first state
-    QTRY_VERIFY_WITH_TIMEOUT(fixture.index() == 3 && !play->isChecked() && moved.size() >= 4, longestWait);
+    QTRY_VERIFY(fixture.index() == 3 && !play->isChecked() && moved.size() >= 4);
     QCOMPARE(fixture.state(), last);
 }
 
@@ -321,7 +320,7 @@ void TestTimeline::edit_cancelGivesTheStrokeBackAsItWas()
             QTest::keyClick(fixture.bar(), Qt::Key_Escape);
         else
             fixture.press("cancelStroke");
-        QTRY_VERIFY_WITH_TIMEOUT(!fixture.bar(), longestWait);
+        QTRY_VERIFY(!fixture.bar());
         QCOMPARE(fixture.state(), was);
         QCOMPARE(fixture.count(), 1);
         QVERIFY(!fixture.program.document.savedState().isModified());
@@ -361,7 +360,7 @@ void TestTimeline::edit_theNextStrokeEndsIt()
         Q_EMIT fixture.program.window.viewport()->input()->strokeSampled(sample);
     Q_EMIT fixture.program.window.viewport()->input()->strokeEnded(core::StrokeEnd::Kept);
     fixture.rest();
-    QTRY_VERIFY_WITH_TIMEOUT(!fixture.bar(), longestWait);
+    QTRY_VERIFY(!fixture.bar());
     QCOMPARE(fixture.count(), 2);
     fixture.program.document.history().undo();
     TimelineFixture other;
@@ -380,7 +379,7 @@ void TestTimeline::edit_undoEndsIt()
     fixture.set("radius.box", 14);
     fixture.rest();
     fixture.program.document.history().undo();
-    QTRY_VERIFY_WITH_TIMEOUT(!fixture.bar(), longestWait);
+    QTRY_VERIFY(!fixture.bar());
     QCOMPARE(fixture.state(), start);
     QVERIFY(!fixture.edit()->isEnabled());
     fixture.program.document.history().redo();
@@ -398,7 +397,7 @@ void TestTimeline::edit_whatDoesNothingSaysSo()
     fixture.set("strength.box", 0);
     fixture.rest();
     auto* hint = fixture.find<QLabel>("strokeHint");
-    QTRY_VERIFY_WITH_TIMEOUT(!hint->text().isEmpty(), longestWait);
+    QTRY_VERIFY(!hint->text().isEmpty());
     QCOMPARE(fixture.state(), start);
     fixture.set("strength.box", 2);
     fixture.rest();
@@ -462,7 +461,7 @@ void TestTimeline::edit_theRecordIsOfWhatIsThere()
         return true;
     };
     QVERIFY(fixture.program.document.saver().saveExternally({}, keep, [&isDone](bool) { isDone = true; }));
-    QTRY_VERIFY_WITH_TIMEOUT(isDone, longestWait);
+    QTRY_VERIFY(isDone);
     QVERIFY(entries && entries->size() == 2);
     TimelineFixture other;
     for (const core::FileEntry& entry : *entries)

@@ -6,7 +6,7 @@
 #include "app/headset/headset.h"
 #include "app/headset/headset_settings_store.h"
 #include "core/geometry/rotation.h"
-#include "tests/support/effort.h"
+#include "tests/support/waiting.h"
 #include "vr/input/model_placement.h"
 #include "vr/input/wand_mapping.h"
 #include "vr/panels/panel_manager.h"
@@ -61,7 +61,7 @@ public:
         put(vr::Side::Right, {0.3, 1.1, -0.3});
         m_framesBefore = framesEnded();
         m_program.window.action(QStringLiteral("vr.enter"))->trigger();
-        QTRY_VERIFY_WITH_TIMEOUT(m_headset.report()["is_running"].toBool(), longestWait);
+        QTRY_VERIFY(m_headset.report()["is_running"].toBool());
         frames(8); // the session gets the focus with the fourth frame
         placeModelAgain();
     }
@@ -76,8 +76,8 @@ public:
         setDrawn(true);
         m_undrawn = 0;
         m_headset.step("{'pace': 'fast'}");
-        QTRY_VERIFY_WITH_TIMEOUT(!m_headset.report()["is_running"].toBool(), longestWait);
-        QTRY_VERIFY_WITH_TIMEOUT(!m_program.window.findChild<Headset*>()->isActive(), longestWait);
+        QTRY_VERIFY(!m_headset.report()["is_running"].toBool());
+        QTRY_VERIFY(!m_program.window.findChild<Headset*>()->isActive());
         m_headset.step("{'pace': 'stepped'}");
     }
 
@@ -116,9 +116,7 @@ public:
     {
         Document& document = m_program.document;
         frames(isIn() ? 2 : 0);
-        QTRY_VERIFY_WITH_TIMEOUT((document.queue().isSettled() && !document.job().isBusy()) ||
-                                     document.changer().isPreviewing(),
-                                 longestWait);
+        QTRY_VERIFY((document.queue().isSettled() && !document.job().isBusy()) || document.changer().isPreviewing());
         frames(isIn() ? 2 : 0);
     }
 

@@ -3,7 +3,6 @@
 
 #include "core/io/mesh_io.h"
 #include "tests/support/ask_worker.h"
-#include "tests/support/effort.h"
 #include "tests/support/program_driver.h"
 #include "tests/support/test_main.h"
 #include "tests/support/unwritable_places.h"
@@ -45,8 +44,8 @@ struct ControllerVisit
     void wait()
     {
         const auto isDone = [this] { return !program.document.job().isBusy() && program.document.queue().isSettled(); };
-        QTRY_VERIFY_WITH_TIMEOUT(program.document.modelInfo().faces > 0 && isDone(), longestWait);
-        QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), longestWait);
+        QTRY_VERIFY(program.document.modelInfo().faces > 0 && isDone());
+        QTRY_VERIFY(!program.document.job().isBusy());
         QCoreApplication::processEvents();
     }
 
@@ -162,7 +161,7 @@ void TestHeadsetControllerRequests::save_writesANumberedPair()
     const QByteArray first = bytesOf(at("vase.glb"));
     visit.stroke({50, 0, 0});
     visit.request(vr::SaveModel());
-    QTRY_VERIFY_WITH_TIMEOUT(!visit.program.document.savedState().isModified(), longestWait);
+    QTRY_VERIFY(!visit.program.document.savedState().isModified());
     QCOMPARE(visit.program.document.modelInfo().path, at("vase-001.glb"));
     QCOMPARE(visit.update().saved, QStringLiteral("vase-001.glb"));
     QVERIFY(visit.update().notice.contains(QStringLiteral("vase-001.stl")));
@@ -175,7 +174,7 @@ void TestHeadsetControllerRequests::save_writesANumberedPair()
     core::writeMesh(at("vase-007.stl").toStdString(), core::icosphere(1, 50));
     const QByteArray others = bytesOf(at("vase-007.stl")), second = bytesOf(at("vase-001.glb"));
     visit.request(vr::SaveModel());
-    QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.modelInfo().path, at("vase-008.glb"), longestWait);
+    QTRY_COMPARE(visit.program.document.modelInfo().path, at("vase-008.glb"));
     QVERIFY(QFile::exists(at("vase-008.stl")));
     QCOMPARE(bytesOf(at("vase-007.stl")), others);
     QCOMPARE(bytesOf(at("vase-001.glb")), second);
@@ -186,8 +185,7 @@ void TestHeadsetControllerRequests::save_ofAModelWithoutAFile()
     ui::Settings().set(&ui::Setting::lastFolder, m_folder->path());
     ControllerVisit visit({});
     visit.request(vr::SaveModel());
-    QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.modelInfo().path, m_folder->filePath(visit.update().saved),
-                              longestWait);
+    QTRY_COMPARE(visit.program.document.modelInfo().path, m_folder->filePath(visit.update().saved));
     QVERIFY(visit.update().saved.endsWith(QStringLiteral("-001.glb")));
     QCOMPARE(QDir(m_folder->path()).entryList({QStringLiteral("*-001.*")}).size(), 2);
 }
@@ -203,7 +201,7 @@ void TestHeadsetControllerRequests::save_whereNothingFits()
     visit.stroke({50, 0, 0});
     const QSignalSpy refused(&visit.program.document, &Document::refused);
     visit.request(vr::SaveModel());
-    QTRY_COMPARE_WITH_TIMEOUT(refused.size(), 1, longestWait);
+    QTRY_COMPARE(refused.size(), 1);
     QCOMPARE(visit.update().notice, refused[0][0].toString());
     QVERIFY(visit.update().notice.contains(QStringLiteral("-001.glb")) && visit.update().saved.isEmpty());
     QVERIFY(visit.program.document.savedState().isModified() && visit.program.document.modelInfo().path.isEmpty());
@@ -219,7 +217,7 @@ void TestHeadsetControllerRequests::save_whereOnlyTheFirstFits()
     ControllerVisit visit({});
     visit.stroke({50, 0, 0});
     visit.request(vr::SaveModel());
-    QTRY_VERIFY_WITH_TIMEOUT(!visit.program.document.savedState().isModified(), longestWait);
+    QTRY_VERIFY(!visit.program.document.savedState().isModified());
     const QStringList files =
         QFileInfo(visit.program.document.modelInfo().path).dir().entryList(QDir::Files | QDir::Hidden);
     QCOMPARE(files, QStringList{visit.update().saved});
@@ -234,12 +232,12 @@ void TestHeadsetControllerRequests::open_lettingChangesGo()
     const quint64 model = visit.update().model;
     visit.stroke({50, 0, 0});
     visit.request(vr::OpenModel{at("cup.stl"), true});
-    QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.modelInfo().path, at("cup.stl"), longestWait);
+    QTRY_COMPARE(visit.program.document.modelInfo().path, at("cup.stl"));
     QVERIFY(!visit.program.document.savedState().isModified());
     QVERIFY(visit.update().model > model);
     QVERIFY(visit.update().box.sizes().isApprox(core::Vec3(40, 40, 40), 0.1));
     visit.request(vr::OpenModel{at("vase.glb")}); // no question, because nothing is unsaved
-    QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.modelInfo().path, at("vase.glb"), longestWait);
+    QTRY_COMPARE(visit.program.document.modelInfo().path, at("vase.glb"));
     visit.stroke({50, 0, 0});
 }
 
@@ -254,7 +252,7 @@ void TestHeadsetControllerRequests::open_wouldLoseChanges()
     visit.port->addSample(sample);
     visit.port->endStroke();
     visit.request(vr::OpenModel{at("cup.stl")}); // the request comes immediately after the stroke
-    QTRY_COMPARE_WITH_TIMEOUT(noticed.size(), 1, longestWait);
+    QTRY_COMPARE(noticed.size(), 1);
     QVERIFY(visit.update().notice.contains(QStringLiteral("cup.stl")));
     QCOMPARE(visit.program.document.modelInfo().path, at("vase.glb"));
     QCOMPARE(visit.program.document.history().stack().count(), 1);
@@ -271,7 +269,7 @@ void TestHeadsetControllerRequests::open_ofAModelThatNeedsRepair()
     ControllerVisit visit(at("vase.glb"));
     const QSignalSpy repairable(&visit.program.document.opener(), &ModelOpener::repairable);
     visit.request(vr::OpenModel{at("open.obj")});
-    QTRY_COMPARE_WITH_TIMEOUT(repairable.size(), 1, longestWait);
+    QTRY_COMPARE(repairable.size(), 1);
     QVERIFY(visit.update().notice.startsWith(repairable[0][1].toString()));
     QCOMPARE(visit.program.document.modelInfo().path, at("vase.glb"));
     visit.stroke({50, 0, 0});
@@ -287,7 +285,7 @@ void TestHeadsetControllerRequests::open_whileBusy()
     visit.port->request(core::MaskOperation{});
     QVERIFY(visit.program.document.job().isBusy());
     const QSignalSpy noticed(&visit.controller, &HeadsetController::noticed);
-    QTRY_COMPARE_WITH_TIMEOUT(noticed.size(), 4, longestWait);
+    QTRY_COMPARE(noticed.size(), 4);
     visit.wait();
     QCOMPARE(visit.program.document.modelInfo().path, at("vase.glb"));
     QCOMPARE(visit.program.document.history().stack().count(), 0);
@@ -327,7 +325,7 @@ void TestHeadsetControllerRequests::restore_isUndoable()
     visit.stroke({50, 0, 0});
     const std::uint64_t changed = visit.hash();
     visit.request(vr::RestoreModel());
-    QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.history().stack().count(), 2, longestWait);
+    QTRY_COMPARE(visit.program.document.history().stack().count(), 2);
     QCOMPARE(visit.hash(), before);
     visit.request(vr::Undo());
     QCOMPARE(visit.hash(), changed);
@@ -388,7 +386,7 @@ void TestHeadsetControllerRequests::brush_fromTheHeadset()
     request.brush.color = {1, 2, 3};
     request.brush.strength = 7;
     visit.request(request);
-    QTRY_COMPARE_WITH_TIMEOUT(brush.tool(), core::Tool::Paint, longestWait);
+    QTRY_COMPARE(brush.tool(), core::Tool::Paint);
     QVERIFY(brush.stroke().brush == core::BrushShape::Ray && brush.stroke().topology == core::Topology::Uniform);
     QCOMPARE(brush.stroke().radial, 5);
     QVERIFY(brush.stroke().symmetry == core::Symmetry::Y && (brush.stroke().color == core::Rgb{1, 2, 3}));
@@ -439,7 +437,7 @@ void TestHeadsetControllerRequests::settings_areKept()
     vr::HeadsetSettings settings{{vr::ButtonPreset::Studio, vr::Side::Left}, -0.25, 60, false, true, true, {}};
     settings.hapticLevels.of = {0, 0.25, 0.5, 0.75, 1, 0.1};
     visit.request(settings);
-    QTRY_VERIFY_WITH_TIMEOUT(HeadsetSettingsStore().load() == settings, longestWait);
+    QTRY_VERIFY(HeadsetSettingsStore().load() == settings);
     QSettings().setValue(QStringLiteral("headset/raised"), QStringLiteral("a lot"));
     QSettings().setValue(QStringLiteral("headset/preset"), QStringLiteral("another"));
     QCOMPARE(HeadsetSettingsStore().load().heightOffset, 0.0);
@@ -461,13 +459,13 @@ void TestHeadsetControllerRequests::files_comeWithPictures()
                 return file;
         return vr::FileTile();
     };
-    QTRY_COMPARE_WITH_TIMEOUT(visit.update().files.size(), 3, longestWait);
-    QTRY_VERIFY_WITH_TIMEOUT(!tile("vase.glb").picture.isNull() && !tile("cup.stl").picture.isNull(), longestWait);
-    QTRY_VERIFY_WITH_TIMEOUT(tile("broken.ply").isBroken, longestWait);
+    QTRY_COMPARE(visit.update().files.size(), 3);
+    QTRY_VERIFY(!tile("vase.glb").picture.isNull() && !tile("cup.stl").picture.isNull());
+    QTRY_VERIFY(tile("broken.ply").isBroken);
     visit.request(vr::SaveModel());
-    QTRY_COMPARE_WITH_TIMEOUT(visit.update().files.size(), 5, longestWait);
+    QTRY_COMPARE(visit.update().files.size(), 5);
     QFile::remove(at("cup.stl"));
-    QTRY_COMPARE_WITH_TIMEOUT(visit.update().files.size(), 4, longestWait);
+    QTRY_COMPARE(visit.update().files.size(), 4);
 }
 
 void TestHeadsetControllerRequests::avatar_isSeen()
@@ -481,7 +479,7 @@ void TestHeadsetControllerRequests::avatar_isSeen()
         presence.model.translation().x() = i;
         visit.port->show(presence);
     }
-    QTRY_COMPARE_WITH_TIMEOUT(all.size(), 1, longestWait);
+    QTRY_COMPARE(all.size(), 1);
     QCOMPARE(all[0]->model.translation().x(), 50.0);
     visit.controller.close();
     QCOMPARE(all.size(), 2);
@@ -523,14 +521,14 @@ void TestHeadsetControllerRequests::headset_thatIsNotThereSaysSo()
         reports.clear();
         visit.program.window.action(QStringLiteral("vr.enter"))->trigger();
         QVERIFY(headset->isActive());
-        QTRY_VERIFY_WITH_TIMEOUT(!reports.isEmpty() && reports.last().isEnded(), longestWait);
+        QTRY_VERIFY(!reports.isEmpty() && reports.last().isEnded());
         QVERIFY(!headset->isActive() && reports.last().end == vr::HeadsetEnd::Unavailable);
         QCOMPARE(notice(visit.program), reports.last().text);
     }
     headset->enter();
     visit.program.window.close();
     QVERIFY(visit.program.window.isVisible());
-    QTRY_VERIFY_WITH_TIMEOUT(!visit.program.window.isVisible(), longestWait);
+    QTRY_VERIFY(!visit.program.window.isVisible());
     QVERIFY(!headset->isActive());
 }
 

@@ -6,7 +6,6 @@
 
 #include "app/headset/headset_files.h"
 #include "core/analysis/mesh_check.h"
-#include "tests/support/effort.h"
 #include "ui/brush/color_panel.h"
 #include "vr/sculpt/brush_state.h"
 
@@ -339,7 +338,7 @@ vr::FilesPanel filesOf(const HeadsetFixture& fixture)
 {
     HeadsetFiles files;
     files.watch(QFileInfo(fixture.path("clay.glb")).absolutePath());
-    [&] { QTRY_VERIFY_WITH_TIMEOUT(!files.tiles().isEmpty(), longestWait); }();
+    [&] { QTRY_VERIFY(!files.tiles().isEmpty()); }();
     vr::FilesPanel panel;
     panel.files = files.tiles();
     return panel;

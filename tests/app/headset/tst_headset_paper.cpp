@@ -4,7 +4,6 @@
 #include "tests/support/test_main.h"
 #include "tests/vr/vr_test.h"
 
-#include "tests/support/effort.h"
 #include "vr/sculpt/brush_state.h"
 
 #include <numbers>
@@ -79,18 +78,18 @@ void TestHeadsetPaper::togglesTopology(double y)
     const auto vertices = v.program.document.modelInfo().vertices;
     QVERIFY(v.brush().topology != core::Topology::Uniform);
     v.hand.pressPad(Side::Left, 0, y);
-    QTRY_COMPARE_WITH_TIMEOUT(v.brush().topology, core::Topology::Uniform, longestWait);
+    QTRY_COMPARE(v.brush().topology, core::Topology::Uniform);
     core::Topology drawn{};
     QObject::connect(&v.program.document, &Document::stepped,
                      [&drawn](const core::FileEntry& step) { drawn = std::get<core::Stroke>(step).settings.topology; });
     v.pull();
-    QTRY_COMPARE_WITH_TIMEOUT(drawn, core::Topology::Uniform, longestWait);
+    QTRY_COMPARE(drawn, core::Topology::Uniform);
     QVERIFY(v.program.document.savedState().isModified());
     QVERIFY(v.program.document.modelInfo().vertices < vertices + 20);
     v.hand.pressPad(Side::Left, 0, y);
-    QTRY_VERIFY_WITH_TIMEOUT(v.brush().topology != core::Topology::Uniform, longestWait);
+    QTRY_VERIFY(v.brush().topology != core::Topology::Uniform);
     v.pull();
-    QTRY_COMPARE_WITH_TIMEOUT(drawn, core::Topology::Adaptive, longestWait);
+    QTRY_COMPARE(drawn, core::Topology::Adaptive);
     QVERIFY(v.program.document.modelInfo().vertices > vertices + 100);
 }
 
@@ -125,10 +124,10 @@ void TestHeadsetPaper::leftMenu_showsTheToolsWhichThePadScrolls()
     const std::vector<Tool> order = vr::toolOrder(vr::ButtonPreset::Paper);
     for (std::size_t i = 1; i <= order.size(); ++i) {
         v.hand.pressPad(Side::Left, 0.8, 0);
-        QTRY_COMPARE_WITH_TIMEOUT(v.brush().tool, order[i % order.size()], longestWait);
+        QTRY_COMPARE(v.brush().tool, order[i % order.size()]);
     }
     v.hand.pressPad(Side::Left, -0.8, 0);
-    QTRY_COMPARE_WITH_TIMEOUT(v.brush().tool, Tool::Mask, longestWait);
+    QTRY_COMPARE(v.brush().tool, Tool::Mask);
     v.hand.press(Side::Left, "menu");
     v.hand.pressPad(Side::Left, 0.8, 0);
     v.hand.settle();
@@ -166,14 +165,14 @@ void TestHeadsetPaper::leftSideHeld_saves()
     QCOMPARE(v.files(), QStringList{QStringLiteral("clay.glb")});
     v.hand.hold(Side::Left, "squeeze");
     const QStringList saved{QStringLiteral("clay-001.glb"), QStringLiteral("clay-001.stl"), QStringLiteral("clay.glb")};
-    QTRY_COMPARE_WITH_TIMEOUT(v.files(), saved, longestWait);
+    QTRY_COMPARE(v.files(), saved);
     v.hand.settle();
     const core::TriangleMesh now =
         v.hand.ask([](core::Sculptor& sculptor) { return core::extractMesh(sculptor.mesh()); });
     for (const char* name : {"clay-001.glb", "clay-001.stl"})
         QCOMPARE(core::readMesh(v.path(name).toStdU16String()).triangles.size(), now.triangles.size());
     v.hand.hold(Side::Left, "squeeze");
-    QTRY_VERIFY_WITH_TIMEOUT(v.files().contains(QStringLiteral("clay-002.stl")), longestWait);
+    QTRY_VERIFY(v.files().contains(QStringLiteral("clay-002.stl")));
     v.hand.settle();
 }
 
@@ -181,27 +180,27 @@ void TestHeadsetPaper::rightPadTop_togglesTheBrush()
 {
     Alone v;
     v.hand.pressPad(Side::Right, 0, 0.8);
-    QTRY_COMPARE_WITH_TIMEOUT(v.brush().brush, core::BrushShape::Ray, longestWait);
+    QTRY_COMPARE(v.brush().brush, core::BrushShape::Ray);
     v.hand.put(Side::Right, v.hand.place({0, 0, 90}));
     v.hand.frame();
     v.hand.press(Side::Right, "trigger", 10); // the ray brush sculpts from a distance
     v.hand.settle();
     QVERIFY(v.box().max().z() > 50.2);
     v.hand.pressPad(Side::Right, 0, 0.8);
-    QTRY_COMPARE_WITH_TIMEOUT(v.brush().brush, core::BrushShape::Sphere, longestWait);
+    QTRY_COMPARE(v.brush().brush, core::BrushShape::Sphere);
 }
 
 void TestHeadsetPaper::rightPadBottom_togglesSymmetry()
 {
     Alone v;
     v.hand.pressPad(Side::Right, 0, -0.8);
-    QTRY_COMPARE_WITH_TIMEOUT(v.brush().symmetry, core::Symmetry::Y, longestWait); // the paper's xz plane
+    QTRY_COMPARE(v.brush().symmetry, core::Symmetry::Y); // the paper's xz plane
     v.pull();
     const core::Box box = v.box();
     QVERIFY(box.max().y() > 52);
     QCOMPARE(box.min().y(), -box.max().y());
     v.hand.pressPad(Side::Right, 0, -0.8);
-    QTRY_COMPARE_WITH_TIMEOUT(v.brush().symmetry, core::Symmetry::None, longestWait);
+    QTRY_COMPARE(v.brush().symmetry, core::Symmetry::None);
 }
 
 void TestHeadsetPaper::rightPadLeftAndRight_undoAndRedo()
@@ -242,18 +241,18 @@ void TestHeadsetPaper::rightMenu_opensTheColoursWhichThePadSets()
     const core::Rgb before = v.brush().color;
     v.hand.press(Side::Right, "menu");
     v.hand.slide(Side::Right, {0, -1.6});
-    QTRY_VERIFY_WITH_TIMEOUT(v.brush().color.r < before.r, longestWait);
+    QTRY_VERIFY(v.brush().color.r < before.r);
     QVERIFY(v.brush().color.g == before.g && v.brush().color.b == before.b);
     v.hand.pressPad(Side::Right, 0.8, 0);
     v.hand.slide(Side::Right, {0, -1.6});
-    QTRY_VERIFY_WITH_TIMEOUT(v.brush().color.g < before.g, longestWait);
+    QTRY_VERIFY(v.brush().color.g < before.g);
     v.hand.pressPad(Side::Right, 0.8, 0);
     v.hand.slide(Side::Right, {0, -1.6});
-    QTRY_VERIFY_WITH_TIMEOUT(v.brush().color.b < before.b, longestWait);
+    QTRY_VERIFY(v.brush().color.b < before.b);
     const core::Rgb lower = v.brush().color;
     v.hand.pressPad(Side::Right, -0.8, 0);
     v.hand.slide(Side::Right, {0, 1.6});
-    QTRY_VERIFY_WITH_TIMEOUT(v.brush().color.g > lower.g, longestWait);
+    QTRY_VERIFY(v.brush().color.g > lower.g);
     QCOMPARE(v.brush().color.b, lower.b);
     v.hand.press(Side::Right, "menu");
     QVERIFY(v.isUntouched());
@@ -342,15 +341,15 @@ void TestHeadsetPaper::handsMaySwap()
     QVERIFY(v.isUntouched());
     for (const core::BrushShape shape : {core::BrushShape::Ray, core::BrushShape::Sphere}) {
         v.hand.pressPad(Side::Left, 0, 0.8);
-        QTRY_COMPARE_WITH_TIMEOUT(v.brush().brush, shape, longestWait);
+        QTRY_COMPARE(v.brush().brush, shape);
     }
 
     v.hand.put(Side::Left, {-0.5, 1.1, -0.2});
     v.hand.pressPad(Side::Right, 0, 0.8);
-    QTRY_COMPARE_WITH_TIMEOUT(v.brush().topology, core::Topology::Uniform, longestWait);
+    QTRY_COMPARE(v.brush().topology, core::Topology::Uniform);
     v.hand.press(Side::Right, "menu");
     v.hand.pressPad(Side::Right, 0.8, 0);
-    QTRY_COMPARE_WITH_TIMEOUT(v.brush().tool, core::Tool::Push, longestWait);
+    QTRY_COMPARE(v.brush().tool, core::Tool::Push);
     v.hand.press(Side::Right, "menu");
     const double yaw = yawOf(v.model());
     v.hand.pressPad(Side::Right, -0.8, 0, 30);
@@ -360,7 +359,7 @@ void TestHeadsetPaper::handsMaySwap()
     scalesTheModel(v, Side::Right);
     QVERIFY(v.isUntouched());
     v.hand.hold(Side::Right, "squeeze");
-    QTRY_VERIFY_WITH_TIMEOUT(v.files().contains(QStringLiteral("clay-001.stl")), longestWait);
+    QTRY_VERIFY(v.files().contains(QStringLiteral("clay-001.stl")));
     v.hand.settle();
 }
 

@@ -7,7 +7,6 @@
 #include "app/classroom/class_pin.h"
 #include "app/classroom/classroom_mode.h"
 #include "core/analysis/mesh_check.h"
-#include "tests/support/effort.h"
 #include "ui/brush/brush_caption.h"
 #include "ui/classroom/pupil_name_panel.h"
 #include "ui/headset/partner_bar.h"
@@ -66,7 +65,7 @@ struct Pair : Visit
     {
         action("vr.point")->setChecked(true);
         sendMove(&viewport(), pixel);
-        QTRY_VERIFY_WITH_TIMEOUT(place, longestWait);
+        QTRY_VERIFY(place);
         hand.frames(3);
     }
     /// Draws a stroke across the model with the mouse.
@@ -74,7 +73,7 @@ struct Pair : Visit
     {
         const int before = changes();
         drag(&viewport(), {20, 10});
-        QTRY_COMPARE_WITH_TIMEOUT(changes(), before + 1, longestWait);
+        QTRY_COMPARE(changes(), before + 1);
         hand.settle();
     }
     static bool keepsPictures() { return !qEnvironmentVariableIsEmpty("FETTLE_HEADSET_PICTURES"); }
@@ -244,13 +243,13 @@ void TestHeadsetPartner::pointing_endsAtRestAndBeside()
     Pair v;
     v.pointAt(middle(&v.viewport()));
     sendMove(&v.viewport(), {2, 2});
-    QTRY_VERIFY_WITH_TIMEOUT(!v.place, longestWait);
+    QTRY_VERIFY(!v.place);
     v.pointAt(middle(&v.viewport()));
     QVERIFY(v.viewport().spotlight()->isOn());
-    QTRY_VERIFY_WITH_TIMEOUT(!v.place, longestWait); // the light goes out without motion
+    QTRY_VERIFY(!v.place); // the light goes out without motion
     QVERIFY(v.viewport().spotlight()->isOn());
     sendMove(&v.viewport(), middle(&v.viewport()) + QPoint(3, 0));
-    QTRY_VERIFY_WITH_TIMEOUT(v.place, longestWait);
+    QTRY_VERIFY(v.place);
 }
 
 /// The light key toggles the light when pressed briefly, and shows it only while held otherwise.
@@ -306,26 +305,25 @@ void TestHeadsetPartner::choices_areAnnounced()
     HeadsetFixture& fixture = listener.fixture;
     fixture.trigger("tool.clay");
     fixture.program.window.brush()->setValue(core::Parameter::Radius, 12);
-    QTRY_COMPARE_WITH_TIMEOUT(listener.update().notice, QStringLiteral("Your partner chose Clay, 12 mm."), longestWait);
+    QTRY_COMPARE(listener.update().notice, QStringLiteral("Your partner chose Clay, 12 mm."));
     QCOMPARE(listener.last.radiusChange, 1U);
     fixture.program.window.brush()->setValue(core::Parameter::Strength, 0.8);
-    QTRY_COMPARE_WITH_TIMEOUT(listener.update().notice, QStringLiteral("Your partner chose a strength of 80 %."),
-                              longestWait);
+    QTRY_COMPARE(listener.update().notice, QStringLiteral("Your partner chose a strength of 80 %."));
 
     core::StrokeSettings paint = listener.last.brush;
     paint.tool = core::Tool::Paint;
     const quint64 notices = listener.last.noticeCount;
     listener.port->request(vr::ChooseBrush{paint});
-    QTRY_COMPARE_WITH_TIMEOUT(listener.update().brush.tool, core::Tool::Paint, longestWait);
+    QTRY_COMPARE(listener.update().brush.tool, core::Tool::Paint);
     QTest::qWait(700);
     QCOMPARE(listener.update().noticeCount, notices); // a user's own choices are not announced to that user
 
     drag(fixture.program.window.viewport(), {30, 10});
-    QTRY_COMPARE_WITH_TIMEOUT(fixture.changes(), 1, longestWait);
+    QTRY_COMPARE(fixture.changes(), 1);
     fixture.trigger("edit.undo");
-    QTRY_COMPARE_WITH_TIMEOUT(listener.update().notice, QStringLiteral("Your partner undid: Paint."), longestWait);
+    QTRY_COMPARE(listener.update().notice, QStringLiteral("Your partner undid: Paint."));
     fixture.trigger("edit.redo");
-    QTRY_COMPARE_WITH_TIMEOUT(listener.update().notice, QStringLiteral("Your partner redid: Paint."), longestWait);
+    QTRY_COMPARE(listener.update().notice, QStringLiteral("Your partner redid: Paint."));
 }
 
 /// Choosing a tool in the headset keeps its own radius, whatever radius the window has for the tool.
@@ -337,14 +335,14 @@ void TestHeadsetPartner::aToolChosenInTheHeadset_leavesTheRadiusThere()
     brush.setTool(core::Tool::Paint);
     brush.scaleRadius(0.5);
     brush.setTool(core::Tool::Pull);
-    QTRY_COMPARE_WITH_TIMEOUT(listener.update().brush.tool, core::Tool::Pull, longestWait);
+    QTRY_COMPARE(listener.update().brush.tool, core::Tool::Pull);
     QTest::qWait(200);
     core::StrokeSettings paint = listener.update().brush;
     const quint64 radiusChange = listener.last.radiusChange;
     const double radius = brush.stroke().radius;
     paint.tool = core::Tool::Paint;
     listener.port->request(vr::ChooseBrush{paint});
-    QTRY_COMPARE_WITH_TIMEOUT(listener.update().brush.tool, core::Tool::Paint, longestWait);
+    QTRY_COMPARE(listener.update().brush.tool, core::Tool::Paint);
     QTest::qWait(200);
     QVERIFY(brush.stroke().radius < radius);
     QCOMPARE(listener.update().radiusChange, radiusChange);
@@ -357,7 +355,7 @@ void TestHeadsetPartner::takingOver_refusesTheHeadset()
     v.hand.begin({0, -49, 0}, {0, -54, 0}, 6); // begins a stroke whose trigger stays pulled
     v.action("vr.takeOver")->setChecked(true);
     QCOMPARE(v.action("vr.takeOver")->iconText(), QStringLiteral("Give Back"));
-    QTRY_COMPARE_WITH_TIMEOUT(v.changes(), 2, longestWait); // the open stroke is kept up to this point
+    QTRY_COMPARE(v.changes(), 2); // the open stroke is kept up to this point
     const std::uint64_t kept = v.hash();
     v.hand.begin({0, -54, 0}, {0, -70, 0}, 6);
     v.hand.end();
@@ -499,11 +497,11 @@ void TestHeadsetPartner::classTime_isToldInBoth()
     const auto rests = [&] {
         return fixture.program.document.queue().isSettled() && !fixture.program.document.job().isBusy();
     };
-    QTRY_VERIFY_WITH_TIMEOUT(panel->isVisible() && rests(), longestWait);
+    QTRY_VERIFY(panel->isVisible() && rests());
     auto* name = fixture.program.window.findChild<QLineEdit*>(QStringLiteral("pupilName"));
     QTest::keyClicks(name, QStringLiteral("Anna"));
     QTest::keyClick(name, Qt::Key_Return);
-    QTRY_VERIFY_WITH_TIMEOUT(!panel->isVisible() && rests(), longestWait);
+    QTRY_VERIFY(!panel->isVisible() && rests());
     fixture.hand.enter();
     fixture.hand.frames(5);
     const QImage before = fixture.hand.picture();
@@ -525,7 +523,7 @@ void TestHeadsetPartner::lesson_isOnAPanel()
     v.trigger("help.lessons");
     auto* panel = v.program.window.findChild<ui::LessonPanel*>();
     Q_EMIT panel->lessonChosen(QStringLiteral("first-clay"));
-    QTRY_VERIFY_WITH_TIMEOUT(panel->shown(), longestWait);
+    QTRY_VERIFY(panel->shown());
     v.hand.settle();
     v.hand.placeModelAgain();
     v.hand.waitForPanels();
@@ -538,7 +536,7 @@ void TestHeadsetPartner::lesson_isOnAPanel()
             lesson.marks.append({mark.text, mark.holds});
         return lesson;
     };
-    QTRY_VERIFY_WITH_TIMEOUT(!panel->shown()->marks.isEmpty(), longestWait);
+    QTRY_VERIFY(!panel->shown()->marks.isEmpty());
     v.keep("lesson");
     QVERIFY(v.hand.choose(content(), vr::LessonRequest::Next, [&] { return panel->shown()->page.step == 1; }));
     QVERIFY(v.hand.choose(content(), vr::LessonRequest::Back, [&] { return panel->shown()->page.step == 0; }));

@@ -3,7 +3,6 @@
 
 #include "core/sculpt/sculptor.h"
 #include "tests/support/ask_worker.h"
-#include "tests/support/effort.h"
 #include "tests/support/test_main.h"
 #include "tests/support/viewer.h"
 #include "ui/util/thread_mailbox.h"
@@ -49,7 +48,7 @@ struct Visit
 
     void wait()
     {
-        QTRY_VERIFY_WITH_TIMEOUT(!document.job().isBusy() && document.queue().isSettled(), longestWait);
+        QTRY_VERIFY(!document.job().isBusy() && document.queue().isSettled());
         meshRests();
         QCoreApplication::processEvents();
     }
@@ -143,7 +142,7 @@ void TestHeadsetPort::strokes_areTheDocuments()
     Visit visit;
     const std::uint64_t before = visit.stateHash();
     QVERIFY(visit.stroke(right));
-    QTRY_COMPARE_WITH_TIMEOUT(visit.document.history().stack().count(), 1, longestWait);
+    QTRY_COMPARE(visit.document.history().stack().count(), 1);
     QVERIFY(visit.stateHash() != before);
     visit.document.history().undo();
     visit.wait();
@@ -158,7 +157,7 @@ void TestHeadsetPort::strokesAfterAnUndo_comeAfterIt()
     const std::uint64_t expected = one.stateHash();
 
     QVERIFY(other.stroke(right));
-    QTRY_COMPARE_WITH_TIMEOUT(other.document.history().stack().count(), 1, longestWait);
+    QTRY_COMPARE(other.document.history().stack().count(), 1);
     other.port->request(vr::Undo());
     QVERIFY(other.stroke(top)); // the undo has not been carried out yet
     QVERIFY(other.port->takeEffect().refusals == 0);
@@ -201,7 +200,7 @@ void TestHeadsetPort::strokesAfterARestore_comeAfterIt()
     other.port->request(vr::RestoreModel());
     QVERIFY(other.stroke(top));
     other.handle();
-    QTRY_COMPARE_WITH_TIMEOUT(other.document.history().stack().count(), 3, longestWait);
+    QTRY_COMPARE(other.document.history().stack().count(), 3);
     other.wait();
     QCOMPARE(other.document.modelInfo().faces, expected);
     const std::uint64_t now = other.stateHash();

@@ -46,7 +46,7 @@ void paintRed(HeadsetFixture& fixture)
     brush.set(&core::StrokeSettings::color, red);
     brush.setValue(core::Parameter::Radius, 40);
     drag(fixture.program.window.viewport(), {40, 0});
-    QTRY_COMPARE_WITH_TIMEOUT(fixture.changes(), 1, longestWait);
+    QTRY_COMPARE(fixture.changes(), 1);
 }
 
 /// Returns the first picture of a visit, or a null image.
@@ -298,7 +298,7 @@ void TestHeadsetVisits::partner_seesGhostsAndFollows()
         fixture.hand.frame();
         return viewport.camera().pose().distance < 200 || viewport.camera().pose().pitch > 0.1;
     };
-    QTRY_VERIFY_WITH_TIMEOUT(isFollowed(), longestWait);
+    QTRY_VERIFY(isFollowed());
     fixture.hand.leave();
     QVERIFY(!viewport.navigation()->isFollowing());
     QCOMPARE(lookFromTheFront(), alone);
@@ -314,7 +314,7 @@ void TestHeadsetVisits::partner_opensAnotherModel()
     core::writeMesh(v.path("other.glb").toStdU16String(), other);
     const double before = v.scale();
     Q_EMIT v.program.window.files()->openRequested(v.path("other.glb"));
-    QTRY_COMPARE_WITH_TIMEOUT(v.program.document.modelInfo().path, v.path("other.glb"), longestWait);
+    QTRY_COMPARE(v.program.document.modelInfo().path, v.path("other.glb"));
     v.hand.settle();
     QVERIFY(std::abs(v.scale() / before - 2.5) < 0.05); // scaled to the same size in the room as the first model
     v.hand.placeModelAgain();
@@ -389,7 +389,7 @@ void TestHeadsetVisits::strokes_areOneAtATime()
     Alone v;
     ui::Viewport* viewport = v.program.window.viewport();
     QTest::mousePress(viewport, Qt::LeftButton, {}, middle(viewport));
-    QTRY_VERIFY_WITH_TIMEOUT((v.hand.frame(), viewport->input()->strokeOpen()), longestWait);
+    QTRY_VERIFY((v.hand.frame(), viewport->input()->strokeOpen()));
     sendMouse(viewport, QEvent::MouseMove, middle(viewport) + QPoint(8, 0), Qt::LeftButton);
     v.hand.frame();
     const int before = pulsesOf(v.hand, Side::Right, refusal);
@@ -564,11 +564,11 @@ void TestHeadsetVisits::faults_thatItOutlives()
     QVERIFY2(says(v, words), qPrintable(sentence(v.program)));
     keep(QTest::currentDataTag(), v, endsStroke ? "the stroke as far as it came; VR goes on" : "the stroke goes on");
     if (endsStroke)
-        QTRY_COMPARE_WITH_TIMEOUT(v.changes(), 1, longestWait);
+        QTRY_COMPARE(v.changes(), 1);
     const std::uint64_t kept = v.hash();
     v.hand.headset().step(qPrintable("{" + back + "}"));
     QVERIFY(says(v, QStringLiteral("In VR with")));
-    QTRY_VERIFY_WITH_TIMEOUT(v.hand.isIn(), longestWait);
+    QTRY_VERIFY(v.hand.isIn());
     v.hand.frames(8);
     if (endsStroke) {
         QCOMPARE(v.changes(), 1);
@@ -686,10 +686,10 @@ void TestHeadsetVisits::frozen_isGivenUp()
     v.trigger("vr.enter");
     QCOMPARE(sentence(v.program), QStringLiteral("Leaving VR…"));
     QVERIFY(!v.program.window.action(QStringLiteral("vr.enter"))->isEnabled());
-    QTRY_VERIFY_WITH_TIMEOUT(!headset->isActive(), longestWait);
+    QTRY_VERIFY(!headset->isActive());
     QVERIFY2(sentence(v.program).contains("The headset's program does not answer."), qPrintable(sentence(v.program)));
     keep("the runtime is frozen", v, "the stroke as far as it came; it can be undone");
-    QTRY_VERIFY_WITH_TIMEOUT(v.program.document.queue().isSettled(), longestWait);
+    QTRY_VERIFY(v.program.document.queue().isSettled());
     QCOMPARE(v.changes(), 1);
     QVERIFY(v.box().max().y() > 51);
 
@@ -700,13 +700,13 @@ void TestHeadsetVisits::frozen_isGivenUp()
         QVERIFY(v.program.window.action(QStringLiteral("vr.enter"))->isEnabled());
     }
     drag(v.program.window.viewport(), {40, 0});
-    QTRY_COMPARE_WITH_TIMEOUT(v.changes(), 2, longestWait);
+    QTRY_COMPARE(v.changes(), 2);
     const std::uint64_t hash = v.hash();
     v.program.window.showNotice(QStringLiteral("Something else."));
 
     v.hand.put(Side::Right, v.hand.place({0, 60, 0}));
     v.hand.headset().step("{'pace': 'fast'}");
-    QTRY_VERIFY_WITH_TIMEOUT(!headset->isStuck(), longestWait);
+    QTRY_VERIFY(!headset->isStuck());
     v.hand.headset().step("{'pace': 'stepped'}");
     v.hand.set(Side::Right, "trigger", 0);
     v.hand.settle();
@@ -729,7 +729,7 @@ void TestHeadsetVisits::frozen_beforeAVisit()
     const QString words = QStringLiteral("The headset's program does not answer. If it is not just starting");
     fixture.hand.headset().step("{'freeze': 'xrCreateInstance'}");
     fixture.trigger("vr.status");
-    QTRY_VERIFY_WITH_TIMEOUT(sentence(fixture.program).contains(words), longestWait);
+    QTRY_VERIFY(sentence(fixture.program).contains(words));
     keep("the runtime is frozen when it is looked for", fixture, "everything; VR was not begun");
     fixture.program.window.showNotice(QStringLiteral("Something else."));
     fixture.trigger("vr.status");
@@ -750,7 +750,7 @@ void TestHeadsetVisits::program_endsDuringAVisit()
     answerQuestion(v.program, QMessageBox::Discard);
     v.hand.headset().step("{'pace': 'fast'}");
     v.program.window.close();
-    QTRY_VERIFY_WITH_TIMEOUT(!v.program.window.isVisible(), longestWait);
+    QTRY_VERIFY(!v.program.window.isVisible());
     QVERIFY(!v.hand.isIn());
     QCOMPARE(v.changes(), 1);
     QCOMPARE(v.hand.headset().complaints(), QString());
@@ -768,11 +768,11 @@ void TestHeadsetVisits::program_endsThoughAllIsFrozen()
     QCOMPARE(sentence(v.program), QStringLiteral("Leaving VR…"));
     v.program.window.close();
     QVERIFY(v.program.window.isVisible() && headset->isActive());
-    QTRY_VERIFY_WITH_TIMEOUT(!v.program.window.isVisible(), longestWait);
+    QTRY_VERIFY(!v.program.window.isVisible());
     QVERIFY(!headset->isActive() && headset->isStuck());
     QCOMPARE(v.changes(), 1);
     v.hand.headset().step("{'pace': 'fast'}");
-    QTRY_VERIFY_WITH_TIMEOUT(!headset->isStuck(), longestWait);
+    QTRY_VERIFY(!headset->isStuck());
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 
@@ -801,13 +801,12 @@ void TestHeadsetVisits::process_endsThoughAllIsFrozen()
     fettle.setProcessEnvironment(environment);
     fettle.setProcessChannelMode(QProcess::ForwardedErrorChannel);
     fettle.start(QStringLiteral(FETTLE_PROGRAM), {QStringLiteral("--vr")});
-    QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(folder.filePath(QStringLiteral("session0_frame0009_left.png"))),
-                             longestWait);
+    QTRY_VERIFY(QFile::exists(folder.filePath(QStringLiteral("session0_frame0009_left.png"))));
     QVERIFY(!journals().isEmpty());
-    QTRY_VERIFY_WITH_TIMEOUT(askToClose(fettle.processId()), longestWait);
+    QTRY_VERIFY(askToClose(fettle.processId()));
     QElapsedTimer closing;
     closing.start();
-    QTRY_COMPARE_WITH_TIMEOUT(fettle.state(), QProcess::NotRunning, longestWait);
+    QTRY_COMPARE(fettle.state(), QProcess::NotRunning);
     QVERIFY(closing.elapsed() > 5'000); // the visit was abandoned after a timeout, not left normally
     QCOMPARE(fettle.exitStatus(), QProcess::NormalExit);
     QCOMPARE(fettle.exitCode(), 0);

@@ -6,7 +6,6 @@
 #include "app/headset/simulator_controller.h"
 #include "core/io/mesh_io.h"
 #include "core/mesh/mesh_builder.h"
-#include "tests/support/effort.h"
 #include "tests/support/other_windows_x11.h"
 #include "tests/support/program_driver.h"
 #include "tests/support/solid_asserts.h"
@@ -51,11 +50,10 @@ struct SimulatorFixture
     {
         seen = {};
         program.window.action(QStringLiteral("vr.enter"))->trigger();
-        QTRY_VERIFY_WITH_TIMEOUT(
-            runtime.report()[QStringLiteral("state")].toString().contains(QStringLiteral("FOCUSED")), longestWait);
-        QTRY_VERIFY_WITH_TIMEOUT(!view->picture().isNull(), longestWait);
+        QTRY_VERIFY(runtime.report()[QStringLiteral("state")].toString().contains(QStringLiteral("FOCUSED")));
+        QTRY_VERIFY(!view->picture().isNull());
         QVERIFY(window->isVisible());
-        QTRY_VERIFY_WITH_TIMEOUT(seen.brush, longestWait);
+        QTRY_VERIFY(seen.brush);
         frames(4);
     }
     bool isIn() const { return program.window.findChild<Headset*>()->isActive(); }
@@ -64,7 +62,7 @@ struct SimulatorFixture
     {
         for (int i = 0; i < count; ++i) {
             const qint64 before = view->picture().cacheKey();
-            QTRY_VERIFY_WITH_TIMEOUT(view->picture().cacheKey() != before, longestWait);
+            QTRY_VERIFY(view->picture().cacheKey() != before);
         }
     }
     void move(const Eigen::Vector2d& place, Qt::MouseButton button = Qt::NoButton, Qt::KeyboardModifiers modifiers = {})
@@ -85,7 +83,7 @@ struct SimulatorFixture
     {
         const Vec3 front = seen.model * Vec3(0, 0, 50);
         move(placeOf(front));
-        QTRY_VERIFY_WITH_TIMEOUT((tip() - front).norm() < 0.005, longestWait);
+        QTRY_VERIFY((tip() - front).norm() < 0.005);
         frames(3);
     }
     /// Drags sideways with the left mouse button.
@@ -100,7 +98,7 @@ struct SimulatorFixture
         }
         sendMouse(view, QEvent::MouseButtonRelease, view->placeOf(from).toPoint(), Qt::LeftButton);
         frames(4);
-        QTRY_VERIFY_WITH_TIMEOUT(program.document.queue().isSettled(), longestWait);
+        QTRY_VERIFY(program.document.queue().isSettled());
     }
     void click(Qt::Key key)
     {
@@ -182,20 +180,20 @@ void TestSimulator::visit_fromTheFirstFrameToTheNextVisit()
         fixture.frames(2);
     }
     QTest::keyRelease(fixture.view, Qt::Key_Control);
-    QTRY_VERIFY_WITH_TIMEOUT(fixture.seen.brush && fixture.seen.brush->radius > 1.1 * radius, longestWait);
+    QTRY_VERIFY(fixture.seen.brush && fixture.seen.brush->radius > 1.1 * radius);
 
     fixture.click(Qt::Key_Left); // left side of the sculpting controller's pad: undo
-    QTRY_COMPARE_WITH_TIMEOUT(fixture.changes(), 0, longestWait);
+    QTRY_COMPARE(fixture.changes(), 0);
     QCOMPARE(fixture.hash(), before);
 
     QTest::keyClick(fixture.view, Qt::Key_Escape);
-    QTRY_VERIFY_WITH_TIMEOUT(!fixture.isIn(), longestWait);
+    QTRY_VERIFY(!fixture.isIn());
     QVERIFY(!fixture.window->isVisible());
     fixture.program.window.action(QStringLiteral("edit.redo"))->trigger();
-    QTRY_COMPARE_WITH_TIMEOUT(fixture.changes(), 1, longestWait);
+    QTRY_COMPARE(fixture.changes(), 1);
     fixture.enter();
     QTest::keyClick(fixture.view, Qt::Key_Escape);
-    QTRY_VERIFY_WITH_TIMEOUT(!fixture.isIn(), longestWait);
+    QTRY_VERIFY(!fixture.isIn());
     QCOMPARE(fixture.runtime.clientErrors(), QStringList());
     QCOMPARE(fixture.runtime.clientWarnings(), QStringList());
 }
@@ -211,12 +209,12 @@ void TestSimulator::mouse_isWhereTheWandSculptsAndPoints()
     };
     for (const Vec3& place : {Vec3(0, 0, 50), Vec3(-30, 0, 40), Vec3(0, 30, 40)}) {
         fixture.move(fixture.placeOf(fixture.seen.model * place));
-        QTRY_VERIFY_WITH_TIMEOUT(isOnSurface(1), longestWait);
+        QTRY_VERIFY(isOnSurface(1));
         const auto isBrushThere = [&] {
             return fixture.seen.brush &&
                    (fixture.placeOf(fixture.seen.brush->center) - fixture.placeOf(fixture.tip())).norm() < 0.02;
         };
-        QTRY_VERIFY_WITH_TIMEOUT(isBrushThere(), longestWait);
+        QTRY_VERIFY(isBrushThere());
     }
     fixture.program.window.brush()->set(&core::StrokeSettings::brush, core::BrushShape::Ray);
     for (const Vec3& place : {Vec3(0, 0, 50), Vec3(-30, 0, 40), Vec3(0, 30, 40)}) {
@@ -227,11 +225,11 @@ void TestSimulator::mouse_isWhereTheWandSculptsAndPoints()
             const Vec3 way = wanted - wand.translation(), forward = wand.linear() * -Vec3::UnitZ();
             return (way - way.dot(forward) * forward).norm();
         };
-        QTRY_VERIFY_WITH_TIMEOUT(missesBy() < 0.005, longestWait);
+        QTRY_VERIFY(missesBy() < 0.005);
     }
     fixture.click(Qt::Key_Tab); // the left controller's menu button opens the tool panel
     fixture.click(Qt::Key_M);
-    QTRY_VERIFY_WITH_TIMEOUT(!fixture.seen.panels.empty(), longestWait);
+    QTRY_VERIFY(!fixture.seen.panels.empty());
     QTRY_COMPARE(fixture.view->controls().hand(), ui::SimulatedHand::Right); // the other hand points at the panel
     const auto isSeenWhole = [&] {
         const vr::PanelTarget panel = fixture.seen.panels.front();
@@ -243,7 +241,7 @@ void TestSimulator::mouse_isWhereTheWandSculptsAndPoints()
             }
         return farthest < 1;
     };
-    QTRY_VERIFY_WITH_TIMEOUT(isSeenWhole(), longestWait); // the head turns to the panel
+    QTRY_VERIFY(isSeenWhole()); // the head turns to the panel
     fixture.frames(20);
     const vr::PanelTarget panel = fixture.seen.panels.front();
     const Vec3 corner = panel.pose * Vec3(panel.size.x() * 0.4, panel.size.y() * 0.2, 0);
@@ -255,15 +253,15 @@ void TestSimulator::mouse_isWhereTheWandSculptsAndPoints()
         const auto sight = vr::intersect(fixture.view->controls().sight(), seen.pose);
         return laser && sight ? (laser->at - sight->at).norm() : 1;
     };
-    QTRY_VERIFY_WITH_TIMEOUT(missesBy() < 0.005, longestWait);
+    QTRY_VERIFY(missesBy() < 0.005);
     fixture.click(Qt::Key_Tab);
     QCOMPARE(fixture.view->controls().hand(), ui::SimulatedHand::Left);
     fixture.click(Qt::Key_M);
-    QTRY_VERIFY_WITH_TIMEOUT(fixture.seen.panels.empty(), longestWait);
+    QTRY_VERIFY(fixture.seen.panels.empty());
     const auto aside = [&] { return fixture.view->controls().head().linear().col(2).x(); };
-    QTRY_VERIFY_WITH_TIMEOUT(std::abs(aside()) < 0.02, longestWait); // the head turns back
+    QTRY_VERIFY(std::abs(aside()) < 0.02); // the head turns back
     QTest::keyClick(fixture.view, Qt::Key_Escape);
-    QTRY_VERIFY_WITH_TIMEOUT(!fixture.isIn(), longestWait);
+    QTRY_VERIFY(!fixture.isIn());
 }
 
 /// A panel must be completely visible once the head has turned to it. It is above the hand if nothing is in its way.
@@ -301,10 +299,10 @@ void TestSimulator::hand_thatRestsMovesTheModel()
     fixture.move({-0.4, 0.3});
     fixture.frames(3);
     QTest::keyRelease(fixture.view, Qt::Key_Space);
-    QTRY_VERIFY_WITH_TIMEOUT(before.x() - fixture.seen.model.translation().x() > 0.03, longestWait);
+    QTRY_VERIFY(before.x() - fixture.seen.model.translation().x() > 0.03);
     QCOMPARE(fixture.changes(), 0);
     QTest::keyClick(fixture.view, Qt::Key_Escape);
-    QTRY_VERIFY_WITH_TIMEOUT(!fixture.isIn(), longestWait);
+    QTRY_VERIFY(!fixture.isIn());
 }
 
 /// Squeezing grabs in the preset Studio: one hand moves the model, both hands scale it.
@@ -325,7 +323,7 @@ void TestSimulator::bothHands_stretchTheModel()
         fixture.frames(2);
     }
     QTest::keyRelease(fixture.view, Qt::Key_B);
-    QTRY_VERIFY_WITH_TIMEOUT(scale() > 1.3 * before, longestWait);
+    QTRY_VERIFY(scale() > 1.3 * before);
     fixture.frames(4);
     const Vec3 place = fixture.seen.model.translation();
     const double stretched = scale();
@@ -334,11 +332,11 @@ void TestSimulator::bothHands_stretchTheModel()
     fixture.move({0.5, 0});
     fixture.frames(3);
     QTest::keyRelease(fixture.view, Qt::Key_G);
-    QTRY_VERIFY_WITH_TIMEOUT((fixture.seen.model.translation() - place).norm() > 0.02, longestWait);
+    QTRY_VERIFY((fixture.seen.model.translation() - place).norm() > 0.02);
     QVERIFY(std::abs(scale() / stretched - 1) < 1e-6);
     QCOMPARE(fixture.changes(), 0);
     QTest::keyClick(fixture.view, Qt::Key_Escape);
-    QTRY_VERIFY_WITH_TIMEOUT(!fixture.isIn(), longestWait);
+    QTRY_VERIFY(!fixture.isIn());
 }
 
 void TestSimulator::window_closedLeavesVr()
@@ -346,11 +344,11 @@ void TestSimulator::window_closedLeavesVr()
     SimulatorFixture fixture;
     fixture.enter();
     fixture.window->close();
-    QTRY_VERIFY_WITH_TIMEOUT(!fixture.isIn(), longestWait);
+    QTRY_VERIFY(!fixture.isIn());
     QVERIFY(fixture.program.window.isVisible());
     fixture.enter();
     fixture.program.window.close(); // the program leaves VR before it closes the window
-    QTRY_VERIFY_WITH_TIMEOUT(!fixture.program.window.isVisible(), longestWait);
+    QTRY_VERIFY(!fixture.program.window.isVisible());
     QVERIFY(!fixture.isIn() && !fixture.window->isVisible());
 }
 
@@ -374,9 +372,9 @@ void TestSimulator::process_entersAndEnds()
         QFile file(log);
         return file.open(QIODevice::ReadOnly) && file.readAll().contains("XR_SESSION_STATE_FOCUSED");
     };
-    QTRY_VERIFY_WITH_TIMEOUT(hasFocus(), longestWait);
-    QTRY_VERIFY_WITH_TIMEOUT(askToClose(fettle.processId()), longestWait);
-    QTRY_COMPARE_WITH_TIMEOUT(fettle.state(), QProcess::NotRunning, longestWait);
+    QTRY_VERIFY(hasFocus());
+    QTRY_VERIFY(askToClose(fettle.processId()));
+    QTRY_COMPARE(fettle.state(), QProcess::NotRunning);
     QCOMPARE(fettle.exitStatus(), QProcess::NormalExit);
     QCOMPARE(fettle.exitCode(), 0);
 }

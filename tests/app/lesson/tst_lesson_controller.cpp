@@ -51,9 +51,8 @@ void begin(Program& program, const QString& title)
     for (QPushButton* card : program.window.findChild<ui::LessonPanel*>()->findChildren<QPushButton*>())
         if (card->text() == title)
             card->click();
-    QTRY_VERIFY_WITH_TIMEOUT(part<QLabel>(program, "lessonTitle")->text().startsWith(title), longestWait);
-    QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy() && program.window.viewport()->stats().patches > 0,
-                             longestWait);
+    QTRY_VERIFY(part<QLabel>(program, "lessonTitle")->text().startsWith(title));
+    QTRY_VERIFY(!program.document.job().isBusy() && program.window.viewport()->stats().patches > 0);
     auto* speed = program.window.findChild<ui::LessonPanel*>()->findChild<QComboBox*>();
     speed->setCurrentIndex(speed->count() - 1);
     program.window.viewport()->setUpdatesEnabled(false);
@@ -73,8 +72,7 @@ void showStep(Program& program)
 {
     press(program, "lessonPlay");
     QTRY_VERIFY(isPlaying(program));
-    QTRY_VERIFY_WITH_TIMEOUT(
-        !isPlaying(program) && program.document.queue().isSettled() && !program.document.job().isBusy(), longestWait);
+    QTRY_VERIFY(!isPlaying(program) && program.document.queue().isSettled() && !program.document.job().isBusy());
 }
 
 bool isSettled(Program& program)
@@ -89,7 +87,7 @@ void beginOnTheWay(Program& program)
     begin(program, QStringLiteral("A mug with a handle"));
     for (int step = 2; step <= 3; ++step) {
         press(program, "lessonNext");
-        QTRY_VERIFY_WITH_TIMEOUT(isAtStep(program, step), longestWait);
+        QTRY_VERIFY(isAtStep(program, step));
     }
     QSignalSpy steps(&program.document, &Document::stepped);
     press(program, "lessonTeachers");
@@ -140,8 +138,7 @@ private Q_SLOTS:
         for (std::size_t step = 1; step <= 4; ++step) {
             showStep(program);
             QCOMPARE(meshHash(program.worker), teachersHash("creature", step));
-            QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(QStringLiteral("○ This is the teacher's model")),
-                                     longestWait);
+            QTRY_VERIFY(marks(program).contains(QStringLiteral("○ This is the teacher's model")));
             QVERIFY(!marks(program).contains(QStringLiteral("✓")));
             QCOMPARE(part<QPushButton>(program, "lessonNext")->text(),
                      step < 4 ? QStringLiteral("Next") : QStringLiteral("Finish"));
@@ -161,14 +158,12 @@ private Q_SLOTS:
         press(program, "lessonTry");
         QTRY_COMPARE(program.document.history().stack().index(), 0);
         QCOMPARE(meshHash(program.worker), start);
-        QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(QStringLiteral("○ at least 125 mm tall (now 100 mm)")),
-                                 longestWait);
+        QTRY_VERIFY(marks(program).contains(QStringLiteral("○ at least 125 mm tall (now 100 mm)")));
         QVERIFY(marks(program).contains(QStringLiteral("○ something sculpted in this step")));
         drag(program.window.viewport(), {30, 0});
-        QTRY_COMPARE_WITH_TIMEOUT(program.document.history().stack().count(), 1, longestWait);
+        QTRY_COMPARE(program.document.history().stack().count(), 1);
         QVERIFY(meshHash(program.worker) != start);
-        QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(QStringLiteral("✓ something sculpted in this step")),
-                                 longestWait);
+        QTRY_VERIFY(marks(program).contains(QStringLiteral("✓ something sculpted in this step")));
         showStep(program);
         QCOMPARE(meshHash(program.worker), teachersHash("first-clay", 1));
     }
@@ -188,17 +183,17 @@ private Q_SLOTS:
                         all << button->mapTo(&program.window, QPoint());
             return all;
         };
-        QTRY_VERIFY_WITH_TIMEOUT(goals->isEnabled() && !goals->text().isEmpty(), longestWait);
+        QTRY_VERIFY(goals->isEnabled() && !goals->text().isEmpty());
         const QList<QPoint> before = places();
         connect(program.window.findChild<ui::LessonPanel*>(), &ui::LessonPanel::changed, this, [&] {
             QVERIFY(!goals->text().isEmpty());
             QCOMPARE(goals->text().count(QLatin1Char('\n')) > 0, !goals->text().contains(QStringLiteral("teacher's")));
         });
         const auto isMeasuredInPlace = [&] {
-            QTRY_VERIFY_WITH_TIMEOUT(!goals->isEnabled(), longestWait);
+            QTRY_VERIFY(!goals->isEnabled());
             QTest::qWait(1); // waits for the layout
             QCOMPARE(places(), before);
-            QTRY_VERIFY_WITH_TIMEOUT(goals->isEnabled() && isSettled(program), longestWait);
+            QTRY_VERIFY(goals->isEnabled() && isSettled(program));
             QTest::qWait(1);
             QCOMPARE(places(), before);
         };
@@ -212,7 +207,7 @@ private Q_SLOTS:
         const QList<QPoint> navigation{part<QWidget>(program, "lessonBack")->pos(),
                                        part<QWidget>(program, "lessonNext")->pos()};
         press(program, "lessonNext");
-        QTRY_VERIFY_WITH_TIMEOUT(isAtStep(program, 2), longestWait);
+        QTRY_VERIFY(isAtStep(program, 2));
         QTest::qWait(1);
         QCOMPARE(part<QWidget>(program, "lessonBack")->pos(), navigation.front());
         QCOMPARE(part<QWidget>(program, "lessonNext")->pos(), navigation.back());
@@ -224,11 +219,10 @@ private Q_SLOTS:
         Program program;
         begin(program, QStringLiteral("First clay: a pear"));
         part<QPushButton>(program, "lessonPlay")->click();
-        QTRY_VERIFY_WITH_TIMEOUT(program.worker.strokes().isOpen(), longestWait);
+        QTRY_VERIFY(program.worker.strokes().isOpen());
         drag(program.window.viewport(), {30, 10});
         QVERIFY(!isPlaying(program));
-        QTRY_VERIFY_WITH_TIMEOUT(program.document.queue().isSettled() && !program.worker.strokes().isOpen(),
-                                 longestWait);
+        QTRY_VERIFY(program.document.queue().isSettled() && !program.worker.strokes().isOpen());
         QCOMPARE(program.document.history().stack().count(), 2);
     }
 
@@ -244,7 +238,7 @@ private Q_SLOTS:
         QTest::keyClick(&program.window, Qt::Key_4); // key for Smooth
         QCOMPARE(program.window.brush()->tool(), core::Tool::Pull);
         program.document.opener().openStarter(core::Starter::Ball);
-        QTRY_VERIFY_WITH_TIMEOUT(isThere("tool.stamp"), longestWait);
+        QTRY_VERIFY(isThere("tool.stamp"));
     }
 
     /// A teacher's stroke remains the teacher's after undo and redo. The pupil's own stroke counts as the pupil's.
@@ -255,19 +249,19 @@ private Q_SLOTS:
         const QString teachers = QStringLiteral("○ This is the teacher's model"),
                       untouched = QStringLiteral("○ something sculpted"), own = QStringLiteral("✓ something sculpted");
         showStep(program);
-        QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(teachers), longestWait);
+        QTRY_VERIFY(marks(program).contains(teachers));
         program.document.history().undo();
-        QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(untouched), longestWait);
+        QTRY_VERIFY(marks(program).contains(untouched));
         program.document.history().redo();
-        QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(teachers), longestWait);
+        QTRY_VERIFY(marks(program).contains(teachers));
         press(program, "lessonTry");
-        QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(untouched), longestWait);
+        QTRY_VERIFY(marks(program).contains(untouched));
         program.document.history().redo();
-        QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(teachers), longestWait);
+        QTRY_VERIFY(marks(program).contains(teachers));
         press(program, "lessonTry");
-        QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(untouched), longestWait);
+        QTRY_VERIFY(marks(program).contains(untouched));
         drag(program.window.viewport(), {30, 0});
-        QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(own), longestWait);
+        QTRY_VERIFY(marks(program).contains(own));
     }
 
     /// Next completes a step that the teacher has begun, whether it is playing, paused, or played stroke by stroke.
@@ -276,17 +270,17 @@ private Q_SLOTS:
         Program program;
         begin(program, QStringLiteral("A creature to print"));
         press(program, "lessonPlay");
-        QTRY_VERIFY_WITH_TIMEOUT(program.worker.strokes().isOpen(), longestWait);
+        QTRY_VERIFY(program.worker.strokes().isOpen());
         press(program, "lessonNext");
-        QTRY_VERIFY_WITH_TIMEOUT(isAtStep(program, 2), longestWait);
+        QTRY_VERIFY(isAtStep(program, 2));
         QCOMPARE(meshHash(program.worker), teachersHash("creature", 1));
         QVERIFY(!isPlaying(program));
         press(program, "lessonOne");
-        QTRY_COMPARE_WITH_TIMEOUT(program.document.history().stack().count(), 3, longestWait);
-        QTRY_VERIFY_WITH_TIMEOUT(!isPlaying(program), longestWait);
+        QTRY_COMPARE(program.document.history().stack().count(), 3);
+        QTRY_VERIFY(!isPlaying(program));
         press(program, "lessonNext");
         press(program, "lessonNext"); // a second press while the first is in progress
-        QTRY_VERIFY_WITH_TIMEOUT(isAtStep(program, 3), longestWait);
+        QTRY_VERIFY(isAtStep(program, 3));
         QTest::qWait(100);
         QVERIFY(isAtStep(program, 3));
         QCOMPARE(meshHash(program.worker), teachersHash("creature", 2));
@@ -300,19 +294,18 @@ private Q_SLOTS:
         begin(program, QStringLiteral("A mug with a handle"));
         for (const char* button : {"lessonPlay", "lessonOne"}) {
             press(program, "lessonTry");
-            QTRY_VERIFY_WITH_TIMEOUT(isSettled(program) && program.document.history().stack().index() == 0,
-                                     longestWait);
+            QTRY_VERIFY(isSettled(program) && program.document.history().stack().index() == 0);
             press(program, "lessonPlay");
-            QTRY_VERIFY_WITH_TIMEOUT(program.worker.strokes().isOpen(), longestWait);
+            QTRY_VERIFY(program.worker.strokes().isOpen());
             press(program, "lessonNext");
             press(program, button);
             QCOMPARE(isPlaying(program), button == QByteArray("lessonOne"));
-            QTRY_VERIFY_WITH_TIMEOUT(!isPlaying(program), longestWait);
+            QTRY_VERIFY(!isPlaying(program));
             QTest::qWait(100);
             QVERIFY(isAtStep(program, 1));
         }
         press(program, "lessonNext");
-        QTRY_VERIFY_WITH_TIMEOUT(isAtStep(program, 2), longestWait);
+        QTRY_VERIFY(isAtStep(program, 2));
         QCOMPARE(meshHash(program.worker), teachersHash("mug", 1));
     }
 
@@ -324,25 +317,23 @@ private Q_SLOTS:
         begin(program, QStringLiteral("First clay: a pear"));
         QVERIFY(!part<QPushButton>(program, "lessonTeachers")->isEnabled());
         drag(program.window.viewport(), {30, 10});
-        QTRY_COMPARE_WITH_TIMEOUT(program.document.history().stack().count(), 1, longestWait);
+        QTRY_COMPARE(program.document.history().stack().count(), 1);
         const std::uint64_t pupils = meshHash(program.worker);
-        QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(QStringLiteral("✓ something sculpted")), longestWait);
+        QTRY_VERIFY(marks(program).contains(QStringLiteral("✓ something sculpted")));
         press(program, "lessonNext");
-        QTRY_VERIFY_WITH_TIMEOUT(isAtStep(program, 2), longestWait);
+        QTRY_VERIFY(isAtStep(program, 2));
         QVERIFY2(notice(program).contains(QStringLiteral("Step 1 is not done yet")), qPrintable(notice(program)));
         QCOMPARE(meshHash(program.worker), pupils);
         press(program, "lessonTeachers");
-        QTRY_VERIFY_WITH_TIMEOUT(meshHash(program.worker) == teachersHash("first-clay", 1) &&
-                                     program.document.queue().isSettled() && !program.document.job().isBusy(),
-                                 longestWait);
-        QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(QStringLiteral("○ something sculpted in this step")),
-                                 longestWait);
+        QTRY_VERIFY(meshHash(program.worker) == teachersHash("first-clay", 1) && program.document.queue().isSettled() &&
+                    !program.document.job().isBusy());
+        QTRY_VERIFY(marks(program).contains(QStringLiteral("○ something sculpted in this step")));
         showStep(program);
         QCOMPARE(meshHash(program.worker), teachersHash("first-clay", 2));
         press(program, "lessonTry");
-        QTRY_COMPARE_WITH_TIMEOUT(meshHash(program.worker), teachersHash("first-clay", 1), longestWait);
+        QTRY_COMPARE(meshHash(program.worker), teachersHash("first-clay", 1));
         program.document.history().goTo(1);
-        QTRY_COMPARE_WITH_TIMEOUT(meshHash(program.worker), pupils, longestWait);
+        QTRY_COMPARE(meshHash(program.worker), pupils);
     }
 
     /// The page after the last step counts the goals that the pupil met, not the teacher, suggests what to do next, and
@@ -358,19 +349,19 @@ private Q_SLOTS:
                 showStep(program);
             else
                 drag(program.window.viewport(), {30, 0});
-            QTRY_VERIFY_WITH_TIMEOUT(!goals->isEnabled(), longestWait);
-            QTRY_VERIFY_WITH_TIMEOUT(goals->isEnabled(), longestWait);
+            QTRY_VERIFY(!goals->isEnabled());
+            QTRY_VERIFY(goals->isEnabled());
             const qsizetype holding = goals->text().count(QChar(0x2713));
             met += holding;
             asked += step == 2 ? 5 : holding + goals->text().count(QChar(0x25CB));
             QVERIFY(step == 2 ? holding == 0 : holding > 0);
             press(program, "lessonNext");
             if (step < 4)
-                QTRY_VERIFY_WITH_TIMEOUT(isAtStep(program, step + 1), longestWait);
+                QTRY_VERIFY(isAtStep(program, step + 1));
         }
         const auto* text = part<QLabel>(program, "lessonText");
         const QString achieved = QStringLiteral("You met %1 of %2 goals.").arg(met).arg(asked);
-        QTRY_VERIFY_WITH_TIMEOUT(text->text().startsWith(achieved), longestWait);
+        QTRY_VERIFY(text->text().startsWith(achieved));
         QVERIFY(text->text().contains(QStringLiteral("export")));
         QCOMPARE(part<QLabel>(program, "lessonTitle")->text(), QStringLiteral("First clay: a pear"));
         QCOMPARE(goals->text().count(QLatin1Char('\n')), 3);
@@ -385,13 +376,12 @@ private Q_SLOTS:
         QVERIFY(text->text().startsWith(achieved));
 
         press(program, "lessonBack");
-        QTRY_VERIFY_WITH_TIMEOUT(isAtStep(program, 4), longestWait);
+        QTRY_VERIFY(isAtStep(program, 4));
         QVERIFY(!program.window.action(QStringLiteral("tool.clay"))->isEnabled());
         program.window.action(QStringLiteral("file.exportAs"))->setVisible(false); // a class hides this command, too
-        QTRY_VERIFY_WITH_TIMEOUT(goals->isEnabled(), longestWait);
+        QTRY_VERIFY(goals->isEnabled());
         press(program, "lessonNext");
-        QTRY_VERIFY_WITH_TIMEOUT(text->text().endsWith(QStringLiteral("goals. Keep sculpting, if you like.")),
-                                 longestWait);
+        QTRY_VERIFY(text->text().endsWith(QStringLiteral("goals. Keep sculpting, if you like.")));
     }
 
     /// A stroke while the teacher plays towards the step ends the playing. The panel stays at the same step.
@@ -401,15 +391,15 @@ private Q_SLOTS:
         const QSignalSpy notices(&program.document, &Document::noticed);
         beginOnTheWay(program);
         drag(program.window.viewport(), {30, 0});
-        QTRY_VERIFY_WITH_TIMEOUT(isSettled(program), longestWait);
+        QTRY_VERIFY(isSettled(program));
         const int count = program.document.history().stack().count();
         QVERIFY(count >= 2 && count < 7); // the teacher has six strokes in these steps
-        QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(QStringLiteral("○ This is the teacher's model")), longestWait);
+        QTRY_VERIFY(marks(program).contains(QStringLiteral("○ This is the teacher's model")));
         QVERIFY(!marks(program).contains(QStringLiteral("✓")));
         for (const QVariantList& notice : notices)
             QVERIFY2(!notice.front().toString().contains(QStringLiteral("like that already")), "nothing to reset");
         press(program, "lessonNext");
-        QTRY_VERIFY_WITH_TIMEOUT(isAtStep(program, 4), longestWait);
+        QTRY_VERIFY(isAtStep(program, 4));
         QCOMPARE(program.document.history().stack().count(), count);
     }
 
@@ -418,8 +408,8 @@ private Q_SLOTS:
         Program program;
         beginOnTheWay(program);
         Q_EMIT program.window.findChild<ui::LessonPanel*>()->stepRequested(1);
-        QTRY_VERIFY_WITH_TIMEOUT(isAtStep(program, 2), longestWait);
-        QTRY_VERIFY_WITH_TIMEOUT(isSettled(program) && program.document.history().stack().index() == 0, longestWait);
+        QTRY_VERIFY(isAtStep(program, 2));
+        QTRY_VERIFY(isSettled(program) && program.document.history().stack().index() == 0);
     }
 
     /// Try and Show during the teacher's playing undo the unfinished part and start the step on its original model.
@@ -428,14 +418,13 @@ private Q_SLOTS:
         Program program;
         begin(program, QStringLiteral("A mug with a handle"));
         press(program, "lessonNext");
-        QTRY_VERIFY_WITH_TIMEOUT(isAtStep(program, 2), longestWait);
+        QTRY_VERIFY(isAtStep(program, 2));
         const std::uint64_t start = meshHash(program.worker);
         showStep(program);
         const std::uint64_t shown = meshHash(program.worker);
         press(program, "lessonTry");
         for (const bool shows : {false, true}) {
-            QTRY_VERIFY_WITH_TIMEOUT(isSettled(program) && program.document.history().stack().index() == 0,
-                                     longestWait);
+            QTRY_VERIFY(isSettled(program) && program.document.history().stack().index() == 0);
             QSignalSpy steps(&program.document, &Document::stepped);
             press(program, "lessonTeachers");
             QVERIFY(steps.wait(longestWait));
@@ -445,7 +434,7 @@ private Q_SLOTS:
         showStep(program);
         QCOMPARE(meshHash(program.worker), shown);
         press(program, "lessonTry");
-        QTRY_COMPARE_WITH_TIMEOUT(meshHash(program.worker), start, longestWait);
+        QTRY_COMPARE(meshHash(program.worker), start);
         QVERIFY(isAtStep(program, 2));
     }
 
@@ -454,7 +443,7 @@ private Q_SLOTS:
         Program program;
         beginOnTheWay(program);
         Q_EMIT program.window.findChild<ui::LessonPanel*>()->closed();
-        QTRY_VERIFY_WITH_TIMEOUT(isSettled(program), longestWait);
+        QTRY_VERIFY(isSettled(program));
         QVERIFY(program.document.history().stack().count() < 6);
         QVERIFY(!part<QLabel>(program, "lessonText")->isVisible());
     }
@@ -485,8 +474,7 @@ private Q_SLOTS:
             }
             ui::Settings().set(&ui::Setting::radiusShare, share);
             program.document.opener().openStarter(core::Starter::Ball);
-            QTRY_VERIFY_WITH_TIMEOUT(isSettled(program) && program.document.modelInfo().size.maxCoeff() > 0,
-                                     longestWait);
+            QTRY_VERIFY(isSettled(program) && program.document.modelInfo().size.maxCoeff() > 0);
             brush.setRadiusShare(share);
             begin(program, QStringLiteral("A mug with a handle"));
             QCOMPARE(brush.tool(), core::Tool::Push);
@@ -563,7 +551,7 @@ private Q_SLOTS:
         QCOMPARE(brush.strength, 0.7);
         QCOMPARE(part<QLabel>(program, "lessonBrush")->text(), QStringLiteral("Brush: Push 40 mm (strength 0.7)"));
         press(program, "lessonNext");
-        QTRY_VERIFY_WITH_TIMEOUT(isAtStep(program, 2), longestWait);
+        QTRY_VERIFY(isAtStep(program, 2));
         QCOMPARE(brush.tool, core::Tool::Flatten);
         QCOMPARE(brush.radius, 38.0);
         program.window.brush()->setTool(core::Tool::Push);
@@ -587,7 +575,7 @@ private Q_SLOTS:
         for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
             if (i > 0)
                 press(program, "lessonNext");
-            QTRY_VERIFY_WITH_TIMEOUT(isAtStep(program, static_cast<int>(i) + 1), longestWait);
+            QTRY_VERIFY(isAtStep(program, static_cast<int>(i) + 1));
             const ui::OrbitCamera& camera = program.window.viewport()->camera();
             constexpr double degree = std::numbers::pi / 180;
             QVERIFY(std::abs(camera.pose().yaw - lesson.steps[i].view.value().yaw * degree) < 1e-6);
@@ -609,13 +597,12 @@ private Q_SLOTS:
         begin(program, QStringLiteral("First clay: a pear"));
         showStep(program);
         press(program, "lessonNext");
-        QTRY_VERIFY_WITH_TIMEOUT(isAtStep(program, 2), longestWait);
+        QTRY_VERIFY(isAtStep(program, 2));
         press(program, "lessonTeachers");
-        QTRY_VERIFY_WITH_TIMEOUT(isSettled(program) && meshHash(program.worker) == teachersHash("first-clay", 1),
-                                 longestWait);
+        QTRY_VERIFY(isSettled(program) && meshHash(program.worker) == teachersHash("first-clay", 1));
         showStep(program);
         press(program, "lessonNext");
-        QTRY_VERIFY_WITH_TIMEOUT(isAtStep(program, 3), longestWait);
+        QTRY_VERIFY(isAtStep(program, 3));
         ui::Viewport* const viewport = program.window.viewport();
         viewport->setUpdatesEnabled(true); // the camera moves from picture to picture
         int shown = 0, hidden = 0;
@@ -639,8 +626,8 @@ private Q_SLOTS:
         begin(program, QStringLiteral("A creature to print"));
         for (int strokes = 1; strokes <= 2; ++strokes) {
             press(program, "lessonOne");
-            QTRY_COMPARE_WITH_TIMEOUT(program.document.history().stack().count(), strokes, longestWait);
-            QTRY_VERIFY_WITH_TIMEOUT(!isPlaying(program) && program.document.queue().isSettled(), longestWait);
+            QTRY_COMPARE(program.document.history().stack().count(), strokes);
+            QTRY_VERIFY(!isPlaying(program) && program.document.queue().isSettled());
         }
         showStep(program); // plays the remaining strokes
         QCOMPARE(meshHash(program.worker), teachersHash("creature", 1));
@@ -663,12 +650,12 @@ private Q_SLOTS:
         };
         const QString path = folder.filePath(QStringLiteral("pear.pdf"));
         write(path);
-        QTRY_VERIFY_WITH_TIMEOUT(notice(program).contains(QStringLiteral("Saved pear.pdf.")), longestWait);
+        QTRY_VERIFY(notice(program).contains(QStringLiteral("Saved pear.pdf.")));
         QFile file(path);
         QVERIFY(file.open(QIODevice::ReadOnly));
         QVERIFY(file.readAll().startsWith("%PDF-"));
         write(folder.filePath(QStringLiteral("no/pear.pdf")));
-        QTRY_VERIFY_WITH_TIMEOUT(part<QMessageBox>(program, "problem"), longestWait);
+        QTRY_VERIFY(part<QMessageBox>(program, "problem"));
         QVERIFY(part<QMessageBox>(program, "problem")->text().contains(QStringLiteral("no/pear.pdf")));
         part<QMessageBox>(program, "problem")->accept();
         QVERIFY(!QFileInfo::exists(folder.filePath(QStringLiteral("no"))));
@@ -698,8 +685,8 @@ private Q_SLOTS:
         showStep(program);
         Q_EMIT program.window.findChild<ui::LessonPanel*>()->lessonChosen(path);
         answerQuestion(program, QMessageBox::Discard);
-        QTRY_COMPARE_WITH_TIMEOUT(program.document.history().stack().count(), 0, longestWait);
-        QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), longestWait);
+        QTRY_COMPARE(program.document.history().stack().count(), 0);
+        QTRY_VERIFY(!program.document.job().isBusy());
         QCOMPARE(meshHash(program.worker), playback.mesh().meshHash());
         playback.finish();
         showStep(program);
@@ -714,7 +701,7 @@ private Q_SLOTS:
         QVERIFY(QTest::qWaitForWindowExposed(&program.window));
         program.window.action(QStringLiteral("help.start"))->trigger();
         part<QToolButton>(program, "start.lesson.mug")->click();
-        QTRY_VERIFY_WITH_TIMEOUT(part<QLabel>(program, "lessonText")->isVisible(), longestWait);
+        QTRY_VERIFY(part<QLabel>(program, "lessonText")->isVisible());
         QVERIFY(part<QLabel>(program, "lessonTitle")->text().contains(QStringLiteral("mug"), Qt::CaseInsensitive));
     }
 
@@ -724,7 +711,7 @@ private Q_SLOTS:
         begin(program, QStringLiteral("First clay: a pear"));
         QVERIFY(part<QLabel>(program, "lessonText")->isVisible());
         program.document.opener().openStarter(core::Starter::Cube);
-        QTRY_VERIFY_WITH_TIMEOUT(!part<QLabel>(program, "lessonText")->isVisible(), longestWait);
+        QTRY_VERIFY(!part<QLabel>(program, "lessonText")->isVisible());
         QVERIFY(!isPlaying(program));
     }
 
@@ -740,7 +727,7 @@ private Q_SLOTS:
         std::ofstream(path.toStdString(), std::ios::binary) << "PK and no more";
         Q_EMIT program.window.findChild<ui::LessonPanel*>()->lessonChosen(path);
         QMessageBox* box = nullptr;
-        QTRY_VERIFY_WITH_TIMEOUT((box = program.window.findChild<QMessageBox*>()) && box->isVisible(), longestWait);
+        QTRY_VERIFY((box = program.window.findChild<QMessageBox*>()) && box->isVisible());
         QVERIFY(box->text().contains(QStringLiteral("bad.zip")));
         box->close();
         QCOMPARE(meshHash(program.worker), before);

@@ -12,7 +12,6 @@
 #include "core/io/mesh_io.h"
 #include "core/lesson/lesson_playback.h"
 #include "core/mesh/mesh_builder.h"
-#include "tests/support/effort.h"
 #include "ui/lesson/lesson_editor.h"
 #include "ui/widgets/side_panel.h"
 
@@ -52,7 +51,7 @@ void show(Program& program)
     program.window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&program.window));
     program.document.opener().openBall();
-    QTRY_VERIFY_WITH_TIMEOUT(rests(program) && program.window.viewport()->stats().patches > 0, longestWait);
+    QTRY_VERIFY(rests(program) && program.window.viewport()->stats().patches > 0);
     program.window.action(QStringLiteral("lesson.record"))->trigger();
     QTRY_VERIFY(part<ui::SidePanel>(program, "lessonEditor")->isVisible());
 }
@@ -63,15 +62,15 @@ void record(Program& program, int starter)
     auto* start = part<QComboBox>(program, "lessonStart");
     start->setCurrentIndex(start->findData(starter));
     press(program, "lessonBegin");
-    QTRY_VERIFY_WITH_TIMEOUT(isRecording(program) && rests(program), longestWait);
+    QTRY_VERIFY(isRecording(program) && rests(program));
 }
 
 void stroke(Program& program, const QPoint& by)
 {
     const int before = program.document.history().stack().index();
     drag(program.window.viewport(), by);
-    QTRY_COMPARE_WITH_TIMEOUT(program.document.history().stack().index(), before + 1, longestWait);
-    QTRY_VERIFY_WITH_TIMEOUT(rests(program), longestWait);
+    QTRY_COMPARE(program.document.history().stack().index(), before + 1);
+    QTRY_VERIFY(rests(program));
 }
 
 void write(Program& program, const char* title, const char* text)
@@ -93,7 +92,7 @@ int strokesOf(Program& program)
 void save(Program& program, const QString& path)
 {
     press(program, "lessonSave");
-    QTRY_VERIFY_WITH_TIMEOUT(part<QFileDialog>(program, "lessonTargetDialog"), longestWait);
+    QTRY_VERIFY(part<QFileDialog>(program, "lessonTargetDialog"));
     auto* dialog = part<QFileDialog>(program, "lessonTargetDialog");
     QCOMPARE(dialog->defaultSuffix(), QStringLiteral("zip"));
     QVERIFY(!dialog->selectedFiles().isEmpty());
@@ -105,13 +104,13 @@ void save(Program& program, const QString& path)
         Q_EMIT dialog->fileSelected(path);
         dialog->close();
     }
-    QTRY_VERIFY_WITH_TIMEOUT(!part<QFileDialog>(program, "lessonTargetDialog"), longestWait);
+    QTRY_VERIFY(!part<QFileDialog>(program, "lessonTargetDialog"));
 }
 
 void saveAndWait(Program& program, const QString& path)
 {
     save(program, path);
-    QTRY_VERIFY_WITH_TIMEOUT(QFileInfo::exists(path) && rests(program), longestWait);
+    QTRY_VERIFY(QFileInfo::exists(path) && rests(program));
 }
 
 /// Waits for a message box and returns it.
@@ -124,7 +123,7 @@ QMessageBox* question(Program& program, const char* name)
                 box = each;
         return box != nullptr;
     };
-    [&] { QTRY_VERIFY_WITH_TIMEOUT(find(), longestWait); }();
+    [&] { QTRY_VERIFY(find()); }();
     return box;
 }
 
@@ -143,7 +142,7 @@ void edit(Program& program, const char* lesson)
     auto* lessons = part<QComboBox>(program, "lessonLibrary");
     lessons->setCurrentIndex(lessons->findData(QLatin1StringView(lesson)));
     press(program, "lessonEdit");
-    QTRY_VERIFY_WITH_TIMEOUT(program.window.findChild<ui::LessonEditor*>()->isOpen(), longestWait);
+    QTRY_VERIFY(program.window.findChild<ui::LessonEditor*>()->isOpen());
 }
 } // namespace
 
@@ -173,7 +172,7 @@ private Q_SLOTS:
         write(program, "Blow", "Make it thicker.");
         press(program, "lessonFacts");
         auto* holes = part<QDoubleSpinBox>(program, "lessonMost.genus");
-        QTRY_COMPARE_WITH_TIMEOUT(holes->value(), 1.0, longestWait);
+        QTRY_COMPARE(holes->value(), 1.0);
         part<QDoubleSpinBox>(program, "lessonTolerance")->setValue(2.5);
         part<QDoubleSpinBox>(program, "lessonLeast.feet")->setValue(1);
         part<QDoubleSpinBox>(program, "lessonMost.widest_mm")->setValue(500);
@@ -236,7 +235,7 @@ private Q_SLOTS:
         QTest::keyClicks(part<QLineEdit>(program, "lessonName"), QStringLiteral("My lesson: a/b"));
         write(program, "One", "One stroke.");
         press(program, "lessonSave");
-        QTRY_VERIFY_WITH_TIMEOUT(part<QFileDialog>(program, "lessonTargetDialog"), longestWait);
+        QTRY_VERIFY(part<QFileDialog>(program, "lessonTargetDialog"));
         const QStringList offered = part<QFileDialog>(program, "lessonTargetDialog")->selectedFiles();
         QCOMPARE(QFileInfo(offered.value(0)).completeBaseName(), QStringLiteral("My lesson – a b"));
         part<QFileDialog>(program, "lessonTargetDialog")->reject();
@@ -293,9 +292,9 @@ private Q_SLOTS:
         sample.position = {0, 0, 50};
         program.worker.strokes().addSample(Source::Headset, sample);
         program.worker.strokes().endStroke(Source::Headset);
-        QTRY_COMPARE_WITH_TIMEOUT(strokesOf(program), 1, longestWait);
+        QTRY_COMPARE(strokesOf(program), 1);
         program.document.changer().apply(core::Scale{1.25});
-        QTRY_COMPARE_WITH_TIMEOUT(strokesOf(program), 2, longestWait);
+        QTRY_COMPARE(strokesOf(program), 2);
         write(program, "Wand", "By hand.");
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("wand.zip"));
@@ -316,8 +315,8 @@ private Q_SLOTS:
         ui::InsertRequest insertion;
         insertion.path = path;
         program.document.changer().insert(insertion);
-        QTRY_COMPARE_WITH_TIMEOUT(notice(program).isEmpty(), false, longestWait);
-        QTRY_VERIFY_WITH_TIMEOUT(rests(program) && program.document.history().stack().index() == 0, longestWait);
+        QTRY_COMPARE(notice(program).isEmpty(), false);
+        QTRY_VERIFY(rests(program) && program.document.history().stack().index() == 0);
         QCOMPARE(strokesOf(program), 0);
         QCOMPARE(meshHash(program.worker), start);
         QVERIFY(isRecording(program));
@@ -351,7 +350,7 @@ private Q_SLOTS:
         for (QAbstractButton* button : box->buttons())
             if (box->buttonRole(button) == QMessageBox::AcceptRole)
                 button->click();
-        QTRY_VERIFY_WITH_TIMEOUT(QFileInfo::exists(path), longestWait);
+        QTRY_VERIFY(QFileInfo::exists(path));
         QVERIFY(core::readLesson(toPath(path)).steps[0].strokes.empty());
         QVERIFY(playedHash(path) != 0);
     }
@@ -381,7 +380,7 @@ private Q_SLOTS:
                         return read.lesson->steps.at(0).strokes.size();
                 return std::size_t(0);
             };
-            QTRY_COMPARE_WITH_TIMEOUT(strokesKept(), std::size_t(1), longestWait);
+            QTRY_COMPARE(strokesKept(), std::size_t(1));
             std::filesystem::copy(root, left, std::filesystem::copy_options::recursive);
         }
         QVERIFY(!isKept(root)); // the first program ended normally
@@ -394,7 +393,7 @@ private Q_SLOTS:
         QCOMPARE(lessons->count(), 5);
         lessons->setCurrentIndex(0);
         press(program, "lessonEdit");
-        QTRY_VERIFY_WITH_TIMEOUT(program.window.findChild<ui::LessonEditor*>()->isOpen(), longestWait);
+        QTRY_VERIFY(program.window.findChild<ui::LessonEditor*>()->isOpen());
         QCOMPARE(part<QLineEdit>(program, "lessonName")->text(), QStringLiteral("Mine"));
         QCOMPARE(part<QPlainTextEdit>(program, "lessonStepText")->toPlainText(),
                  QString()); // the text must not be filled in by the program
@@ -406,7 +405,7 @@ private Q_SLOTS:
         QVERIFY(isKept(left));
         press(program, "lessonClose");
         question(program, "lessonQuestion")->button(QMessageBox::Discard)->click();
-        QTRY_VERIFY_WITH_TIMEOUT(!isKept(left), longestWait);
+        QTRY_VERIFY(!isKept(left));
     }
 
     /// Steps can be reordered, a text can be changed in one language, and recording continues at the end of the opened
@@ -421,7 +420,7 @@ private Q_SLOTS:
         core::writeLesson(toPath(ours), readLesson(QStringLiteral("first-clay")));
         Q_EMIT program.window.findChild<ui::LessonEditor*>()->lessonChosen(ours);
         auto* steps = part<QListWidget>(program, "lessonSteps");
-        QTRY_COMPARE_WITH_TIMEOUT(steps->count(), 4, longestWait);
+        QTRY_COMPARE(steps->count(), 4);
         steps->setCurrentRow(3);
         press(program, "lessonRemove");
         QCOMPARE(steps->count(), 3);
@@ -434,7 +433,7 @@ private Q_SLOTS:
         Q_EMIT language->activated(language->currentIndex());
         part<QPlainTextEdit>(program, "lessonStepText")->setPlainText(QStringLiteral("Anders."));
         press(program, "lessonRecord");
-        QTRY_VERIFY_WITH_TIMEOUT(isRecording(program) && rests(program), longestWait);
+        QTRY_VERIFY(isRecording(program) && rests(program));
         press(program, "lessonNewStep");
         stroke(program, {25, 25});
         write(program, "Neu", "Noch etwas.");
@@ -497,9 +496,9 @@ private Q_SLOTS:
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("mug.zip"));
         save(program, path);
-        QTRY_VERIFY_WITH_TIMEOUT(program.document.job().isBusy(), longestWait);
+        QTRY_VERIFY(program.document.job().isBusy());
         program.window.action(QStringLiteral("edit.stop"))->trigger();
-        QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), longestWait);
+        QTRY_VERIFY(!program.document.job().isBusy());
         QVERIFY(notice(program).contains(QStringLiteral("was not written")));
         QVERIFY(QDir(folder.path()).isEmpty());
     }
@@ -514,7 +513,7 @@ private Q_SLOTS:
         stroke(program, {30, 12});
         answerQuestion(program, QMessageBox::Discard);
         program.document.opener().openStarter(core::Starter::Cube);
-        QTRY_VERIFY_WITH_TIMEOUT(!isRecording(program) && rests(program), longestWait);
+        QTRY_VERIFY(!isRecording(program) && rests(program));
         QCOMPARE(strokesOf(program), 1);
         program.window.close();
         QVERIFY(program.window.isVisible());

@@ -9,7 +9,6 @@
 #include "core/mesh/mesh_builder.h"
 #include "core/parts/part_split.h"
 #include "core/sculpt/sculptor.h"
-#include "tests/support/effort.h"
 #include "ui/files/slicer.h"
 
 #include <QAction>
@@ -366,14 +365,13 @@ void TestModelExport::stop_endsAnExport()
     core::writeMesh(large.toStdString(), core::icosphere(7, 50)); // 327,680 triangles take seconds to export
     program.window.show();
     program.document.opener().open(large);
-    QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy() && program.document.modelInfo().path == large,
-                             longestWait);
+    QTRY_VERIFY(!program.document.job().isBusy() && program.document.modelInfo().path == large);
     QSignalSpy noticed(&program.document, &Document::noticed),
         progressed(&program.document.job(), &BackgroundJob::progressed);
     program.document.saver().exportTo(path("never.stl"), {.maxTriangles = 100});
-    QTRY_VERIFY_WITH_TIMEOUT(!progressed.isEmpty(), longestWait);
+    QTRY_VERIFY(!progressed.isEmpty());
     program.window.action(QStringLiteral("edit.stop"))->trigger();
-    QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy(), longestWait);
+    QTRY_VERIFY(!program.document.job().isBusy());
     QCOMPARE(noticed.size(), 1);
     QVERIFY(!QFile::exists(path("never.stl")));
 }
@@ -560,9 +558,9 @@ void TestModelExport::dialog_offersToUniteOverlappingParts()
     QTRY_VERIFY(!dialog);
 
     program.window.action(QStringLiteral("parts.duplicate"))->trigger();
-    QTRY_COMPARE_WITH_TIMEOUT(program.document.parts().list().size(), std::size_t(2), longestWait);
+    QTRY_COMPARE(program.document.parts().list().size(), std::size_t(2));
     dialog = ask();
-    QTRY_VERIFY_WITH_TIMEOUT(dialog && in<QCheckBox>(dialog, "joins")->isVisible(), longestWait);
+    QTRY_VERIFY(dialog && in<QCheckBox>(dialog, "joins")->isVisible());
     QVERIFY(in<QLabel>(dialog, "overlap")->isVisible());
     QVERIFY(in<QCheckBox>(dialog, "joins")->isEnabled() && in<QCheckBox>(dialog, "joins")->isChecked());
     const QString picture = qEnvironmentVariable("FETTLE_PICTURE");

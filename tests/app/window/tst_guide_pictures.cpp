@@ -131,9 +131,8 @@ bool isWritten()
 
 void waitForRest(Program& program)
 {
-    QTRY_VERIFY_WITH_TIMEOUT(!program.document.job().isBusy() && program.document.queue().isSettled() &&
-                                 program.window.viewport()->stats().patches > 0,
-                             longestWait);
+    QTRY_VERIFY(!program.document.job().isBusy() && program.document.queue().isSettled() &&
+                program.window.viewport()->stats().patches > 0);
 }
 
 /// Draws a mouse stroke. Coordinates are shares of the view's width and height, 0 to 1.
@@ -335,7 +334,7 @@ void TestGuidePictures::takePalette(Program& program)
     program.window.action(QStringLiteral("brush.palette"))->trigger();
     ui::BrushPalette* palette = nullptr;
     QTRY_VERIFY((palette = program.window.findChild<ui::BrushPalette*>()) && palette->isVisible());
-    QTRY_VERIFY_WITH_TIMEOUT(isDrawn(palette->findChild<QListView*>()), longestWait);
+    QTRY_VERIFY(isDrawn(palette->findChild<QListView*>()));
     QImage picture = program.window.grab().toImage();
     const QRect place(program.window.mapFromGlobal(palette->mapToGlobal(QPoint())), palette->size());
     {
@@ -353,7 +352,7 @@ void TestGuidePictures::takeHandles(Program& program)
     QAction* action = program.window.action(QStringLiteral("model.transform"));
     action->trigger();
     const auto* gizmo = program.window.findChild<ui::Gizmo*>(QStringLiteral("transformGizmo"));
-    QTRY_VERIFY_WITH_TIMEOUT(gizmo->isVisible(), longestWait);
+    QTRY_VERIFY(gizmo->isVisible());
     const ui::Viewport* view = program.window.viewport();
     take(program.window, QStringLiteral("handles"), QRect(view->mapTo(&program.window, QPoint()), view->size()));
     action->trigger();
@@ -374,7 +373,7 @@ void TestGuidePictures::takeTube(Program& program)
     action->trigger();
     stroke(program, {{0.55, 0.3}, {0.6, 0.24}, {0.65, 0.2}, {0.69, 0.14}, {0.7, 0.08}});
     const auto* card = program.window.findChild<QWidget*>(QStringLiteral("tubeCard"));
-    QTRY_VERIFY_WITH_TIMEOUT(card->isVisible(), longestWait);
+    QTRY_VERIFY(card->isVisible());
     card->findChild<QCheckBox*>(QStringLiteral("tubeAllRadii"))->setChecked(true);
     card->findChild<QDoubleSpinBox*>(QStringLiteral("tubeRadius"))->setValue(5);
     take(program.window, QStringLiteral("tube"), partOfView(program, 0, 0.6));
@@ -387,7 +386,7 @@ void TestGuidePictures::takeCut(Program& program)
     QAction* action = program.window.action(QStringLiteral("area.plane"));
     action->trigger();
     const auto* gizmo = program.window.findChild<ui::Gizmo*>(QStringLiteral("planeCutGizmo"));
-    QTRY_VERIFY_WITH_TIMEOUT(gizmo->isVisible(), longestWait);
+    QTRY_VERIFY(gizmo->isVisible());
     take(program.window, QStringLiteral("cut"), partOfView(program, 0.1, 1));
     action->trigger();
 }
@@ -428,7 +427,7 @@ void TestGuidePictures::takePresets(Program& program)
     QVERIFY(panel);
     openAlone(program, panel);
     const auto* presets = panel->findChild<QListWidget*>(QStringLiteral("presets"));
-    QTRY_VERIFY_WITH_TIMEOUT(isDrawn(presets), longestWait);
+    QTRY_VERIFY(isDrawn(presets));
     take(program.window, QStringLiteral("presets"), panelAndView(program, panel));
 }
 
@@ -440,7 +439,7 @@ void TestGuidePictures::takePrint(Program& program)
     openAlone(program, panel);
     const auto* findings = panel->findChild<QListWidget*>(QStringLiteral("print.findings"));
     panel->findChild<QComboBox*>(QStringLiteral("print.picture"))->setCurrentIndex(2); // shows the colours of overhangs
-    QTRY_VERIFY_WITH_TIMEOUT(findings->isEnabled() && findings->count() > 0, longestWait);
+    QTRY_VERIFY(findings->isEnabled() && findings->count() > 0);
     take(program.window, QStringLiteral("print"), panelAndView(program, panel));
     panel->setState(ui::SidePanel::State::Hidden);
 }
@@ -477,7 +476,7 @@ void TestGuidePictures::takeLesson(Program& program)
     Q_EMIT panel->findChild<ui::LessonPanel*>()->lessonChosen(QStringLiteral("mug"));
     const auto* marks = panel->findChild<QLabel*>(QStringLiteral("lessonMarks"));
     const QString ballHeight = QStringLiteral("100"); // in mm, which another thread measures
-    QTRY_VERIFY_WITH_TIMEOUT(marks->isVisible() && marks->text().contains(ballHeight), longestWait);
+    QTRY_VERIFY(marks->isVisible() && marks->text().contains(ballHeight));
     waitForRest(program);
     QTest::qWait(flightMs);
     take(program.window, QStringLiteral("lesson"), panelAndView(program, panel));
@@ -512,15 +511,15 @@ void TestGuidePictures::simulator()
     new SimulatorController(&program.window, &program.worker, Simulator::open(QStringLiteral(FETTLE_BUILD_DIR)));
     auto* simulator = program.window.findChild<ui::SimulatorWindow*>();
     program.window.action(QStringLiteral("vr.enter"))->trigger();
-    QTRY_VERIFY_WITH_TIMEOUT(!simulator->view()->picture().isNull(), longestWait);
+    QTRY_VERIFY(!simulator->view()->picture().isNull());
     for (int frame = 0; frame < 30; ++frame) {
         const qint64 before = simulator->view()->picture().cacheKey();
         sendMouse(simulator->view(), QEvent::MouseMove, simulator->view()->rect().center() + QPoint(20 + frame, 0));
-        QTRY_VERIFY_WITH_TIMEOUT(simulator->view()->picture().cacheKey() != before, longestWait);
+        QTRY_VERIFY(simulator->view()->picture().cacheKey() != before);
     }
     take(*simulator, QStringLiteral("simulator"));
     program.window.action(QStringLiteral("vr.enter"))->trigger();
-    QTRY_VERIFY_WITH_TIMEOUT(!simulator->isVisible(), longestWait);
+    QTRY_VERIFY(!simulator->isVisible());
 }
 
 void TestGuidePictures::allTogether_areSmall()

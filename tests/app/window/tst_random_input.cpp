@@ -228,7 +228,7 @@ void TestRandomInput::theModelStaysSound()
     }
     program.window.viewport()->input()->finish();
     program.document.cancelJob();
-    QTRY_VERIFY_WITH_TIMEOUT(program.document.queue().isSettled() && !program.document.job().isBusy(), longestWait);
+    QTRY_VERIFY(program.document.queue().isSettled() && !program.document.job().isBusy());
 
     const auto isPrintReady = [](core::Sculptor& sculptor) {
         return core::checkMesh(core::extractMesh(sculptor.mesh())).printReady();

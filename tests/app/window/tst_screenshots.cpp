@@ -341,7 +341,7 @@ void TestScreenshots::takePrint(Program& program)
     auto* picture = program.window.findChild<QComboBox*>(QStringLiteral("print.picture"));
     for (int shown = 1; shown < picture->count(); ++shown) {
         picture->setCurrentIndex(shown);
-        QTRY_VERIFY_WITH_TIMEOUT(findings->isEnabled() && findings->count() > 0, longestWait);
+        QTRY_VERIFY(findings->isEnabled() && findings->count() > 0);
         take(program.window, QStringLiteral("print-%1").arg(shown));
     }
     for (int row = 0; row < findings->count(); ++row)
@@ -407,7 +407,7 @@ void TestScreenshots::takeExport(Program& program)
     takeDialog(QStringLiteral("export"));
     program.document.saver().exportTo(m_models.filePath(QStringLiteral("vase.stl")), {.maxTriangles = 2000});
     const auto* banner = program.window.findChild<QLabel*>(QStringLiteral("banner"));
-    QTRY_VERIFY_WITH_TIMEOUT(banner->isVisible() && banner->text().contains(QStringLiteral("vase.stl")), longestWait);
+    QTRY_VERIFY(banner->isVisible() && banner->text().contains(QStringLiteral("vase.stl")));
     const auto* scaleBar = program.window.findChild<QWidget*>(QStringLiteral("scaleBar"));
     QVERIFY(scaleBar->isVisible() && !scaleBar->geometry().intersects(banner->geometry()));
     take(program.window, QStringLiteral("export-verdict"));
@@ -429,7 +429,7 @@ void TestScreenshots::takePanels(Program& program)
         const ui::SidePanel::State before = panel->state();
         panel->bringForward();
         if (const auto* presets = panel->findChild<QListWidget*>(QStringLiteral("presets")))
-            QTRY_VERIFY_WITH_TIMEOUT(isDrawn(*presets), longestWait);
+            QTRY_VERIFY(isDrawn(*presets));
         QTRY_COMPARE(program.window.size(), smallScreen);
         take(program.window, QStringLiteral("panel-") + panel->objectName());
         panel->setState(before);
@@ -536,32 +536,31 @@ void TestScreenshots::takeClass()
     const auto* panel = program.window.findChild<ui::PupilNamePanel*>();
     auto* name = program.window.findChild<QLineEdit*>(QStringLiteral("pupilName"));
     auto* next = program.window.findChild<QPushButton*>(QStringLiteral("classNext"));
-    QTRY_VERIFY_WITH_TIMEOUT(panel->isVisible() && !program.document.job().isBusy(), longestWait);
+    QTRY_VERIFY(panel->isVisible() && !program.document.job().isBusy());
     QTRY_COMPARE(program.window.size(), smallScreen);
     const auto isReadable = [&program] {
         return program.window.viewport()->stats().patches > 0 && clippedTexts(program.window).isEmpty();
     };
     // The name panel covers the view. The view receives the clay when it is shown.
     QTRY_COMPARE(panel->geometry(), program.window.viewport()->rect());
-    QTRY_VERIFY_WITH_TIMEOUT(program.document.modelInfo().vertices > 0 && clippedTexts(program.window).isEmpty(),
-                             longestWait);
+    QTRY_VERIFY(program.document.modelInfo().vertices > 0 && clippedTexts(program.window).isEmpty());
     take(program.window, QStringLiteral("class-name"));
     const auto begin = [&](const QString& pupil) {
         QTest::keyClicks(name, pupil);
         QTest::keyClick(name, Qt::Key_Return);
-        QTRY_VERIFY_WITH_TIMEOUT(next->isEnabled() && !program.document.job().isBusy() && isReadable(), longestWait);
+        QTRY_VERIFY(next->isEnabled() && !program.document.job().isBusy() && isReadable());
     };
     begin(QStringLiteral("Anna-Lena the Great"));
     take(program.window, QStringLiteral("class-turn"));
     next->click();
     const auto* questions = program.window.findChild<ui::QuestionnairePanel*>();
-    QTRY_VERIFY_WITH_TIMEOUT(questions->isVisible() && !program.document.job().isBusy(), longestWait);
+    QTRY_VERIFY(questions->isVisible() && !program.document.job().isBusy());
     for (const char* point : {"question1.6", "question2.4", "question4.7"})
         program.window.findChild<QAbstractButton*>(QLatin1StringView(point))->click();
     take(program.window, QStringLiteral("class-questions"));
     takeSmallForm(program.window);
     program.window.findChild<QPushButton*>(QStringLiteral("questionsDone"))->click();
-    QTRY_VERIFY_WITH_TIMEOUT(panel->isVisible() && !program.document.job().isBusy(), longestWait);
+    QTRY_VERIFY(panel->isVisible() && !program.document.job().isBusy());
     begin(QStringLiteral("Ben"));
     now = 18 * 60'000;
     mode.tick();
@@ -608,13 +607,13 @@ void TestScreenshots::takeLesson(Program& program)
     take(program.window, QStringLiteral("lessons"));
     Q_EMIT dock->findChild<ui::LessonPanel*>()->lessonChosen(QStringLiteral("first-clay"));
     auto* marks = dock->findChild<QLabel*>(QStringLiteral("lessonMarks"));
-    QTRY_VERIFY_WITH_TIMEOUT(marks->isVisible() && marks->isEnabled(), longestWait);
+    QTRY_VERIFY(marks->isVisible() && marks->isEnabled());
     take(program.window, QStringLiteral("lesson"));
     dock->findChild<QPushButton*>(QStringLiteral("lessonPlay"))->click();
-    QTRY_VERIFY_WITH_TIMEOUT(program.worker.strokes().isOpen(), longestWait);
+    QTRY_VERIFY(program.worker.strokes().isOpen());
     take(program.window, QStringLiteral("lesson-shown"));
     // one unmet mark: the model is the teacher's
-    QTRY_COMPARE_WITH_TIMEOUT(marks->text().count(QChar(0x25CB)), 1, longestWait);
+    QTRY_COMPARE(marks->text().count(QChar(0x25CB)), 1);
     take(program.window, QStringLiteral("lesson-done"));
 }
 
@@ -626,15 +625,14 @@ void TestScreenshots::takeLessonEditor(Program& program)
     QTRY_VERIFY(editor->isVisible());
     take(program.window, QStringLiteral("lesson-editor-start"));
     Q_EMIT editor->lessonChosen(QStringLiteral("mug"));
-    QTRY_VERIFY_WITH_TIMEOUT(editor->isOpen(), longestWait);
+    QTRY_VERIFY(editor->isOpen());
     auto* pages = editor->findChild<ui::LessonStepEditor*>();
     for (int page = 0; page < pages->count(); ++page) {
         pages->setCurrentIndex(page);
         take(program.window, QStringLiteral("lesson-editor-%1").arg(page + 1));
     }
     editor->findChild<QPushButton*>(QStringLiteral("lessonRecord"))->click();
-    QTRY_VERIFY_WITH_TIMEOUT(
-        editor->findChild<QLabel*>(QStringLiteral("lessonState"))->text().startsWith(QChar(0x25CF)), longestWait);
+    QTRY_VERIFY(editor->findChild<QLabel*>(QStringLiteral("lessonState"))->text().startsWith(QChar(0x25CF)));
     take(program.window, QStringLiteral("lesson-editor-recording"));
 }
 

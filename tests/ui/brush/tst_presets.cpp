@@ -305,7 +305,7 @@ private Q_SLOTS:
             return listOf(window)->item(i)->icon().pixmap(64).toImage().pixelColor(32, 32).alpha() > 0;
         };
         for (int i = 0; i < static_cast<int>(oursCount); ++i)
-            QTRY_VERIFY_WITH_TIMEOUT(hasPicture(i), longestWait);
+            QTRY_VERIFY(hasPicture(i));
     }
 
     void theList_offersWhatTheToolsAre()

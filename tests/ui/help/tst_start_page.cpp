@@ -8,7 +8,6 @@
 #include "ui/settings/settings.h"
 #include "ui/window/main_window.h"
 
-#include "tests/support/effort.h"
 #include "tests/support/test_main.h"
 #include "tests/ui/ui_test.h"
 
@@ -146,7 +145,7 @@ private Q_SLOTS:
             return picture.pixelColor(picture.rect().center()).alpha();
         };
         QCOMPARE(middle(), 0);
-        QTRY_COMPARE_WITH_TIMEOUT(middle(), 255, longestWait);
+        QTRY_COMPARE(middle(), 255);
     }
 
     void withoutRecentFilesNothingCanBeChosen()

@@ -10,7 +10,6 @@
 #include "ui/window/main_window.h"
 #include "ui/window/tool_palette.h"
 
-#include "tests/support/effort.h"
 #include "tests/support/test_main.h"
 #include "tests/ui/ui_test.h"
 
@@ -439,7 +438,7 @@ private Q_SLOTS:
             const QImage picture = index.data(Qt::DecorationRole).value<QIcon>().pixmap(48).toImage();
             return picture.pixelColor(picture.rect().center()).alpha() > 0;
         };
-        QTRY_VERIFY_WITH_TIMEOUT(isDrawn(preset(0)) && isDrawn(preset(1)), longestWait);
+        QTRY_VERIFY(isDrawn(preset(0)) && isDrawn(preset(1)));
         const core::StrokeSettings before = window.brush()->stroke();
         QTest::mouseClick(presets->viewport(), Qt::LeftButton, {}, presets->visualRect(preset(1)).center());
         QVERIFY(window.brush()->stroke().tool != before.tool || window.brush()->stroke().strength != before.strength ||
@@ -1175,7 +1174,7 @@ private Q_SLOTS:
         auto* banner = child<QLabel>(window, "banner");
         QVERIFY(banner->isVisible());
         QCOMPARE(banner->text(), QStringLiteral("Done."));
-        QTRY_VERIFY_WITH_TIMEOUT(!banner->isVisible(), longestWait);
+        QTRY_VERIFY(!banner->isVisible());
     }
 
     /// A notice does not overlap the scale bar, whatever their widths and whichever is shown first.

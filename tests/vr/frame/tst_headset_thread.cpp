@@ -4,7 +4,6 @@
 #include "tests/vr/simulator/scripted_headset.h"
 #include "tests/vr/vr_test.h"
 
-#include "tests/support/effort.h"
 #include "vr/gl/gl_context.h"
 #include "vr/openxr/openxr_runtime.h"
 
@@ -257,7 +256,7 @@ void TestHeadsetThread::entersFromTheLastReport()
                              QVERIFY(visitor.enter());
                      });
     QVERIFY(visitor.enter());
-    QTRY_COMPARE_WITH_TIMEOUT(visitor.client->destroys, 3, longestWait);
+    QTRY_COMPARE(visitor.client->destroys, 3);
     QVERIFY(visitor.waitForEnd());
 }
 
@@ -499,7 +498,7 @@ void TestHeadsetThread::aRuntimeThatTakesItsTime()
     Visitor visitor(*m_headset);
     QVERIFY(visitor.enterAndRun());
     visitor.thread.leave();
-    QTRY_COMPARE_WITH_TIMEOUT(visitor.client->idleCalls, 1, longestWait);
+    QTRY_COMPARE(visitor.client->idleCalls, 1);
     QVERIFY(asksSeldom(*m_headset, 300));
     QVERIFY(visitor.thread.isActive());
     m_headset->step("{'lose_session': 0}");
@@ -543,20 +542,20 @@ void TestHeadsetThread::aFrozenRuntimeIsGivenUp()
     QVERIFY(moment == Moment::OnTheWayIn || (visitor.enterAndRun() && m_headset->frames(3)));
     m_headset->step(qPrintable("{'freeze': '" + call + "'}"));
     QVERIFY(moment != Moment::OnTheWayIn || visitor.enter());
-    QTRY_VERIFY_WITH_TIMEOUT(moment == Moment::OnTheWayOut || isFrozen(), longestWait);
+    QTRY_VERIFY(moment == Moment::OnTheWayOut || isFrozen());
     QVERIFY(!visitor.thread.isStuck());
     visitor.thread.leave();
     QVERIFY(visitor.waitForEnd());
     QCOMPARE(visitor.reports.last().end, HeadsetEnd::NotResponding);
     QVERIFY2(visitor.reports.last().text.contains("does not answer"), qPrintable(visitor.reports.last().text));
-    QTRY_VERIFY_WITH_TIMEOUT(isFrozen(), longestWait);
+    QTRY_VERIFY(isFrozen());
     QVERIFY(!visitor.thread.isActive() && visitor.thread.isStuck());
     QVERIFY(!visitor.thread.enter(visitor.client));
     QCOMPARE(vr::OpenXrRuntime::probe().state, vr::HeadsetStatus::State::InUse);
     const auto told = visitor.reports.size();
 
     m_headset->step(qPrintable(wakes));
-    QTRY_VERIFY_WITH_TIMEOUT(!visitor.thread.isStuck(), longestWait);
+    QTRY_VERIFY(!visitor.thread.isStuck());
     QCOMPARE(visitor.reports.size(), told);
     QVERIFY(!visitor.thread.isActive());
     QCOMPARE(visitor.client->creates, visitor.client->destroys);
@@ -580,9 +579,9 @@ void TestHeadsetThread::aFrozenRuntimeIsLeftBehind()
     const auto client = std::make_shared<RecordingClient>();
     auto thread = std::make_unique<vr::HeadsetThread>(littlePatience);
     QVERIFY(thread->enter(client));
-    QTRY_VERIFY_WITH_TIMEOUT(client->frames > 3, longestWait);
+    QTRY_VERIFY(client->frames > 3);
     m_headset->step("{'freeze': 'xrWaitFrame'}");
-    QTRY_VERIFY_WITH_TIMEOUT(isFrozen(), longestWait);
+    QTRY_VERIFY(isFrozen());
     QVERIFY(!vr::RuntimeThread::hasAbandonedWork());
     thread.reset();
     QVERIFY(vr::RuntimeThread::hasAbandonedWork());
@@ -590,11 +589,11 @@ void TestHeadsetThread::aFrozenRuntimeIsLeftBehind()
     QCOMPARE(client->destroys, 0);
 
     m_headset->step("{'freeze': ''}");
-    QTRY_COMPARE_WITH_TIMEOUT(client.use_count(), 1L, longestWait);
+    QTRY_COMPARE(client.use_count(), 1L);
     QCOMPARE(client->destroys, 1);
     QVERIFY(client->context.isNull());
-    QTRY_COMPARE_WITH_TIMEOUT(Held().threads, before.threads, longestWait);
-    QTRY_COMPARE_WITH_TIMEOUT(Held().files, before.files, longestWait);
+    QTRY_COMPARE(Held().threads, before.threads);
+    QTRY_COMPARE(Held().files, before.files);
     QCOMPARE(m_headset->calls("xrDestroyInstance"), 2);
 
     Visitor visitor(*m_headset);
@@ -608,7 +607,7 @@ void TestHeadsetThread::aRuntimeThatAnswersLateIsWaitedFor()
     Visitor visitor(*m_headset);
     QVERIFY(visitor.enterAndRun());
     m_headset->step("{'freeze': 'xrWaitFrame'}");
-    QTRY_VERIFY_WITH_TIMEOUT(isFrozen(), longestWait);
+    QTRY_VERIFY(isFrozen());
     const auto told = visitor.reports.size();
     visitor.thread.leave();
     QTest::qWait(500);
@@ -651,7 +650,7 @@ void TestHeadsetThread::losesFocusAndGetsItBack()
     Visitor visitor(*m_headset);
     m_headset->step("{'right': {'trigger': 0.7, 'menu': true}}");
     QVERIFY(visitor.enterAndRun());
-    QTRY_VERIFY_WITH_TIMEOUT(visitor.client->last().wands[1].menu, longestWait);
+    QTRY_VERIFY(visitor.client->last().wands[1].menu);
     m_headset->step("{'focus': false}");
     QVERIFY(visitor.waitFor(HeadsetStage::Visible));
     const int syncs = m_headset->calls("xrSyncActions"), draws = visitor.client->draws;
@@ -664,7 +663,7 @@ void TestHeadsetThread::losesFocusAndGetsItBack()
 
     m_headset->step("{'focus': true}");
     QVERIFY(visitor.waitFor(HeadsetStage::Running));
-    QTRY_VERIFY_WITH_TIMEOUT(visitor.client->last().wands[1].menu, longestWait);
+    QTRY_VERIFY(visitor.client->last().wands[1].menu);
     QVERIFY(visitor.leave());
 }
 
