@@ -39,6 +39,7 @@ void AtomicFile::flush()
 
 void AtomicFile::fail(int systemError) const
 {
-    throw FileError(kindOfWriteError(systemError), m_path, systemError);
+    const FileErrorKind kind = kindOfWriteError(systemError);
+    throw FileError(kind, kind == FileErrorKind::NoFolder ? m_target : m_path, systemError);
 }
 } // namespace core

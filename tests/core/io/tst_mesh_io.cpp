@@ -1066,6 +1066,7 @@ void TestMeshIo::writing_makesWhatDanglingLinksPointTo()
     std::filesystem::create_symlink("nowhere/new.obj", file("lost.obj"));
     const auto lost = errorOf([&] { core::writeMesh(file("lost.obj"), shapes::tetrahedron()); });
     QVERIFY(lost && lost->kind == Kind::NoFolder && std::filesystem::is_symlink(file("lost.obj")));
+    QCOMPARE(lost->path, std::filesystem::path(file("nowhere/new.obj"))); // the folder that is missing is named by it
     std::filesystem::create_symlink("round.obj", file("round.obj"));
     QVERIFY(errorOf([&] { core::writeMesh(file("round.obj"), shapes::tetrahedron()); }));
     QVERIFY(std::filesystem::is_symlink(file("round.obj")));
