@@ -6578,7 +6578,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>%1 is IFC of the schema %2; IFC2X3 is read: save it as that or as GLB.</source>
-        <translation>%1 ist IFC nach dem Schema %2; gelesen wird IFC2X3: Speichern Sie die Datei so oder als GLB.</translation>
+        <translation>%1 nutzt IFC-Schema %2; gelesen wird IFC2X3: Speichern Sie die Datei so oder als GLB.</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; leads out of the package; nothing from elsewhere is read.</source>

@@ -289,11 +289,12 @@ public:
         }
     }
 
-    bool areCovered(std::size_t i, std::size_t m, std::size_t k) const
+    /// Returns whether the face between three corners of the loop, by their index, lies on the surface.
+    bool isCovered(std::size_t i, std::size_t m, std::size_t k) const
     {
         return m_search.covers({m_loop[i], m_loop[m], m_loop[k]});
     }
-    /// Returns the factor by which the area of a face between three corners of the loop, by their index, counts.
+    /// Returns the factor by which the area of such a face counts.
     double at(std::size_t i, std::size_t m, std::size_t k) const
     {
         constexpr double offPlanes = 2;
@@ -338,7 +339,7 @@ private:
     {
         const Vec3 a = at(m_loop[i]);
         const double area = (at(m_loop[m]) - a).cross(at(m_loop[k]) - a).norm();
-        if (area == 0 || (m_weights && m_weights->areCovered(i, m, k)))
+        if (area == 0 || (m_weights && m_weights->isCovered(i, m, k)))
             return farMore;
         return m_weights ? area * m_weights->at(i, m, k) : area;
     }
