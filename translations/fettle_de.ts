@@ -5998,6 +5998,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1 ließ sich nur neu aufbauen, mit Kanten von etwa %2 mm: Die Form ist nahe an der alten, aber Details sind verloren.</translation>
     </message>
     <message>
+        <source>%1 was repaired, but lost surface inside: on average, the old one is %2 mm (%3 %) away.</source>
+        <translation>%1 wurde repariert, verlor aber Fläche im Inneren: im Mittel %2 mm (%3 %) Abstand.</translation>
+    </message>
+    <message>
         <source>%1 was repaired, but now has %2 % of its volume.</source>
         <translation>%1 wurde repariert, hat aber nun %2 % seines Volumens.</translation>
     </message>

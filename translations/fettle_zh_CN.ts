@@ -5972,6 +5972,10 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>%1 只能重新生成表面，边长约 %2 毫米：形状接近原来的，但细节已丢失。</translation>
     </message>
     <message>
+        <source>%1 was repaired, but lost surface inside: on average, the old one is %2 mm (%3 %) away.</source>
+        <translation>%1 已修复，但其内部的表面已移除：旧表面与新表面平均相距 %2 毫米（尺寸的 %3 %）。</translation>
+    </message>
+    <message>
         <source>%1 was repaired, but now has %2 % of its volume.</source>
         <translation>%1 已修复，但现在的体积为原来的 %2 %。</translation>
     </message>

@@ -19,10 +19,9 @@ QImage pictureOf(const core::TriangleMesh& mesh)
 std::optional<ui::RepairDoubt> repairDoubt(ui::RepairUse use, const QString& name, const core::RepairResult& repaired,
                                            const core::TriangleMesh& old)
 {
-    const QString problem = ui::RepairMessages::doubt(name, repaired.report);
-    if (problem.isEmpty())
+    if (repaired.report.isFaithful())
         return std::nullopt;
-    return ui::RepairDoubt{use, problem, ui::RepairMessages::losses(repaired.report), pictureOf(old),
-                           pictureOf(*repaired.mesh)};
+    return ui::RepairDoubt{use, ui::RepairMessages::doubt(name, repaired.report),
+                           ui::RepairMessages::losses(repaired.report), pictureOf(old), pictureOf(*repaired.mesh)};
 }
 } // namespace app

@@ -85,6 +85,9 @@ struct RepairReport
     /// together, and gained at most 10 %. At most 2 % differ in the alternative reading, and at most 2 % from the space
     /// of each sheet once.
     bool isFaithful() const;
+    /// Returns whether the mean distance of the old surface from the new one is at most 0.5 % of the size. A faithful
+    /// result may exceed it: surface inside it was removed, such as where bodies overlapped.
+    bool keepsSurface() const { return fromOld.mean <= maxLost * size; }
 };
 
 enum class RepairRefusal {

@@ -85,13 +85,17 @@ QStringList RepairMessages::losses(const core::RepairReport& report)
 
 QString RepairMessages::doubt(const QString& file, const core::RepairReport& report)
 {
-    if (report.isFaithful())
+    constexpr double percent = 100;
+    if (report.isFaithful() && report.keepsSurface())
         return {};
+    if (report.isFaithful())
+        return tr("%1 was repaired, but lost surface inside: on average, the old one is %2 mm (%3 %) away.")
+            .arg(file, shortMillimetres(report.fromOld.mean),
+                 QLocale().toString(percent * report.fromOld.mean / report.size, 'f', 1));
     if (report.remeshedAt)
         return tr("%1 could only be rebuilt, with edges of about %2 mm: its shape is close to the old one, but detail "
                   "is lost.")
             .arg(file, shortMillimetres(*report.remeshedAt));
-    constexpr double percent = 100;
     const double kept = report.keptVolume();
     const bool isLost = report.lost > core::RepairReport::maxLost * report.size;
     const bool isOfOtherVolume = kept < core::RepairReport::minVolume || kept > core::RepairReport::maxVolume;

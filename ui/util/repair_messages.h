@@ -20,7 +20,8 @@ public:
     static QString progress(const QString& file, core::RepairStep step);
     /// Returns how much of the model is left and how far the surface moved, one line each.
     static QStringList losses(const core::RepairReport& report);
-    /// Returns why a repaired model may differ from the original; empty if it does not.
+    /// Returns why a repaired model may not be the same model any more, or how much surface inside it is gone; empty if
+    /// neither is so.
     static QString doubt(const QString& file, const core::RepairReport& report);
     /// Returns why there is no repaired model.
     static QString refusal(const QString& file, const core::RepairResult& result);
