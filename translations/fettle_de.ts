@@ -5922,6 +5922,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Knäuel, die sich nicht auflösen ließen, von kleinen Körpern bedeckt: %1, das breiteste %2 mm</translation>
     </message>
     <message>
+        <source>Walls on each other within rounding, joined or removed: %1</source>
+        <translation>Bis auf Rundung aufeinanderliegende Wände, verbunden oder entfernt: %1</translation>
+    </message>
+    <message>
         <source>Tiny thin parts left out: %1</source>
         <translation>Weggelassene winzige dünne Teile: %1</translation>
     </message>

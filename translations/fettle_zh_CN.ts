@@ -5896,6 +5896,10 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>无法消除的缠结处，已用小实体覆盖：%1，最宽 %2 mm</translation>
     </message>
     <message>
+        <source>Walls on each other within rounding, joined or removed: %1</source>
+        <translation>在舍入误差内贴合的壁面，已合并或移除：%1</translation>
+    </message>
+    <message>
         <source>Tiny thin parts left out: %1</source>
         <translation>已略去的细小薄片：%1</translation>
     </message>

@@ -7,6 +7,7 @@
 //   4. leave out open parts that enclose nothing                                 sheet_removal
 //      fill      holes                                                           hole_filling
 //   5. outwards  turn parts that face inwards                                    orientation
+//      offset    walls that coincide within rounding                             outward_offset
 //   6. resolve   cut along all intersections, keep the boundary of the enclosed space, round to the lattice;
 //                cover what does not converge; separate parts that touch at edges and vertices         resolution
 //   7. check     the whole; if it is invalid and may be remeshed, remesh from the winding number     shrink_wrap
@@ -27,6 +28,7 @@
 #include "core/repair/hole_filling.h"
 #include "core/repair/mask_transfer.h"
 #include "core/repair/orientation.h"
+#include "core/repair/outward_offset.h"
 #include "core/repair/resolution.h"
 #include "core/repair/sheet_removal.h"
 #include "core/repair/shrink_wrap.h"
@@ -378,11 +380,12 @@ class Solidification
 public:
     /// `report`: report of steps 1 to 5. Keeps references, except to the report.
     Solidification(const TriangleSoup& surface, const ClosedSurface& closed, const Lattice& lattice,
-                   const Originals& originals, const RepairReport& report)
+                   const Originals& originals, const repair::ContactOffset& offset, const RepairReport& report)
         : m_surface(surface)
         , m_closed(closed)
         , m_lattice(lattice)
         , m_originals(originals)
+        , m_offset(offset)
         , m_report(report)
     {
         const TriangleMesh& old = originals.old;
@@ -464,7 +467,7 @@ private:
         TriangleSoup surface = m_surface;
         m_resolution = repair::resolveIntersections(surface, inside, m_closed.cavities, tolerance, budget,
                                                     progress.control.part(0, afterCutting));
-        const double volume = m_resolution.volume + m_resolution.insideOutVolume;
+        const double volume = m_resolution.volume + lostInsideOut() - m_offset.addedVolume;
         m_volume = std::max(m_volume, volume * std::pow(m_lattice.unit(), 3)); // the volume is 0 if nothing was cut
         RepairReport report = m_report;
         report.before.volume += m_volume;
@@ -479,10 +482,13 @@ private:
             offer(std::move(surface), report, progress.part(afterCutting, 1));
     }
 
+    /// Returns the volume with negative winding number, without that of sheets that the offset has turned inside out.
+    double lostInsideOut() const { return std::max(0., m_resolution.insideOutVolume - m_offset.invertedVolume); }
+
     /// Returns whether the surface was resolved but space with negative winding number was lost.
     bool isInsideOut() const
     {
-        return m_resolution.isDone && m_resolution.insideOutVolume > 0 &&
+        return m_resolution.isDone && lostInsideOut() > 0 &&
                (!m_best || m_best->report.keptVolume() < RepairReport::minVolume);
     }
 
@@ -531,6 +537,7 @@ private:
     const ClosedSurface& m_closed;
     const Lattice& m_lattice;
     const Originals& m_originals;
+    repair::ContactOffset m_offset;
     RepairReport m_report;
     repair::Resolution m_resolution;
     double m_volume = 0; ///< volume that the surface winds around, cubic units of the model
@@ -570,7 +577,9 @@ RepairResult repairMesh(const TriangleMesh& mesh, const RepairOptions& options, 
     originals.old = report.sheets > 0 ? meshOf(closed.unfilled, placement.lattice) : movedBy(placement.moved, mesh);
     if (!closed.isLoose)
         originals.sheets = sheetsOf(surfaceOf(mesh, placement), placement.lattice, report);
-    Solidification solid(surface, closed, placement.lattice, originals, report);
+    const repair::ContactOffset offset = repair::offsetContacts(surface, control.stop);
+    report.contacts = offset.pairs;
+    Solidification solid(surface, closed, placement.lattice, originals, offset, report);
     solid.resolve(progress.part(afterClosing, afterResolving));
     control.reportProgress(afterResolving);
     if (options.canWrap && !solid.isFaithful() && !control.isCancelled())

@@ -43,14 +43,17 @@ struct RepairReport
     std::size_t holes = 0;                  ///< number of filled holes
     /// Number of large holes: filled, or the reason why the model was refused.
     std::size_t largeHoles = 0;
-    std::size_t innerParts = 0;      ///< parts that are inside others and face outwards
+    std::size_t innerParts = 0; ///< parts that are inside others and face outwards
+    /// Pairs of faces on each other within rounding: joined if they belong to bodies that touch, removed if they are
+    /// the sides of a sheet without thickness.
+    std::size_t contacts = 0;
     std::uint64_t intersections = 0; ///< pairs of faces that met before the first cut
     /// Number of times that the surface was cut along its intersections.
     std::size_t rounds = 0;
     std::size_t touchingEdges = 0, touchingVertices = 0; ///< contacts at which parts were separated
     std::size_t knots = 0;    ///< places where faces kept meeting; each is covered by a small solid
     double widestKnot = 0;    ///< diameter of the largest of these solids, in the model's unit
-    std::size_t crumbs = 0;   ///< removed parts left by cutting, too small and thin to count
+    std::size_t crumbs = 0;   ///< removed parts that are too small and thin to count
     std::size_t unmasked = 0; ///< masked points that no longer exist; a point that is kept keeps its mask
     /// Edge length of the remeshed surface, in the model's unit, if the surface was remeshed from its winding number.
     /// Missing if it was kept.

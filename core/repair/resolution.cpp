@@ -231,8 +231,9 @@ private:
 /// Drops components that are thin and small. Returns their number.
 std::size_t dropCrumbs(TriangleSoup& surface)
 {
-    constexpr double thin = 64;    // lattice units; thickness is the volume divided by half the area
-    constexpr double small = 1e-4; // share of the whole area
+    constexpr double thin = 64;                  // lattice units; thickness is the volume divided by half the area
+    constexpr double small = 1e-4;               // share of the whole area
+    constexpr double rounding = 2.5, few = 0.02; // likewise, for all that are as thin as rounding errors together
     const Components components = componentsOf(surface.points.size(), surface.triangles);
     std::vector<double> volume(components.count, 0), area(components.count, 0);
     std::vector<Slot> origin(components.count, noSlot);
@@ -250,9 +251,14 @@ std::size_t dropCrumbs(TriangleSoup& surface)
         area[component] += faceArea;
         whole += faceArea;
     }
+    const auto thickness = [&](std::size_t c) { return area[c] > 0 ? 2 * std::abs(volume[c]) / area[c] : 0; };
+    double areaOfThinnest = 0;
+    for (std::size_t c = 0; c < components.count; ++c)
+        areaOfThinnest += thickness(c) <= rounding ? area[c] : 0;
+    const bool areFew = areaOfThinnest <= few * whole;
     std::vector<bool> isCrumb(components.count, false);
     for (std::size_t c = 0; c < components.count; ++c)
-        isCrumb[c] = area[c] <= small * whole && 2 * std::abs(volume[c]) <= thin * area[c];
+        isCrumb[c] = (area[c] <= small * whole && thickness(c) <= thin) || (areFew && thickness(c) <= rounding);
     std::size_t kept = 0;
     for (Slot f = 0; f < surface.triangles.size(); ++f) {
         const Slot c = components.ofFace[f];

@@ -44,6 +44,7 @@ QStringList RepairMessages::steps(const core::RepairReport& report)
     add(report.holes, tr("Holes filled: %1"));
     add(report.largeHoles, tr("of these, longer than a quarter of the model: %1"));
     add(report.innerParts, tr("Parts inside of others: %1"));
+    add(report.contacts, tr("Walls on each other within rounding, joined or removed: %1"));
     add(report.intersections, tr("Intersections resolved: %1"));
     add(report.touchingEdges + report.touchingVertices, tr("Touching edges and points separated: %1"));
     if (report.knots > 0)
