@@ -6413,6 +6413,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Daten nach dem Ende des Modells (%1)</translation>
     </message>
     <message>
+        <source>it announces %1 triangles and contains %2</source>
+        <translation>sie kündigt %1 Dreiecke an und enthält %2</translation>
+    </message>
+    <message>
         <source>parts that a slicer would cut out of the model (%1)</source>
         <translation>Teile, die ein Slicer aus dem Modell herausschneiden würde (%1)</translation>
     </message>

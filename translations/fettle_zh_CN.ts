@@ -6384,6 +6384,10 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>模型结尾之后的数据（%1）</translation>
     </message>
     <message>
+        <source>it announces %1 triangles and contains %2</source>
+        <translation>文件头声明了 %1 个三角形，实际包含 %2 个</translation>
+    </message>
+    <message>
         <source>parts that a slicer would cut out of the model (%1)</source>
         <translation>切片软件会从模型中切除的部件（%1）</translation>
     </message>

@@ -10,9 +10,11 @@ namespace core
 /// The result of reading an exported file back and comparing it with the model.
 struct ExportVerdict
 {
-    bool sameCorners = false; ///< every triangle has the same corner positions in the same order, bit for bit (-0 = 0)
-    bool sameColors = false;  ///< every corner has the same colour; true also if the format or the model has no colours
-    MeshReport report;        ///< checkMesh() of the mesh read back
+    /// Every triangle has the same corner positions in the same order, bit for bit (-0 = 0), and no number in the file
+    /// contradicts their number.
+    bool sameCorners = false;
+    bool sameColors = false; ///< every corner has the same colour; true also if the format or the model has no colours
+    MeshReport report;       ///< checkMesh() of the mesh read back
 
     bool holds() const { return sameCorners && sameColors && report.printReady(); }
 };

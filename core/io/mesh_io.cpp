@@ -110,16 +110,14 @@ void refuseStlSize(const io::FileBytes& start, std::uint64_t size)
         throw io::errorAtByte(FileErrorKind::CutOff, start, start.bytes.data() + size);
     const std::uint64_t announced = io::announcedStlTriangles(start.bytes);
     const std::uint64_t room = (size - io::stlHeaderSize) / io::stlTriangleSize;
-    constexpr std::uint64_t unknown = 0xffffffff; // some programs write this, or 0, when they do not know the count yet
-    const bool isWhole = size == io::stlHeaderSize + room * io::stlTriangleSize;
-    const bool isUnknown = announced == 0 || announced == unknown;
-    if (announced == room || (isUnknown ? isWhole && room != 0 : announced < room))
+    const std::uint64_t rest = (size - io::stlHeaderSize) % io::stlTriangleSize;
+    // for a file of whole triangles the reader decides
+    if (announced == room || (room != 0 && rest == 0) || (announced != 0 && announced < room))
         return;
-    const bool cut = announced > room;
-    FileError error(cut ? FileErrorKind::CutOff : FileErrorKind::CountMismatch, start.path);
-    error.place = {FilePlace::Unit::Byte, cut ? size : io::stlHeaderSize - 4};
-    error.expected = cut ? io::stlHeaderSize + io::stlTriangleSize * announced : announced;
-    error.found = cut ? size : room;
+    if (announced > room)
+        throw io::stlCutOff(start.path, announced == io::unknownStlTriangles ? room + 1 : announced, size);
+    FileError error = io::withCounts({FileErrorKind::CountMismatch, start.path}, announced, room);
+    error.place = {FilePlace::Unit::Byte, io::stlHeaderSize - 4};
     throw error;
 }
 
@@ -459,6 +457,13 @@ FileError errorAtByte(FileErrorKind kind, const FileBytes& file, const char* at,
 {
     FileError error = errorWithToken(kind, file, token);
     error.place = {FilePlace::Unit::Byte, static_cast<std::uint64_t>(at - file.bytes.data())};
+    return error;
+}
+
+FileError stlCutOff(const std::filesystem::path& path, std::uint64_t triangles, std::uint64_t size)
+{
+    FileError error = withCounts({FileErrorKind::CutOff, path}, stlHeaderSize + stlTriangleSize * triangles, size);
+    error.place = {FilePlace::Unit::Byte, size};
     return error;
 }
 

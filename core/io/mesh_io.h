@@ -59,14 +59,17 @@ struct ReadRemarks
     std::size_t facesOfFewer = 0;    ///< faces skipped because they have fewer than three different corners
     bool unannounced = false;        ///< values were skipped that the file's header does not declare
     std::uint64_t bytesBehind = 0;   ///< bytes after the end of a binary model, skipped
-    std::size_t negativeParts = 0;   ///< parts skipped that a slicer would subtract from the model
-    std::size_t otherParts = 0;      ///< parts skipped that are not solid: a slicer's modifiers and supports
-    std::size_t otherModels = 0;     ///< other models in the same package, skipped
-    bool curves = false;             ///< the file has curved edges or triangles; they were read as straight and flat
-    std::size_t beams = 0;           ///< beams of a 3MF beam lattice, skipped
-    std::size_t animations = 0;      ///< animations, skipped: the mesh has its unanimated shape
-    std::size_t subdivisions = 0;    ///< subdivision surfaces, read as their control meshes without subdividing
-    std::size_t unreadNodes = 0;     ///< nodes, links and objects skipped because their surfaces cannot be read
+    /// Number of triangles that a binary STL announces, and number that it contains, if they differ.
+    std::optional<std::uint64_t> announcedTriangles = {};
+    std::uint64_t containedTriangles = 0;
+    std::size_t negativeParts = 0; ///< parts skipped that a slicer would subtract from the model
+    std::size_t otherParts = 0;    ///< parts skipped that are not solid: a slicer's modifiers and supports
+    std::size_t otherModels = 0;   ///< other models in the same package, skipped
+    bool curves = false;           ///< the file has curved edges or triangles; they were read as straight and flat
+    std::size_t beams = 0;         ///< beams of a 3MF beam lattice, skipped
+    std::size_t animations = 0;    ///< animations, skipped: the mesh has its unanimated shape
+    std::size_t subdivisions = 0;  ///< subdivision surfaces, read as their control meshes without subdividing
+    std::size_t unreadNodes = 0;   ///< nodes, links and objects skipped because their surfaces cannot be read
 
     friend bool operator==(const ReadRemarks&, const ReadRemarks&) = default;
 };
@@ -101,9 +104,9 @@ struct WriteOptions
 /// be unused. Vertices with equal bits (-0 = 0) are merged in every format, because STL stores no shared vertices and
 /// other files split vertices along seams; but vertices of different parts are not merged. Vertices and faces keep
 /// their order. Polygons are triangulated, without repeated corners and slits. Numbers in text are rounded to the
-/// nearest float32. If a binary STL is too short for what its header declares, only its start is read. Units are the
-/// file's; glTF's metres and the units named in 3MF and AMF files are converted to mm. Files that a .gltf references
-/// must be in its folder after resolving symbolic links.
+/// nearest float32. If a binary STL ends within a triangle that its header declares, only its start is read. Units are
+/// the file's; glTF's metres and the units named in 3MF and AMF files are converted to mm. Files that a .gltf
+/// references must be in its folder after resolving symbolic links.
 ReadResult readModel(const std::filesystem::path& path, const ReadOptions& options = {});
 /// Returns only the mesh of readModel().
 TriangleMesh readMesh(const std::filesystem::path& path, const ReadOptions& options = {});

@@ -170,6 +170,9 @@ QString ErrorMessages::remarks(const QString& file, const core::ReadRemarks& rem
     if (!left.isEmpty())
         clauses << tr("left out: %1", "materials, textures")
                        .arg(left.join(tr(", ", "between the parts of a model that are left out")));
+    if (remarks.announcedTriangles)
+        clauses << tr("it announces %1 triangles and contains %2")
+                       .arg(number(*remarks.announcedTriangles), number(remarks.containedTriangles));
     if (remarks.objects > 1)
         clauses << tr("%n objects are one model now", nullptr, static_cast<int>(remarks.objects));
     return clauses.isEmpty() ? QString() : QStringLiteral("%1: %2.").arg(file, clauses.join(QStringLiteral("; ")));

@@ -74,8 +74,12 @@ std::string_view detectFormat(std::string_view start, std::uint64_t fileSize);
 
 inline constexpr std::size_t stlHeaderSize = 84;
 inline constexpr std::size_t stlTriangleSize = 50;
+/// Some programs write this number of triangles, or 0, when they do not know it yet.
+inline constexpr std::uint64_t unknownStlTriangles = 0xffffffff;
 /// Returns the number of triangles in the header of a binary STL. Precondition: `start` contains the whole header.
 std::uint64_t announcedStlTriangles(std::string_view start);
+/// Returns the error that a binary STL of `size` bytes has too few for so many triangles.
+FileError stlCutOff(const std::filesystem::path& path, std::uint64_t triangles, std::uint64_t size);
 /// Returns whether the file has exactly the size that its header declares. A text file never has: four text characters
 /// there would declare more triangles than any file can contain.
 bool isBinaryStl(std::string_view start, std::uint64_t fileSize);

@@ -95,16 +95,29 @@ std::size_t triangleRecordsIn(const FileBytes& file)
     return before < all && isUtf8Text(file.bytes.substr(stlHeaderSize + before * stlTriangleSize)) ? before : all;
 }
 
+/// Returns whether each edge is used as often in one direction as in the other.
+bool isClosed(const TriangleMesh& mesh)
+{
+    std::vector<std::pair<Slot, Slot>> there, back;
+    for (const Triangle& t : mesh.triangles)
+        for (std::size_t i = 0; i < 3; ++i) {
+            there.emplace_back(t[i], t[(i + 1) % 3]);
+            back.emplace_back(t[(i + 1) % 3], t[i]);
+        }
+    std::ranges::sort(there);
+    std::ranges::sort(back);
+    return there == back;
+}
+
 /// Returns the number of triangles to read. Normally this is the header's count. All triangles in the file are read if
-/// the count is 0 or has all bits set, as written by programs that do not know it yet, or if nothing but triangles
-/// follows. Text behind the triangles is not counted.
+/// the count is 0, as written by programs that do not know it yet, or too large, or if nothing but triangles follows.
+/// Text behind the triangles is not counted.
 std::size_t trianglesIn(const FileBytes& file)
 {
-    constexpr std::uint64_t unknown = 0xffffffff;
     const std::uint64_t announced = announcedStlTriangles(file.bytes),
                         room = (file.bytes.size() - stlHeaderSize) / stlTriangleSize;
     const bool isWhole = stlHeaderSize + room * stlTriangleSize == file.bytes.size();
-    if (announced == 0 || announced == unknown)
+    if (announced == 0 || announced > room)
         return triangleRecordsIn(file);
     if (announced < room && isUtf8Text(file.bytes.substr(stlHeaderSize + announced * stlTriangleSize)))
         return announced;
@@ -134,8 +147,15 @@ ReadResult readBinary(const FileBytes& file)
     });
     StopCheck stopCheck(file.stop);
     mesh.colors = stlColors(file.bytes.substr(0, stlHeaderSize - 4), words, mesh, stopCheck);
+    const std::uint64_t announced = announcedStlTriangles(file.bytes);
+    if (announced > count && announced != unknownStlTriangles && !isClosed(mesh))
+        throw stlCutOff(file.path, announced, file.bytes.size());
     ReadRemarks remarks;
     remarks.bytesBehind = file.bytes.size() - stlHeaderSize - count * stlTriangleSize;
+    if (announced != count) {
+        remarks.announcedTriangles = announced;
+        remarks.containedTriangles = count;
+    }
     return {std::move(mesh), remarks};
 }
 

@@ -569,6 +569,8 @@ std::vector<Sample> stlSamples()
         {"binary stl of unknown count, 0", "a.stl", binaryStl(0)},
         {"binary stl of unknown count, all bits", "a.stl", binaryStl(0xffffffff)},
         {"binary stl that counts too few", "a.stl", binaryStl(11)},
+        {"binary stl that counts too many", "a.stl", binaryStl(13)},
+        {"binary stl that counts far too many", "a.stl", binaryStl(0x7fffffff)},
         {"binary stl with text of two triangles' size behind", "a.stl", binaryStl(12, words)},
         {"binary stl with text and zeros behind", "a.stl", binaryStl(12, words.substr(0, 80) + std::string(20, '\0'))},
         {"binary stl of facets and a rest", "a.stl", binaryStl(12, "x", "solid facet normal vertex")}};
@@ -743,6 +745,7 @@ private Q_SLOTS:
     void mutatedSamples_neverGetThrough();
     void whatIsLeftOut_isTold_data();
     void whatIsLeftOut_isTold();
+    void wrongNumberOfTriangles_isTold();
     void off_isReadInAnyLayout();
     void off_faultsAreToldInAnyLayout();
     void binaryOff_keepsColors();
@@ -915,6 +918,29 @@ void TestForeignFiles::whatIsLeftOut_isTold()
     QTEST(quint64(remarks.facesOfFewer), "fewer");
     QTEST(remarks.unannounced, "unannounced");
     QTEST(quint64(remarks.bytesBehind), "behind");
+}
+
+/// The triangles in the file are read, whatever number of them it announces, if they are closed. A wrong number is told
+/// with the true one.
+void TestForeignFiles::wrongNumberOfTriangles_isTold()
+{
+    for (const std::uint32_t count : {0U, 1U, 11U, 12U, 13U, 1000U, 0x7fffffffU, 0xffffffffU})
+        for (const char* const head : {"box", "solid box"}) {
+            const core::ReadRemarks remarks = read("a.stl", binaryStl(count, "", head)).remarks;
+            const bool isWrong = count != 12;
+            QCOMPARE(remarks.announcedTriangles.has_value(), isWrong);
+            QCOMPARE(remarks.announcedTriangles.value_or(12), std::uint64_t(count));
+            QCOMPARE(remarks.containedTriangles, std::uint64_t(isWrong ? 12 : 0));
+        }
+    const auto isCutOff = [](const std::string& bytes, std::uint64_t triangles) {
+        const auto error = errorOf([&] { core::parseMesh("a.stl", bytes); });
+        return error && error->kind == Kind::CutOff && error->place.number == bytes.size() &&
+               error->expected == 84 + triangles * 50 && error->found == bytes.size();
+    };
+    for (const std::uint32_t count : {13U, 0xffffffffU})
+        QVERIFY(isCutOff(binaryStl(count, std::string(20, 'x')), 13)); // cut off within a triangle
+    for (std::size_t left = 1; left < 12; ++left)                      // cut off between two
+        QVERIFY(isCutOff(binaryStl(12).substr(0, 84 + left * 50), 12));
 }
 
 void TestForeignFiles::off_isReadInAnyLayout()

@@ -1,6 +1,7 @@
 #include "ui/util/error_messages.h"
 
 #include "core/analysis/mesh_check.h"
+#include "core/io/mesh_io.h"
 #include "tests/support/test_main.h"
 
 #include <QSet>
@@ -50,6 +51,16 @@ private Q_SLOTS:
             QVERIFY2(!seen.contains(words), qPrintable(words));
             seen << words;
         }
+    }
+
+    void remarks_areOneSentence()
+    {
+        core::ReadRemarks remarks{.negativeParts = 5, .otherParts = 1};
+        const auto words = [&remarks] { return ui::ErrorMessages::remarks(QStringLiteral("a.3mf"), remarks); };
+        QVERIFY(words().contains(QStringLiteral("cut out of the model (5), modifiers and supports of a slicer (1).")));
+        remarks.announcedTriangles = 13;
+        remarks.containedTriangles = 12;
+        QVERIFY(words().endsWith(QStringLiteral("; it announces 13 triangles and contains 12.")));
     }
 
     /// Each fault has its own sentence, with file and line.
