@@ -6417,6 +6417,16 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>sie kündigt %1 Dreiecke an und enthält %2</translation>
     </message>
     <message>
+        <source>&quot;%1&quot;</source>
+        <comment>the name of a part</comment>
+        <translation>„%1“</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <comment>names of parts</comment>
+        <translation>%1 und noch %2</translation>
+    </message>
+    <message>
         <source>parts that a slicer would cut out of the model (%1)</source>
         <translation>Teile, die ein Slicer aus dem Modell herausschneiden würde (%1)</translation>
     </message>

@@ -6388,6 +6388,16 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>文件头声明了 %1 个三角形，实际包含 %2 个</translation>
     </message>
     <message>
+        <source>&quot;%1&quot;</source>
+        <comment>the name of a part</comment>
+        <translation>“%1”</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <comment>names of parts</comment>
+        <translation>%1，另有 %2 个</translation>
+    </message>
+    <message>
         <source>parts that a slicer would cut out of the model (%1)</source>
         <translation>切片软件会从模型中切除的部件（%1）</translation>
     </message>

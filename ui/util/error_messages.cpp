@@ -48,6 +48,19 @@ QString formatOf(const std::filesystem::path& path)
     return displayName(path.extension()).sliced(1).section(u'~', 0, 0).toUpper();
 }
 
+/// Returns the names in quotes and how many parts have others or none; only the number if there are no names.
+QString namedParts(std::size_t count, const std::vector<std::string>& names)
+{
+    if (names.empty())
+        return number(count);
+    QStringList quoted;
+    for (const std::string& name : names)
+        quoted << ErrorMessages::tr("\"%1\"", "the name of a part").arg(QString::fromStdString(name));
+    const QString list = quoted.join(ErrorMessages::tr(", ", "between the parts of a model that are left out"));
+    const std::size_t more = count - names.size();
+    return more == 0 ? list : ErrorMessages::tr("%1 and %2 more", "names of parts").arg(list, number(more));
+}
+
 /// Returns the kinds of content that were left out although other programs would show them.
 QStringList leftOut(const core::ReadRemarks& remarks)
 {
@@ -159,9 +172,10 @@ QString ErrorMessages::remarks(const QString& file, const core::ReadRemarks& rem
     if (remarks.bytesBehind > 0)
         left << tr("data after the end of the model (%1)").arg(bytes(remarks.bytesBehind));
     if (remarks.negativeParts > 0)
-        left << tr("parts that a slicer would cut out of the model (%1)").arg(number(remarks.negativeParts));
+        left << tr("parts that a slicer would cut out of the model (%1)")
+                    .arg(namedParts(remarks.negativeParts, remarks.negativeNames));
     if (remarks.otherParts > 0)
-        left << tr("modifiers and supports of a slicer (%1)").arg(number(remarks.otherParts));
+        left << tr("modifiers and supports of a slicer (%1)").arg(namedParts(remarks.otherParts, remarks.otherNames));
     if (remarks.otherModels > 0)
         left << tr("further models in its package (%1)").arg(number(remarks.otherModels));
     if (remarks.curves)

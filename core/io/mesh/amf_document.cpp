@@ -207,7 +207,8 @@ void AmfDocumentReader::begin(Element element, const XmlAttributes& attributes)
     else if (element == Element::Color)
         m_color = {};
     else if (element == Element::Volume)
-        m_volume = {m_document.nodes.back().mesh.triangles.size(), std::string(attributes.text("materialid")), {}, {}};
+        m_volume = {
+            m_document.nodes.back().mesh.triangles.size(), std::string(attributes.text("materialid")), {}, {}, {}};
     else if (element == Element::Material)
         m_material = attributes.text("id");
     else if (element == Element::Metadata)
@@ -327,7 +328,9 @@ void AmfDocumentReader::takeMetadata()
         return;
     }
     if (owner == Element::Volume) {
-        if (m_key == "slic3r.modifier" && value == "1")
+        if (m_key == "name" || m_key == "Name")
+            m_volume.name = value;
+        else if (m_key == "slic3r.modifier" && value == "1")
             m_volume.matter = Matter::Other;
         else if (m_key == "slic3r.volume_type")
             m_volume.matter = value == "ModelPart"        ? Matter::Model
@@ -363,7 +366,7 @@ void AmfDocumentReader::endVolume()
         node.colors.addVolume(node.mesh.triangles.size(), m_volume.color, m_volume.material);
         return;
     }
-    ++(m_volume.matter == Matter::Negative ? m_document.remarks.negativeParts : m_document.remarks.otherParts);
+    leaveOutPart(m_document.remarks, m_volume.matter == Matter::Negative, m_volume.name);
     node.isWhole = false;
     node.mesh.triangles.resize(m_volume.firstTriangle);
     node.colors.removeTriangles(m_volume.firstTriangle);

@@ -97,6 +97,7 @@ private:
         std::string material;
         std::optional<Rgb> color;
         Matter matter = Matter::Model;
+        std::string name;
     } m_volume;
     XmlReader m_xml; ///< declared last, because its callbacks use the other members
 };

@@ -33,6 +33,16 @@ std::string cleanName(std::string_view name)
     return clean;
 }
 
+void leaveOutPart(ReadRemarks& remarks, bool isNegative, std::string_view name)
+{
+    constexpr std::size_t maxNames = 3, maxBytes = 40;
+    ++(isNegative ? remarks.negativeParts : remarks.otherParts);
+    std::vector<std::string>& names = isNegative ? remarks.negativeNames : remarks.otherNames;
+    std::string clean = cleanName(shortened(cleanName(name), maxBytes));
+    if (!clean.empty() && names.size() < maxNames && std::ranges::find(names, clean) == names.end())
+        names.push_back(std::move(clean));
+}
+
 void ObjectLabels::begin(std::string_view name)
 {
     if (!m_isOn)

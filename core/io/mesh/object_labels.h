@@ -11,6 +11,10 @@ namespace core::io
 /// have. Bytes that are not UTF-8 become question marks.
 std::string cleanName(std::string_view name);
 
+/// Counts a part that a slicer does not print as left out. Keeps its name, cleaned and cut to 40 bytes, if it has one
+/// that differs from the names kept so far, and these are fewer than three.
+void leaveOutPart(ReadRemarks& remarks, bool isNegative, std::string_view name);
+
 /// Labels the points of a mesh by the objects of a file while a reader appends them.
 class ObjectLabels
 {

@@ -1,6 +1,7 @@
 // 3MF: the package names its model part. The build items of that part place objects; objects may consist of components,
 // which are objects, too. Other parts are read when a component refers to them.
 #include "core/io/mesh/mesh_assembly.h"
+#include "core/io/mesh/object_labels.h"
 #include "core/io/mesh/threemf_part.h"
 #include "core/io/mesh/threemf_slicer_parts.h"
 #include "core/io/mesh/zip_reader.h"
@@ -149,7 +150,9 @@ private:
         const auto slicers = m_slicerParts.objects.find({place.built, component.object});
         const bool isSlicers = place.depth > 0 && slicers != m_slicerParts.objects.end();
         if (isSlicers || !object->second.isSolid) {
-            ++(isSlicers && slicers->second ? m_remarks.negativeParts : m_remarks.otherParts);
+            const bool isNamed = isSlicers && !slicers->second.name.empty();
+            leaveOutPart(m_remarks, isSlicers && slicers->second.isNegative,
+                         isNamed ? slicers->second.name : object->second.name);
             return;
         }
         if (!object->second.otherShape.empty()) {
@@ -177,7 +180,7 @@ private:
                 continue;
             ++changes[part.first];
             --changes[std::min(part.last, triangles.size() - 1) + 1];
-            ++(part.isNegative ? m_remarks.negativeParts : m_remarks.otherParts);
+            leaveOutPart(m_remarks, part.part.isNegative, part.part.name);
         }
         std::vector<Triangle> left;
         int owners = 0;

@@ -37,12 +37,14 @@ public:
             m_first = numberIn(attributes, "firstid");
             m_last = numberIn(attributes, "lastid");
             m_isMatter = true;
-            m_isNegative = false;
+            m_part = {};
         } else if (name == "metadata" && attributes.text("type") == "volume") {
             const std::string_view key = attributes.text("key"), value = attributes.text("value");
             if (key == "volume_type" && value != "ModelPart") {
                 m_isMatter = false;
-                m_isNegative = value == "NegativeVolume";
+                m_part.isNegative = value == "NegativeVolume";
+            } else if (key == "name") {
+                m_part.name = value;
             } else if (key == "modifier" && value == "1") { // before PrusaSlicer 1.42
                 m_isMatter = false;
             }
@@ -51,13 +53,14 @@ public:
     void end(std::string_view name)
     {
         if (name == "volume" && !m_isMatter && m_object && m_first && m_last)
-            m_parts.triangles[*m_object].push_back({*m_first, *m_last, m_isNegative});
+            m_parts.triangles[*m_object].push_back({*m_first, *m_last, m_part});
     }
 
 private:
     ThreeMfSlicerParts& m_parts;
     std::optional<std::uint32_t> m_object, m_first, m_last;
-    bool m_isMatter = true, m_isNegative = false;
+    bool m_isMatter = true;
+    ThreeMfSlicerParts::Part m_part;
 };
 
 /// Reads the parts in Bambu Studio's file that are not solid: elements `part` in an `object`. As in that program only
@@ -71,19 +74,34 @@ public:
     {
         if (name == "object")
             m_object = numberIn(attributes, "id");
-        if (name != "part")
-            return;
+        else if (name == "part")
+            beginPart(attributes);
+        else if (name == "metadata" && m_part && attributes.text("key") == "name")
+            m_part->name = attributes.text("value");
+    }
+    void end(std::string_view name)
+    {
+        if (name == "part")
+            m_part = nullptr;
+    }
+
+private:
+    void beginPart(const XmlAttributes& attributes)
+    {
+        m_part = nullptr;
         const std::string_view type = attributes.text("subtype");
         const bool isNegative = type == "negative_part";
         if (!isNegative && type != "modifier_part" && type != "support_blocker" && type != "support_enforcer")
             return;
-        if (const auto part = numberIn(attributes, "id"); part && m_object)
-            m_parts.objects.insert_or_assign({*m_object, *part}, isNegative);
+        if (const auto part = numberIn(attributes, "id"); part && m_object) {
+            m_part = &m_parts.objects[{*m_object, *part}];
+            *m_part = {isNegative, {}};
+        }
     }
 
-private:
     ThreeMfSlicerParts& m_parts;
     std::optional<std::uint32_t> m_object;
+    ThreeMfSlicerParts::Part* m_part = nullptr; ///< the part that is being read, if it is not solid
 };
 
 /// Reads a part, if it exists, up to the first error.
@@ -92,16 +110,12 @@ template <class Reader> void readPart(const FileBytes& file, ZipReader& package,
     const std::optional<std::string> part = package.find(name);
     if (!part)
         return;
-    const auto end = [&reader](std::string_view element) {
-        if constexpr (requires { reader.end(element); })
-            reader.end(withoutSpace(element));
-    };
     XmlReader xml(
         file,
         [&reader](std::string_view element, const XmlAttributes& attributes) {
             reader.begin(withoutSpace(element), attributes);
         },
-        end);
+        [&reader](std::string_view element) { reader.end(withoutSpace(element)); });
     try {
         package.read(*part, [&xml](std::string_view piece) { xml.take(piece); });
     } catch (const FileError&) { // the file is optional

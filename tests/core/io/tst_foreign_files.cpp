@@ -756,6 +756,7 @@ private Q_SLOTS:
     void manyCopiesInASmallPackage_areRead();
     void slicersParts_areLeftOutAndTold_data();
     void slicersParts_areLeftOutAndTold();
+    void slicersParts_areNamed();
     void slicersNumbers_areOfTheirObject();
     void slicersParts_areCountedWhereTheyAreAll();
     void threeMfOtherShapes_areCounted();
@@ -1210,6 +1211,63 @@ void TestForeignFiles::slicersParts_areLeftOutAndTold()
             QCOMPARE(bambu.remarks.negativeParts, std::size_t(isCut));
             QCOMPARE(bambu.remarks.otherParts, std::size_t(!isCut));
         }
+}
+
+/// The first three different names of each kind are kept, clean and short.
+void TestForeignFiles::slicersParts_areNamed()
+{
+    const std::vector<std::string> names{" Hole&#10;1 ", "", "Hole 1", std::string(39, 'x') + "\u00fc", "b", "c"};
+    const std::vector<std::string> kept{"Hole 1", std::string(39, 'x'), "b"};
+    const auto named = [](const std::string& name) {
+        return "<metadata type=\"volume\" key=\"name\" value=\"" + name + "\"/>";
+    };
+    std::string volumes, parts, objects, components, volumesOfAmf;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const std::string id = std::to_string(i + 2);
+        volumes += R"(<volume firstid="0" lastid="0"><metadata type="volume" key="volume_type" )"
+                   R"(value="NegativeVolume"/>)" +
+                   named(names[i]) + "</volume>";
+        parts += "<part id=\"" + id + "\" subtype=\"modifier_part\">" + named(names[i]) + "</part>";
+        objects += "<object id=\"" + id + "\"><components><component objectid=\"1\"/></components></object>";
+        components += "<component objectid=\"" + id + "\"/>";
+        volumesOfAmf += "<volume><metadata type=\"slic3r.modifier\">1</metadata><metadata type=\"name\">" + names[i] +
+                        "</metadata></volume>";
+    }
+    packageOf(file("prusa.3mf"),
+              {{"_rels/.rels", relationships("/3D/a.model")},
+               {"3D/a.model", modelOf()},
+               {"Metadata/Slic3r_PE_model.config", "<config><object id=\"1\">" + volumes + "</object></config>"}});
+    const core::ReadRemarks prusa = core::readModel(file("prusa.3mf")).remarks;
+    QCOMPARE(prusa.negativeParts, names.size());
+    QCOMPARE(prusa.negativeNames, kept);
+
+    const std::string assembly =
+        "<object id=\"99\"><components><component objectid=\"1\"/>" + components + "</components></object>";
+    packageOf(file("bambu.3mf"),
+              {{"_rels/.rels", relationships("/3D/a.model")},
+               {"3D/a.model", replaced(replaced(modelOf(), "</object>", "</object>" + objects + assembly),
+                                       "item objectid=\"1\"", "item objectid=\"99\"")},
+               {"Metadata/model_settings.config",
+                "<config><object id=\"99\">" + named("all") + parts + named("all") + "</object></config>"}});
+    const core::ReadRemarks bambu = core::readModel(file("bambu.3mf")).remarks;
+    QCOMPARE(bambu.otherParts, names.size());
+    QCOMPARE(bambu.otherNames, kept);
+
+    packageOf(file("support.3mf"),
+              {{"_rels/.rels", relationships("/3D/a.model")},
+               {"3D/a.model",
+                replaced(replaced(modelOf(), "</object>", "</object><object id=\"2\" type=\"support\" name=\"Tree\"/>"),
+                         "<item objectid=\"1\"", "<item objectid=\"2\"/><item objectid=\"1\"")}});
+    QCOMPARE(core::readModel(file("support.3mf")).remarks.otherNames, std::vector<std::string>{"Tree"});
+
+    const std::string box =
+        "<object id=\"1\"><mesh><vertices><vertex><coordinates><x>0</x><y>0</y><z>0</z></coordinates>"
+        "</vertex><vertex><coordinates><x>1</x><y>0</y><z>0</z></coordinates></vertex><vertex>"
+        "<coordinates><x>0</x><y>1</y><z>0</z></coordinates></vertex></vertices><volume><triangle>"
+        "<v1>0</v1><v2>1</v2><v3>2</v3></triangle></volume>";
+    const core::ReadRemarks amf = read("a.amf", "<amf>" + box + volumesOfAmf + "</mesh></object></amf>").remarks;
+    QCOMPARE(amf.otherParts, names.size());
+    QCOMPARE(amf.otherNames, kept);
 }
 
 /// Bambu Studio's part numbers are object ids, which are unique only within one model file of the package.

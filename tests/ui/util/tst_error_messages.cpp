@@ -53,11 +53,15 @@ private Q_SLOTS:
         }
     }
 
-    void remarks_areOneSentence()
+    void remarks_nameParts()
     {
         core::ReadRemarks remarks{.negativeParts = 5, .otherParts = 1};
         const auto words = [&remarks] { return ui::ErrorMessages::remarks(QStringLiteral("a.3mf"), remarks); };
         QVERIFY(words().contains(QStringLiteral("cut out of the model (5), modifiers and supports of a slicer (1).")));
+        remarks.negativeNames = {"50%1", "Peg", "Slot"};
+        remarks.otherNames = {"Löwe"};
+        QVERIFY(words().contains(QStringLiteral("(\"50%1\", \"Peg\", \"Slot\" and 2 more)")));
+        QVERIFY(words().endsWith(QStringLiteral(" (\"Löwe\").")));
         remarks.announcedTriangles = 13;
         remarks.containedTriangles = 12;
         QVERIFY(words().endsWith(QStringLiteral("; it announces 13 triangles and contains 12.")));
