@@ -6462,6 +6462,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
 <context>
     <name>ui::FileFaultMessages</name>
     <message>
+        <source>%1: &quot;%2&quot; has faces, but no object with faces is connected to the scene.</source>
+        <translation>%1: „%2“ hat Flächen, aber kein Objekt mit Flächen ist mit der Szene verbunden.</translation>
+    </message>
+    <message>
         <source>&quot;%1&quot;</source>
         <comment>a word of the format</comment>
         <translation>„%1“</translation>

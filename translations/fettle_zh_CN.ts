@@ -6433,6 +6433,10 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
 <context>
     <name>ui::FileFaultMessages</name>
     <message>
+        <source>%1: &quot;%2&quot; has faces, but no object with faces is connected to the scene.</source>
+        <translation>%1：“%2”有面，但没有任何带面的对象连接到场景。</translation>
+    </message>
+    <message>
         <source>&quot;%1&quot;</source>
         <comment>a word of the format</comment>
         <translation>“%1”</translation>

@@ -271,6 +271,8 @@ int importForeign(const fs::path& path, const ImportLimits& limits, bool keepsOb
         mesh.addAll(placeOf(path, start), lowerEnding(path) == ".x3d" ? core::io::x3dNameIn : givenName);
     if (mesh.faces() == 0 && !notes.outside.empty())
         return refuse(ImportHeader::Outcome::Outside, notes.outside);
+    if (mesh.faces() == 0 && notes.whyEmpty)
+        throw *notes.whyEmpty;
     if (mesh.faces() == 0 && (missing > 0 || !log.first().empty()))
         return refuse(ImportHeader::Outcome::Refused, log.first().empty() ? "its meshes are broken" : log.first());
     ImportHeader header;

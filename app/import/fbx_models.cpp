@@ -350,13 +350,13 @@ class ModelTree
 public:
     ModelTree(const Records& objects, const Records& connections)
     {
-        std::set<std::int64_t> meshes;                         // ids of meshes with faces
+        std::map<std::int64_t, const FbxRecord*> meshes;       // meshes with faces, by id
         std::set<std::pair<std::int64_t, std::int64_t>> known; // ids of child and parent
         for (const FbxRecord& object : objects)
             if (const auto id = idOf(object, 0); id && object.name == "Model")
                 m_models[*id].record = &object;
             else if (id && isMesh(object) && hasFaces(object))
-                meshes.insert(*id);
+                meshes.emplace(*id, &object);
         for (const FbxRecord& c : connections) {
             const auto child = idOf(c, 1), parent = idOf(c, 2);
             if (!child || !parent || (!isModel(*child) && !(meshes.contains(*child) && isModel(*parent))))
@@ -369,6 +369,7 @@ public:
             else if (kind == Kind::Objects)
                 ++m_models[*parent].meshes;
         }
+        m_firstMesh = meshes.empty() ? nullptr : meshes.begin()->second;
     }
 
     /// Returns the connections of models and meshes that Assimp must ignore: repeated ones, and ones of unknown kinds,
@@ -377,35 +378,32 @@ public:
 
     /// Returns a model in the scene that contains itself or has too many generations above and below it; null if there
     /// is none. Cost: linear in models and connections.
-    const FbxRecord* endless()
+    const FbxRecord* endless() { return endless(m_models[0]); }
+
+    /// Returns why no mesh with faces is in the scene; nothing if one is, or if the file has none. Precondition:
+    /// endless() has returned null.
+    std::optional<core::FileError> whyEmpty(const std::filesystem::path& path)
     {
-        struct Step
-        {
-            Model* model;
-            std::size_t next = 0;
-        };
-        std::vector<Step> way{{&m_models[0]}}; // path from the root; its length is the depth of the next model
-        while (!way.empty()) {
-            Step& step = way.back();
-            step.model->isOnWay = true;
-            if (step.next == step.model->below.size()) {
-                const std::size_t above = step.model->height + 1;
-                step.model->isOnWay = false;
-                step.model->isDone = true;
-                way.pop_back();
-                if (!way.empty())
-                    way.back().model->height = std::max(way.back().model->height, above);
-                continue;
-            }
-            Model& child = m_models[step.model->below[step.next++]];
-            if (child.isOnWay || way.size() + child.height > maxDepth)
-                return child.record;
-            if (!child.isDone)
-                way.push_back({&child});
-            else
-                step.model->height = std::max(step.model->height, child.height + 1);
+        const FbxRecord* first = m_firstMesh;
+        for (const auto& [id, model] : m_models) {
+            if (model.meshes > 0 && model.isDone)
+                return std::nullopt;
+            if (model.meshes > 0 && first == m_firstMesh)
+                first = model.record;
         }
-        return nullptr;
+        if (!first)
+            return std::nullopt;
+        for (auto& [id, model] : m_models)
+            if (const FbxRecord* const cyclic = model.isDone ? nullptr : endless(model))
+                return tooDeep(path, *cyclic);
+        return core::io::malformed(core::FileFault::NotInScene,
+                                   core::io::errorWithToken({}, {path, {}}, nameOf(*first)));
+    }
+
+    static core::FileError tooDeep(const std::filesystem::path& path, const FbxRecord& model)
+    {
+        return core::io::malformed(core::FileFault::TooDeep,
+                                   core::io::errorWithToken({}, {path, {}}, "models below " + nameOf(model)));
     }
 
     /// Returns all models; the first entry is the scene. `usual`: properties of the template, not owned; may be null.
@@ -438,6 +436,38 @@ private:
         std::size_t height = 0; ///< generations below this model; final once isDone is true
         std::size_t meshes = 0; ///< number of meshes with faces
     };
+
+    /// Searches from this model down. The path has the model as its first entry.
+    const FbxRecord* endless(Model& top)
+    {
+        struct Step
+        {
+            Model* model;
+            std::size_t next = 0;
+        };
+        std::vector<Step> way{{&top}}; // path from the top; its length is the depth of the next model
+        while (!way.empty()) {
+            Step& step = way.back();
+            step.model->isOnWay = true;
+            if (step.next == step.model->below.size()) {
+                const std::size_t above = step.model->height + 1;
+                step.model->isOnWay = false;
+                step.model->isDone = true;
+                way.pop_back();
+                if (!way.empty())
+                    way.back().model->height = std::max(way.back().model->height, above);
+                continue;
+            }
+            Model& child = m_models[step.model->below[step.next++]];
+            if (child.isOnWay || way.size() + child.height > maxDepth)
+                return child.record;
+            if (!child.isDone)
+                way.push_back({&child});
+            else
+                step.model->height = std::max(step.model->height, child.height + 1);
+        }
+        return nullptr;
+    }
 
     static FbxModel modelOf(const FbxRecord& record, const FbxRecord* usual)
     {
@@ -479,6 +509,7 @@ private:
     }
 
     std::map<std::int64_t, Model> m_models;
+    const FbxRecord* m_firstMesh = nullptr; ///< a mesh with faces, if there is one
     std::vector<const FbxRecord*> m_ignored;
 };
 } // namespace
@@ -496,8 +527,7 @@ FbxForAssimp fbxForAssimp(const std::filesystem::path& path, std::string_view by
     const Records& lines = connections ? connections->records : none;
     ModelTree tree(objects->records, lines);
     if (const FbxRecord* const model = tree.endless())
-        throw core::io::malformed(core::FileFault::TooDeep,
-                                  core::io::errorWithToken({}, {path, {}}, "models below " + nameOf(*model)));
+        throw ModelTree::tooDeep(path, *model);
     const FbxRecord* const usual = modelTemplateIn(*records);
     Changes changes(bytes);
     for (const std::size_t at : fbxByteTypes(bytes))
@@ -525,6 +555,6 @@ FbxForAssimp fbxForAssimp(const std::filesystem::path& path, std::string_view by
         requireNumbers(file, own);
         fixer.fix({own, usual});
     }
-    return {.changed = changes.result(), .models = tree.models(usual)};
+    return {.changed = changes.result(), .models = tree.models(usual), .whyEmpty = tree.whyEmpty(path)};
 }
 } // namespace app

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/util/file_error.h"
+
 #include <Eigen/Core>
 
 #include <cstddef>
@@ -39,6 +41,8 @@ struct FbxForAssimp
     bool isFollowed = true;             ///< false: the records could not be parsed, so nothing was checked or changed
     std::optional<std::string> changed; ///< the modified file; empty: no change is needed
     std::vector<FbxModel> models;       ///< all models; the first entry is the scene itself
+    /// Why the scene shows nothing, if it has no mesh with faces although the file has one.
+    std::optional<core::FileError> whyEmpty = {};
 };
 
 /// Modifies an FBX file so that Assimp reads it by the rules of FBX.

@@ -106,6 +106,7 @@ const std::string* ImportFolder::replacement(const fs::path& path)
             FbxForAssimp fbx = fbxForAssimp(path, bytes);
             m_notes.isFollowed = m_notes.isFollowed && fbx.isFollowed;
             m_notes.models = std::move(fbx.models);
+            m_notes.whyEmpty = std::move(fbx.whyEmpty);
             found->second = std::move(fbx.changed);
         } else {
             found->second = colladaText(bytesOf(path));

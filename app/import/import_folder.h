@@ -30,7 +30,8 @@ public:
         std::size_t unread = 0; ///< number of X3D surface nodes left out, and of Inline nodes whose files are missing
         /// false: an FBX file was passed on unmodified, because its records could not be parsed
         bool isFollowed = true;
-        std::vector<FbxModel> models; ///< models of the FBX file
+        std::vector<FbxModel> models;            ///< models of the FBX file
+        std::optional<core::FileError> whyEmpty; ///< why an FBX file shows nothing, as far as its models tell
     };
 
     ImportFolder(std::filesystem::path folder, Notes& notes) : m_folder(std::move(folder)), m_notes(notes) {}

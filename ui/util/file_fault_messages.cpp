@@ -60,6 +60,8 @@ QString FileFaultMessages::ofModel(const core::FileError& error, const QString& 
         return tr("%1: \"%2\" is needed here, but is missing.").arg(where, token);
     case FileFault::Repeated:
         return tr("%1: \"%2\" appears twice.").arg(where, token);
+    case FileFault::NotInScene:
+        return tr("%1: \"%2\" has faces, but no object with faces is connected to the scene.").arg(where, token);
     default:
         return {};
     }

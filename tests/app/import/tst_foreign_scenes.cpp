@@ -119,6 +119,7 @@ QByteArray fbx(const QList<FbxModel>& models, const QByteArray& settings = {}, c
            (settings.isEmpty() ? R"(P: "UnitScaleFactor", "double", "Number", "",0.1)" : settings) + "\n}\n}\n" +
            definitions + "Objects:  {\n" + objects + "}\nConnections:  {\n" + connections + "}\n";
 }
+
 } // namespace
 
 class TestForeignScenes : public QObject
@@ -141,6 +142,7 @@ private Q_SLOTS:
     void fbx_ordersAreOfOwnRotationsAlone();
     void fbx_carelessTextIsTurnedRight();
     void fbx_cyclesAndSphericOrdersAreRefused();
+    void fbx_whatIsNotInTheSceneIsTold();
     void fbx_scalesAreInherited_data();
     void fbx_scalesAreInherited();
     void fbx_mirrorsAreScales_data();
@@ -335,6 +337,35 @@ void TestForeignScenes::fbx_cyclesAndSphericOrdersAreRefused()
         errorOf(QStringLiteral("a.fbx"), fbx({{vector("Lcl Rotation", {1, 2, 3}) + number("RotationOrder", 6)}}));
     QVERIFY(spheric && spheric->kind == core::FileErrorKind::ReaderRefused);
     QCOMPARE(spheric->token, std::string("the rotation order SphericXYZ is not read"));
+}
+
+/// A file whose meshes are all outside of the scene is refused with the reason, not as one without faces.
+void TestForeignScenes::fbx_whatIsNotInTheSceneIsTold()
+{
+    const QByteArray two = fbx({{}, {.properties = {}, .parent = 0}}), inScene = "C: \"OO\",2000,0\n";
+    QByteArray loose = two, cyclic = two,
+               below = fbx({{}, {.properties = {}, .parent = 0}, {.properties = {}, .parent = 1}});
+    loose.replace(inScene, "");
+    cyclic.replace(inScene, "C: \"OO\",2000,2001\n");
+    below.replace(inScene, "C: \"OO\",2000,2001\n")
+        .replace("C: \"OO\",1000,2000\n", "")
+        .replace("C: \"OO\",1001,2001\n", "");
+    const auto isTold = [&](const QByteArray& bytes, core::FileFault fault, const char* token) {
+        const auto error = errorOf(QStringLiteral("a.fbx"), bytes);
+        return error && error->kind == core::FileErrorKind::Malformed && error->fault == fault && error->token == token;
+    };
+    QVERIFY(isTold(loose, core::FileFault::NotInScene, "m0"));
+    QVERIFY(isTold(cyclic, core::FileFault::TooDeep, "models below m0"));
+    QVERIFY(isTold(below, core::FileFault::TooDeep, "models below m0")); // the only mesh is below the cycle
+    QByteArray alone = two;                                              // no model has the meshes
+    alone.replace("C: \"OO\",1000,2000\n", "").replace("C: \"OO\",1001,2001\n", "");
+    QVERIFY(isTold(alone, core::FileFault::NotInScene, "Geometry::g"));
+    const QByteArray meshless = fbx({{}}, {}, "Vertices: *0 {\na: \n}\nPolygonVertexIndex: *0 {\na: \n}\n");
+    QCOMPARE(errorOf(QStringLiteral("a.fbx"), meshless)->kind, core::FileErrorKind::NoFaces);
+    QByteArray beside = fbx({{}, {}, {}}); // a cycle beside what the scene shows
+    beside.replace("C: \"OO\",2001,0\n", "C: \"OO\",2001,2002\n")
+        .replace("C: \"OO\",2002,0\n", "C: \"OO\",2002,2001\n");
+    QCOMPARE(readFbx(beside).mesh.triangles.size(), std::size_t(12));
 }
 
 void TestForeignScenes::fbx_scalesAreInherited_data()
