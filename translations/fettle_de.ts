@@ -6462,6 +6462,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
 <context>
     <name>ui::FileFaultMessages</name>
     <message>
+        <source>y or z as the axis that points up</source>
+        <translation>y oder z als Achse, die nach oben zeigt</translation>
+    </message>
+    <message>
+        <source>a number above 0</source>
+        <translation>eine Zahl über 0</translation>
+    </message>
+    <message>
         <source>%1: &quot;%2&quot; has faces, but no object with faces is connected to the scene.</source>
         <translation>%1: „%2“ hat Flächen, aber kein Objekt mit Flächen ist mit der Szene verbunden.</translation>
     </message>

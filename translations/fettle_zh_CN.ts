@@ -6433,6 +6433,14 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
 <context>
     <name>ui::FileFaultMessages</name>
     <message>
+        <source>y or z as the axis that points up</source>
+        <translation>y 或 z 作为向上的轴</translation>
+    </message>
+    <message>
+        <source>a number above 0</source>
+        <translation>大于 0 的数</translation>
+    </message>
+    <message>
         <source>%1: &quot;%2&quot; has faces, but no object with faces is connected to the scene.</source>
         <translation>%1：“%2”有面，但没有任何带面的对象连接到场景。</translation>
     </message>

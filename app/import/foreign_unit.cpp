@@ -4,11 +4,10 @@
 
 #include "app/import/import_folder.h"
 
+#include "core/io/mesh/format.h"
 #include "core/io/mesh/number_parsing.h"
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
 
 namespace app
 {
@@ -61,7 +60,7 @@ private:
     std::string_view m_rest;
 };
 
-/// Returns the value of `Metric (key = "name") {type {value}}`; empty if there is none.
+/// Returns the value of `Metric (key = "name") {type {value}}`; a view of null if there is none.
 std::string_view metricOf(std::string_view text, std::string_view name)
 {
     DdlWords words(text);
@@ -77,14 +76,24 @@ std::string_view metricOf(std::string_view text, std::string_view name)
     return {};
 }
 
-Eigen::Matrix4d placeOfOpenGex(std::string_view text)
+[[noreturn]] void refuse(core::FileFault fault, const core::io::FileBytes& file, std::string_view value)
+{
+    throw core::io::malformed(fault, core::io::errorAtLine({}, file, value.data(), value));
+}
+
+Eigen::Matrix4d placeOfOpenGex(const core::io::FileBytes& file)
 {
     Eigen::Matrix4d place = Eigen::Matrix4d::Identity();
-    if (metricOf(text, "up") == "z")
+    if (const std::string_view up = metricOf(file.bytes, "up"); up == "z")
         place << 1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1;
-    const auto metres = core::io::parseDouble(metricOf(text, "distance"));
-    if (metres && std::isfinite(*metres) && *metres > 0)
-        place.topRows<3>() *= millimetresInMetre * *metres;
+    else if (up.data() && up != "y")
+        refuse(core::FileFault::UpAxis, file, up);
+    if (const std::string_view distance = metricOf(file.bytes, "distance"); distance.data()) {
+        const double metres = core::io::parseDouble(distance).value_or(0);
+        if (metres <= 0)
+            refuse(core::FileFault::PositiveNumber, file, distance);
+        place.topRows<3>() *= millimetresInMetre * metres;
+    }
     return place;
 }
 
@@ -98,7 +107,7 @@ Eigen::Matrix4d placeOf(const std::filesystem::path& file, std::string_view star
 {
     const std::string ending = lowerEnding(file);
     if (ending == ".ogex")
-        return placeOfOpenGex(start);
+        return placeOfOpenGex({file, start});
     const double unit = isInMetres(ending) ? millimetresInMetre : 1;
     return Eigen::Vector4d(unit, unit, unit, 1).asDiagonal();
 }

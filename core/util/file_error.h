@@ -45,8 +45,8 @@ enum class FileErrorKind {
     WriteFailed  ///< any other failure; sets systemError
 };
 
-/// Detail of a Malformed file. Up to LengthUnit, a value names what was expected at the place; the token is the text
-/// found instead, or empty. From Missing on, a value names what is wrong with the token.
+/// Detail of a Malformed file. Up to PositiveNumber, a value names what was expected at the place; the token is the
+/// text found instead, or empty. From Missing on, a value names what is wrong with the token.
 enum class FileFault {
     None,
     Keyword,         ///< a keyword; `wanted` is the one expected
@@ -65,6 +65,8 @@ enum class FileFault {
     JsonChunk,       ///< a first GLB chunk of type JSON
     Base64,          ///< base64 data within a URI
     LengthUnit,      ///< a unit of length known to 3MF or AMF
+    UpAxis,          ///< y or z
+    PositiveNumber,  ///< a number above 0
     Missing,         ///< the token is required or referred to, but does not exist
     Repeated,        ///< the token occurs twice
     NotAList,        ///< JSON value of another type than list

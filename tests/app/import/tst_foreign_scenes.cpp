@@ -120,6 +120,12 @@ QByteArray fbx(const QList<FbxModel>& models, const QByteArray& settings = {}, c
            definitions + "Objects:  {\n" + objects + "}\nConnections:  {\n" + connections + "}\n";
 }
 
+const QByteArray openGexTetrahedron =
+    "GeometryNode $node1 { Name {string {\"Box\"}} ObjectRef {ref {$geometry1}} }\n"
+    "GeometryObject $geometry1 { Mesh (primitive = \"triangles\") {\n"
+    " VertexArray (attrib = \"position\") { float[3] {{0,0,0},{1,0,0},{0,2,0},{0,0,3}} }\n"
+    " IndexArray { unsigned_int32[3] {{0,2,1},{0,1,3},{1,2,3},{2,0,3}} }\n} }\n";
+
 } // namespace
 
 class TestForeignScenes : public QObject
@@ -179,6 +185,7 @@ private Q_SLOTS:
 
     void ogex_metricsAreHeeded_data();
     void ogex_metricsAreHeeded();
+    void ogex_otherMetricsAreRefused();
     void dae_isReadInUtf16AndWithBlanks();
     void lws_isAsLargeAsItsLwo();
     void words_areWholeAndWithoutPath();
@@ -1005,14 +1012,28 @@ void TestForeignScenes::ogex_metricsAreHeeded()
     QFETCH(QByteArray, metrics);
     QFETCH(double, unit);
     QFETCH(bool, isZUp);
-    const ReadResult model =
-        read(QStringLiteral("a.ogex"),
-             metrics + "GeometryNode $node1 { Name {string {\"Box\"}} ObjectRef {ref {$geometry1}} }\n"
-                       "GeometryObject $geometry1 { Mesh (primitive = \"triangles\") {\n"
-                       " VertexArray (attrib = \"position\") { float[3] {{0,0,0},{1,0,0},{0,2,0},{0,0,3}} }\n"
-                       " IndexArray { unsigned_int32[3] {{0,2,1},{0,1,3},{1,2,3},{2,0,3}} }\n} }\n");
+    const ReadResult model = read(QStringLiteral("a.ogex"), metrics + openGexTetrahedron);
     COMPARE_VECTORS(boxOf(model.mesh).size(), unit, (isZUp ? 3 : 2) * unit, (isZUp ? 2 : 3) * unit);
     QVERIFY(std::abs(volumeOf(model.mesh) - unit * unit * unit) < 1e-6 * unit * unit * unit);
+}
+
+/// A unit or an up axis that is none is refused with its line.
+void TestForeignScenes::ogex_otherMetricsAreRefused()
+{
+    for (const char* const up : {"x", "Z", "-y", "up"}) {
+        const auto error = errorOf(QStringLiteral("a.ogex"), "\nMetric (key = \"up\") {string {\"" + QByteArray(up) +
+                                                                 "\"}}\n" + openGexTetrahedron);
+        QVERIFY2(error && error->fault == core::FileFault::UpAxis && error->token == up, up);
+        QCOMPARE(error->place.number, std::uint64_t(2));
+    }
+    for (const char* const distance : {"0", "-1", "abc", "0.0"}) {
+        const auto error = errorOf(QStringLiteral("a.ogex"), "Metric (key = \"distance\") {float {" +
+                                                                 QByteArray(distance) + "}}\n" + openGexTetrahedron);
+        if (error && error->kind == core::FileErrorKind::ReaderRefused) // Assimp refuses words
+            continue;
+        QVERIFY2(error && error->fault == core::FileFault::PositiveNumber && error->token == distance, distance);
+        QCOMPARE(error->place.number, std::uint64_t(1));
+    }
 }
 
 /// A COLLADA tetrahedron with a wrong or missing count, with leading spaces in values, and with images that name no
