@@ -6470,6 +6470,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>eine Zahl über 0</translation>
     </message>
     <message>
+        <source>%1: &quot;%2&quot; changes the shape, but is not read: save the model without it.</source>
+        <translation>%1: „%2“ ändert die Form und wird nicht gelesen: Speichern Sie das Modell ohne dies.</translation>
+    </message>
+    <message>
         <source>%1: &quot;%2&quot; has faces, but no object with faces is connected to the scene.</source>
         <translation>%1: „%2“ hat Flächen, aber kein Objekt mit Flächen ist mit der Szene verbunden.</translation>
     </message>

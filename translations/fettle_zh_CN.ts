@@ -6441,6 +6441,10 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>大于 0 的数</translation>
     </message>
     <message>
+        <source>%1: &quot;%2&quot; changes the shape, but is not read: save the model without it.</source>
+        <translation>%1：“%2”会改变形状，但不会被读取：请去掉它后再保存模型。</translation>
+    </message>
+    <message>
         <source>%1: &quot;%2&quot; has faces, but no object with faces is connected to the scene.</source>
         <translation>%1：“%2”有面，但没有任何带面的对象连接到场景。</translation>
     </message>

@@ -252,6 +252,7 @@ int importForeign(const fs::path& path, const ImportLimits& limits, bool keepsOb
     // owned by the importer from now on
     importer.SetIOHandler(new ImportFolder(fs::canonical(path.parent_path()), notes));
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, true);
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true); // they stand for nodes without meshes
     const aiScene* const scene = importer.ReadFile(path.string(), 0);
     if (notes.problem)
         std::rethrow_exception(notes.problem);

@@ -1,5 +1,6 @@
 #include "app/import/import_folder.h"
 
+#include "app/import/collada_check.h"
 #include "app/import/collada_text.h"
 
 #include "core/util/file_error.h"
@@ -109,7 +110,9 @@ const std::string* ImportFolder::replacement(const fs::path& path)
             m_notes.whyEmpty = std::move(fbx.whyEmpty);
             found->second = std::move(fbx.changed);
         } else {
-            found->second = colladaText(bytesOf(path));
+            const std::string bytes = bytesOf(path);
+            requireSoundCollada({path, bytes});
+            found->second = colladaText(bytes);
         }
     }
     return found->second ? &*found->second : nullptr;

@@ -83,6 +83,7 @@ enum class FileFault {
     CompressedWrong, ///< compressed data that is corrupt
     OldFbx,          ///< FBX of a version before 7.1
     OtherIfc,        ///< IFC of another schema than IFC2X3, the token
+    NotRead,         ///< the token changes the shape, and is not read
     NotInScene,      ///< no object with faces is connected to the scene; token: the first of them
     OutsidePackage,  ///< a path that leads out of the package
     NotInPackage,    ///< the package has no part of this name

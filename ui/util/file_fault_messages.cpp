@@ -64,6 +64,8 @@ QString FileFaultMessages::ofModel(const core::FileError& error, const QString& 
         return tr("%1: \"%2\" is needed here, but is missing.").arg(where, token);
     case FileFault::Repeated:
         return tr("%1: \"%2\" appears twice.").arg(where, token);
+    case FileFault::NotRead:
+        return tr("%1: \"%2\" changes the shape, but is not read: save the model without it.").arg(where, token);
     case FileFault::NotInScene:
         return tr("%1: \"%2\" has faces, but no object with faces is connected to the scene.").arg(where, token);
     default:

@@ -12,7 +12,6 @@ namespace core::io
 {
 namespace
 {
-constexpr int maxDepth = 64;
 constexpr std::uint64_t longestTag = 1 << 20;
 } // namespace
 
@@ -76,7 +75,7 @@ struct XmlReader::Callbacks
     {
         auto& reader = *static_cast<XmlReader*>(self);
         reader.guarded([&] {
-            if (++reader.m_depth > maxDepth)
+            if (++reader.m_depth > reader.m_maxDepth)
                 reader.refuse(FileFault::XmlTooDeep);
             reader.m_namespaces.begin(pairs);
             // Copied, because the view becomes invalid when attributes are read.
@@ -105,12 +104,13 @@ struct XmlReader::Callbacks
     }
 };
 
-XmlReader::XmlReader(const FileBytes& file, Begin begin, End end, Text text)
+XmlReader::XmlReader(const FileBytes& file, Begin begin, End end, Text text, int maxDepth)
     : m_file(file)
     , m_begin(std::move(begin))
     , m_end(std::move(end))
     , m_text(std::move(text))
     , m_parser(XML_ParserCreate(nullptr), &XML_ParserFree)
+    , m_maxDepth(maxDepth)
 {
     if (!m_parser)
         throw std::bad_alloc();

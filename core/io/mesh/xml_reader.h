@@ -46,9 +46,8 @@ private:
 };
 
 /// Parses XML from untrusted sources piece by piece, in UTF-8 or UTF-16, with the library expat. Document types are
-/// refused. So there are no entities except the five predefined ones, and no other file is ever opened. Elements may be
-/// nested 64 deep, and a tag may be 1 MiB long. Names with an undeclared prefix have no namespace. Errors have the
-/// line.
+/// refused. So there are no entities except the five predefined ones, and no other file is ever opened. A tag may be 1
+/// MiB long. Names with an undeclared prefix have no namespace. Errors have the line.
 class XmlReader
 {
 public:
@@ -56,8 +55,10 @@ public:
     using End = std::function<void(std::string_view name)>;
     using Text = std::function<void(std::string_view piece)>;
 
-    /// `text` receives the text between tags in UTF-8, piece by piece.
-    XmlReader(const FileBytes& file, Begin begin, End end, Text text = {});
+    static constexpr int usualDepth = 64;
+
+    /// `text` receives the text between tags in UTF-8, piece by piece. `maxDepth`: how deep elements may be nested.
+    XmlReader(const FileBytes& file, Begin begin, End end, Text text = {}, int maxDepth = usualDepth);
 
     /// Parses a piece; the last one is empty. Throws FileError, and whatever the callbacks throw.
     void take(std::string_view piece);
@@ -75,7 +76,7 @@ private:
     End m_end;
     Text m_text;
     std::unique_ptr<XML_ParserStruct, void (*)(XML_ParserStruct*)> m_parser;
-    int m_depth = 0;
+    int m_depth = 0, m_maxDepth;
     std::uint64_t m_given = 0; ///< bytes passed to the parser so far
     std::exception_ptr m_problem;
 };

@@ -126,6 +126,33 @@ const QByteArray openGexTetrahedron =
     " VertexArray (attrib = \"position\") { float[3] {{0,0,0},{1,0,0},{0,2,0},{0,0,3}} }\n"
     " IndexArray { unsigned_int32[3] {{0,2,1},{0,1,3},{1,2,3},{2,0,3}} }\n} }\n";
 
+/// Returns a COLLADA tetrahedron with some words replaced by others.
+QByteArray dae(const QList<std::pair<QByteArray, QByteArray>>& changes = {})
+{
+    QByteArray text =
+        "<?xml version=\"1.0\"?>\n"
+        "<COLLADA xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" version=\"1.4.1\">\n"
+        "<asset><unit meter=\"1\" name=\"meter\"/><up_axis>Y_UP</up_axis></asset>\n"
+        "<library_geometries><geometry id=\"g\"><mesh>\n"
+        "<source id=\"s\"><float_array id=\"a\" count=\"12\">0 0 0 1 0 0 0 1 0 0 0 1</float_array><technique_common>\n"
+        "<accessor source=\"#a\" count=\"4\" stride=\"3\"><param name=\"X\"/><param name=\"Y\"/><param "
+        "name=\"Z\"/></accessor>\n"
+        "</technique_common></source>\n"
+        "<vertices id=\"v\"><input semantic=\"POSITION\" source=\"#s\"/></vertices>\n"
+        "<triangles count=\"4\"><input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/>\n"
+        "<p>0 2 1 0 1 3 1 2 3 2 0 3</p></triangles>\n"
+        "</mesh></geometry></library_geometries>\n"
+        "<library_visual_scenes><visual_scene id=\"vs\">\n"
+        "<node id=\"n\"><instance_geometry url=\"#g\"/></node>\n"
+        "</visual_scene></library_visual_scenes>\n"
+        "<scene><instance_visual_scene url=\"#vs\"/></scene>\n"
+        "</COLLADA>\n";
+    for (const auto& [old, by] : changes) {
+        Q_ASSERT(text.contains(old));
+        text.replace(old, by);
+    }
+    return text;
+}
 } // namespace
 
 class TestForeignScenes : public QObject
@@ -186,6 +213,9 @@ private Q_SLOTS:
     void ogex_metricsAreHeeded_data();
     void ogex_metricsAreHeeded();
     void ogex_otherMetricsAreRefused();
+    void dae_brokenRulesAreTold_data();
+    void dae_brokenRulesAreTold();
+    void dae_harmlessOdditiesAreRead();
     void dae_isReadInUtf16AndWithBlanks();
     void lws_isAsLargeAsItsLwo();
     void words_areWholeAndWithoutPath();
@@ -1034,6 +1064,74 @@ void TestForeignScenes::ogex_otherMetricsAreRefused()
         QVERIFY2(error && error->fault == core::FileFault::PositiveNumber && error->token == distance, distance);
         QCOMPARE(error->place.number, std::uint64_t(1));
     }
+}
+
+void TestForeignScenes::dae_brokenRulesAreTold_data()
+{
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::addColumn<core::FileErrorKind>("kind");
+    QTest::addColumn<core::FileFault>("fault");
+    QTest::addColumn<quint64>("line");
+    QTest::addColumn<QByteArray>("token");
+    using Kind = core::FileErrorKind;
+    using Fault = core::FileFault;
+    const QByteArray values = "0 0 0 1 0 0 0 1 0 0 0 1", indices = "<p>0 2 1 0 1 3 1 2 3 2 0 3</p>";
+    const auto row = [](const char* name, const QByteArray& bytes, Fault fault, quint64 line, const QByteArray& token,
+                        Kind kind = Kind::Malformed) {
+        QTest::newRow(name) << bytes << kind << fault << line << token;
+    };
+    row("skew", dae({{"<node id=\"n\">", "<node id=\"n\"><skew>45 0 1 0 1 0 0</skew>"}}), Fault::NotRead, 13, "skew");
+    row("no values", dae({{values, ""}}), Fault::BeyondItsData, 6, "float_array a");
+    row("a value too few", dae({{values, "0 0 0 1 0 0 0 1 0 0 0"}}), Fault::BeyondItsData, 6, "float_array a");
+    row("a huge stride", dae({{"stride=\"3\"", "stride=\"4000000000\""}}), Fault::BeyondItsData, 6, "float_array a");
+    row("a stride too large for 32 bits", dae({{"stride=\"3\"", "stride=\"9999999999\""}}), Fault::None, 6,
+        "9999999999", Kind::NotANumber);
+    row("no stride", dae({{" stride=\"3\"", ""}}), Fault::Missing, 6, "stride");
+    row("a huge offset", dae({{"stride=", "offset=\"4000000000\" stride="}}), Fault::BeyondItsData, 6, "float_array a");
+    row("a huge count", dae({{"count=\"4\" stride", "count=\"4000000000\" stride"}}), Fault::BeyondItsData, 6,
+        "float_array a");
+    row("no indices", dae({{indices, ""}}), Fault::Missing, 10, "p");
+    row("no count", dae({{"<triangles count=\"4\">", "<triangles>"}}), Fault::Missing, 9, "count");
+    row("a negative index", dae({{"2 0 3</p>", "2 0 -1</p>"}}), Fault::VertexIndex, 10, "-1");
+    const QByteArray many = "<vcount>3 3 3 3</vcount>";
+    row("polygons without their sizes", dae({{"triangles", "polylist"}}), Fault::Missing, 10, "vcount");
+    row("polygons before their sizes", dae({{"triangles", "polylist"}, {indices, indices + many}}), Fault::Missing, 10,
+        "vcount");
+    row("fewer polygons than announced", dae({{"triangles", "polygons"}, {indices, "<p>0 2 1</p><p>0 1 3</p>"}}),
+        Fault::None, 10, "", Kind::CountMismatch);
+    row("a node in itself", dae({{"<node id=\"n\">", "<node id=\"n\"><instance_node url=\"#n\"/>"}}), Fault::TooDeep,
+        13, "nodes below n");
+}
+
+/// Assimp's process would end, or the surface would be another one.
+void TestForeignScenes::dae_brokenRulesAreTold()
+{
+    QFETCH(QByteArray, bytes);
+    QFETCH(QByteArray, token);
+    const auto error = errorOf(QStringLiteral("a.dae"), bytes);
+    QVERIFY(error);
+    QTEST(error->kind, "kind");
+    QTEST(error->fault, "fault");
+    QTEST(quint64(error->place.number), "line");
+    QCOMPARE(error->token, token.toStdString());
+}
+
+/// What other programs read in spite of the rules is still read.
+void TestForeignScenes::dae_harmlessOdditiesAreRead()
+{
+    const auto triangles = [this](const QByteArray& bytes) {
+        return read(QStringLiteral("a.dae"), bytes).mesh.triangles.size();
+    };
+    QCOMPARE(triangles(dae()), std::size_t(4));
+    QCOMPARE(triangles(dae({{"</mesh>", "<triangles count=\"0\"/></mesh>"}})), std::size_t(4));
+    QCOMPARE(triangles(dae({{"0 0 1</float_array>", "0 0 1 7 7</float_array>"}})), std::size_t(4));
+    QCOMPARE(triangles("<?xml version=\"1.0\"?><!DOCTYPE COLLADA>" + dae().mid(21)), std::size_t(4));
+    QCOMPARE(triangles(dae({{"</visual_scene>", "<extra><param/><param/></extra></visual_scene>"}})), std::size_t(4));
+    const QByteArray deep = QByteArray("<node>").repeated(200) + "<node id=\"n\">";
+    QCOMPARE(triangles(dae({{"<node id=\"n\">", deep}, {"</node>", QByteArray("</node>").repeated(201)}})),
+             std::size_t(4));
+    // a scene without meshes is not shown as a skeleton
+    QCOMPARE(errorOf(QStringLiteral("a.dae"), dae({{"url=\"#g\"", "url=\"#h\""}}))->kind, core::FileErrorKind::NoFaces);
 }
 
 /// A COLLADA tetrahedron with a wrong or missing count, with leading spaces in values, and with images that name no

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "core/io/mesh/format.h"
+
+namespace app
+{
+/// Throws core::FileError, with the line, for content of a COLLADA file at which Assimp 5.2 ends its process, reads
+/// beyond values, or silently drops or moves faces: accessors that exceed their values, primitives without their
+/// indices or counts, negative indices, nodes that contain themselves, and skews. Leaves broken XML to Assimp.
+void requireSoundCollada(const core::io::FileBytes& file);
+} // namespace app
