@@ -6325,12 +6325,12 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1 wurde nicht geschrieben: %2 wird nur gelesen; geschrieben werden können %3.</translation>
     </message>
     <message>
-        <source>%1 cannot be read: the importer does not understand it.</source>
-        <translation>%1 kann nicht gelesen werden: Der Importer versteht die Datei nicht.</translation>
+        <source>%1 breaks the rules of the format %2; the importer does not say where.</source>
+        <translation>%1 verletzt die Regeln des Formats %2; der Importer sagt nicht, wo.</translation>
     </message>
     <message>
-        <source>%1 cannot be read: the importer does not understand it (%2).</source>
-        <translation>%1 kann nicht gelesen werden: Der Importer versteht die Datei nicht (%2).</translation>
+        <source>%1 cannot be read; the importer says: &quot;%2&quot;.</source>
+        <translation>%1 kann nicht gelesen werden; der Importer meldet: „%2“.</translation>
     </message>
     <message>
         <source>%1 was not read: the process that reads it ended unexpectedly.</source>

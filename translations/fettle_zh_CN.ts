@@ -6296,12 +6296,12 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>未写入 %1：%2 只能读取；可写入 %3。</translation>
     </message>
     <message>
-        <source>%1 cannot be read: the importer does not understand it.</source>
-        <translation>无法读取 %1：导入程序无法识别其内容。</translation>
+        <source>%1 breaks the rules of the format %2; the importer does not say where.</source>
+        <translation>%1 不符合 %2 格式的规则；导入程序没有说明位置。</translation>
     </message>
     <message>
-        <source>%1 cannot be read: the importer does not understand it (%2).</source>
-        <translation>无法读取 %1：导入程序无法识别其内容（%2）。</translation>
+        <source>%1 cannot be read; the importer says: &quot;%2&quot;.</source>
+        <translation>无法读取 %1；导入程序报告：“%2”。</translation>
     </message>
     <message>
         <source>%1 was not read: the process that reads it ended unexpectedly.</source>

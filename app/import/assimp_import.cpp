@@ -1,5 +1,6 @@
 #include "app/import/assimp_import.h"
 
+#include "app/import/collada_check.h"
 #include "app/import/draco_decoder.h"
 #include "app/import/fbx_file.h"
 #include "app/import/fbx_scene.h"
@@ -34,6 +35,8 @@ namespace
 {
 namespace fs = std::filesystem;
 
+constexpr std::size_t startSize = 1 << 16; ///< bytes that are searched for versions and units
+
 bool send(const void* data, std::size_t size)
 {
     return size == 0 || std::fwrite(data, 1, size, stdout) == size; // data may be null if size is 0
@@ -60,16 +63,11 @@ int sendResult(ImportHeader header, const core::TriangleMesh& mesh, const core::
     return isSent ? 0 : 1;
 }
 
-/// Copies the message into the header. A message that is too long loses its middle, because Assimp quotes everything
-/// after the wrong word.
+/// Copies the message into the header if all of it fits.
 void setMessage(ImportHeader& header, std::string_view message)
 {
-    constexpr std::size_t size = sizeof header.message - 1, endSize = 90;
-    constexpr std::string_view gap = " ... ";
-    std::string words(message);
-    if (words.size() > size)
-        words.replace(size - endSize - gap.size(), words.size() - size + gap.size(), gap);
-    std::ranges::copy(words, header.message);
+    if (message.size() < sizeof header.message)
+        std::ranges::copy(message, header.message);
 }
 
 int refuse(ImportHeader::Outcome outcome, std::string_view message)
@@ -105,13 +103,16 @@ int refuse(const core::FileError& error, const fs::path& read)
     return sendResult(header, {});
 }
 
-/// Returns Assimp's error message, with the file's path shortened to its name.
+/// Returns Assimp's error message, with the file's path shortened to its name; empty if it says nothing of the file.
 std::string wordsOf(const Assimp::Importer& importer, const fs::path& path)
 {
     std::string words = importer.GetErrorString();
+    for (const std::string_view empty : {"vector::", "basic_string::", "map::", "An unknown error"})
+        if (words.starts_with(empty))
+            return {};
     for (std::size_t at = words.find(path.string()); at != std::string::npos; at = words.find(path.string()))
         words.replace(at, path.string().size(), path.filename().string());
-    return words;
+    return words.ends_with('.') ? words.substr(0, words.size() - 1) : words;
 }
 
 /// Records Assimp's error about the first mesh that it drops because the mesh is broken.
@@ -197,6 +198,55 @@ void requireIfcSchema(const fs::path& path, std::string_view start)
     throw error;
 }
 
+/// Throws FileError if the message is about a number. Assimp then quotes all text from the wrong word on, with "?" for
+/// each byte that is not printable; that text shows the place in the file.
+void requireNumber(const fs::path& path, std::string_view words)
+{
+    constexpr std::string_view begin = "Cannot parse string \"", end = "\" as a real number";
+    const std::size_t last = words.rfind(end);
+    if (!words.starts_with(begin) || last == std::string_view::npos)
+        return;
+    const std::string_view quoted = words.substr(begin.size(), last - begin.size());
+    if (quoted.empty()) {
+        core::FileError error(core::FileErrorKind::ReaderRefused, path);
+        error.token = "a number is missing";
+        throw error;
+    }
+    const std::string bytes = startOf(path, fs::file_size(path));
+    std::string printable = bytes;
+    std::ranges::replace_if(
+        printable, [](char c) { return c < ' ' || c > '~'; }, '?');
+    const std::size_t at = printable.rfind(quoted);
+    if (at == std::string::npos || printable.find(quoted) != at) // the text is changed, or occurs twice
+        throw core::io::errorWithToken(core::FileErrorKind::NotANumber, {path, {}},
+                                       quoted.substr(0, quoted.find_first_of(" ?")));
+    const std::string_view rest = std::string_view(bytes).substr(at);
+    throw core::io::errorAtLine(core::FileErrorKind::NotANumber, {path, bytes}, bytes.data() + at,
+                                rest.substr(0, rest.find_first_of(" \t\r\n<\"")));
+}
+
+/// Returns whether Assimp reads files with this extension as XML.
+bool isXml(const fs::path& path)
+{
+    const std::string ending = lowerEnding(path);
+    return ending == ".dae" || ending == ".irrmesh" || ending == ".xgl";
+}
+
+/// Reports why Assimp has read nothing.
+int refuseUnread(const Assimp::Importer& importer, const ImportFolder::Notes& notes, const fs::path& path)
+{
+    if (lowerEnding(path) == ".ifc")
+        requireIfcSchema(path, startOf(path, startSize));
+    if (!notes.outside.empty())
+        return refuse(ImportHeader::Outcome::Outside, notes.outside);
+    if (isXml(path)) {
+        const std::string bytes = startOf(path, fs::file_size(path));
+        requireXml({path, bytes});
+    }
+    requireNumber(path, importer.GetErrorString());
+    return refuse(ImportHeader::Outcome::Refused, wordsOf(importer, path));
+}
+
 /// Adds information about the file other than its mesh to the header.
 void addNotes(const aiScene& scene, const ImportFolder::Notes& notes, const fs::path& path, ImportHeader& header)
 {
@@ -241,7 +291,6 @@ int importOwn(const fs::path& path, const ImportLimits& limits, bool keepsObject
 
 int importForeign(const fs::path& path, const ImportLimits& limits, bool keepsObjects)
 {
-    constexpr std::size_t startSize = 1 << 16;
     const std::string start = startOf(path, startSize);
     const bool isFbx = lowerEnding(path) == ".fbx";
     if (isFbx)
@@ -256,12 +305,8 @@ int importForeign(const fs::path& path, const ImportLimits& limits, bool keepsOb
     const aiScene* const scene = importer.ReadFile(path.string(), 0);
     if (notes.problem)
         std::rethrow_exception(notes.problem);
-    if (!scene || !scene->mRootNode) {
-        if (lowerEnding(path) == ".ifc")
-            requireIfcSchema(path, start);
-        return notes.outside.empty() ? refuse(ImportHeader::Outcome::Refused, wordsOf(importer, path))
-                                     : refuse(ImportHeader::Outcome::Outside, notes.outside);
-    }
+    if (!scene || !scene->mRootNode)
+        return refuseUnread(importer, notes, path);
     if (!notes.isFollowed) // the unmodified file might be read with wrong rotations
         return refuse(ImportHeader::Outcome::Refused, "the records of its models cannot be followed");
     SceneMesh mesh(*scene, limits, keepsObjects);

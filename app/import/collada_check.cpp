@@ -293,4 +293,16 @@ void requireSoundCollada(const FileBytes& file)
             throw;
     }
 }
+
+void requireXml(const FileBytes& file)
+{
+    const auto nothing = [](auto&&...) {};
+    XmlReader xml(file, nothing, nothing, {}, deepest);
+    try {
+        parse(file, xml);
+    } catch (const FileError& error) {
+        if (error.fault == FileFault::XmlSyntax)
+            throw;
+    }
+}
 } // namespace app

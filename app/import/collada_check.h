@@ -8,4 +8,7 @@ namespace app
 /// beyond values, or silently drops or moves faces: accessors that exceed their values, primitives without their
 /// indices or counts, negative indices, nodes that contain themselves, and skews. Leaves broken XML to Assimp.
 void requireSoundCollada(const core::io::FileBytes& file);
+
+/// Throws core::FileError, with the line, if the file is not well-formed XML.
+void requireXml(const core::io::FileBytes& file);
 } // namespace app

@@ -331,9 +331,9 @@ QString ErrorMessages::content(const core::FileError& error)
     case FileErrorKind::TooManyElements:
         return tr("%1: too many %2; at most %3 are allowed.").arg(where, token(error), number(error.expected));
     case FileErrorKind::ReaderRefused:
-        return error.token.empty()
-                   ? tr("%1 cannot be read: the importer does not understand it.").arg(where)
-                   : tr("%1 cannot be read: the importer does not understand it (%2).").arg(where, token(error));
+        return error.token.empty() ? tr("%1 breaks the rules of the format %2; the importer does not say where.")
+                                         .arg(where, formatOf(error.path))
+                                   : tr("%1 cannot be read; the importer says: \"%2\".").arg(where, token(error));
     case FileErrorKind::ReaderDied:
         return tr("%1 was not read: the process that reads it ended unexpectedly.").arg(where);
     case FileErrorKind::ReaderTooSlow:

@@ -337,7 +337,7 @@ void TestSandboxedImporter::ownLimits_hold()
 
 void TestSandboxedImporter::badFiles_areRefused()
 {
-    for (const char* name : {"bad.fbx", "bad.dae", "bad.3ds", "bad.x"}) {
+    for (const char* name : {"bad.fbx", "bad.ac", "bad.3ds", "bad.x"}) {
         write(QLatin1StringView(name), "this is nothing of the kind");
         const auto error = errorOf([&] { core::readMesh(file(QLatin1StringView(name))); });
         QVERIFY2(error && error->kind == Kind::ReaderRefused && !error->token.empty(), name);
