@@ -1,6 +1,7 @@
 #include "app/import/collada_check.h"
 
 #include "core/io/mesh/xml_reader.h"
+#include "core/io/mesh/zip_reader.h"
 
 #include <algorithm>
 #include <map>
@@ -291,6 +292,23 @@ void requireSoundCollada(const FileBytes& file)
                              error.fault == FileFault::XmlLongTag;
         if (!isOfXml)
             throw;
+    }
+}
+
+void requireSoundZae(const FileBytes& package)
+{
+    core::io::ZipReader zip(package);
+    for (const std::string& name : zip.names()) {
+        if (!name.ends_with(".dae"))
+            continue;
+        std::string text;
+        zip.read(name, [&text](std::string_view piece) { text += piece; });
+        try {
+            requireSoundCollada({package.path, text});
+        } catch (FileError& error) {
+            error.path /= std::filesystem::path(name).filename();
+            throw;
+        }
     }
 }
 

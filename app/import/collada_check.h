@@ -8,6 +8,8 @@ namespace app
 /// beyond values, or silently drops or moves faces: accessors that exceed their values, primitives without their
 /// indices or counts, negative indices, nodes that contain themselves, and skews. Leaves broken XML to Assimp.
 void requireSoundCollada(const core::io::FileBytes& file);
+/// Does so for each COLLADA file in a ZAE package. Throws core::FileError for a damaged package, too.
+void requireSoundZae(const core::io::FileBytes& package);
 
 /// Throws core::FileError, with the line, if the file is not well-formed XML.
 void requireXml(const core::io::FileBytes& file);

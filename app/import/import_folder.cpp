@@ -92,7 +92,7 @@ const std::string* ImportFolder::replacement(const fs::path& path)
 {
     const std::string ending = lowerEnding(path);
     const bool isX3d = ending == ".x3d";
-    if (!isX3d && ending != ".dae" && ending != ".fbx")
+    if (!isX3d && ending != ".dae" && ending != ".zae" && ending != ".fbx")
         return nullptr;
     if (isX3d && m_opened == 0)
         m_outermost = path;
@@ -109,6 +109,9 @@ const std::string* ImportFolder::replacement(const fs::path& path)
             m_notes.models = std::move(fbx.models);
             m_notes.whyEmpty = std::move(fbx.whyEmpty);
             found->second = std::move(fbx.changed);
+        } else if (ending == ".zae") {
+            const std::string bytes = bytesOf(path);
+            requireSoundZae({path, bytes});
         } else {
             const std::string bytes = bytesOf(path);
             requireSoundCollada({path, bytes});

@@ -2,6 +2,7 @@
 // is known.
 
 #include "app/import/sandboxed_importer.h"
+#include "core/io/mesh/zip_writer.h"
 #include "core/io/mesh_io.h"
 #include "core/util/file_error.h"
 #include "tests/support/test_main.h"
@@ -215,6 +216,7 @@ private Q_SLOTS:
     void ogex_otherMetricsAreRefused();
     void dae_brokenRulesAreTold_data();
     void dae_brokenRulesAreTold();
+    void zae_brokenRulesAreTold();
     void dae_harmlessOdditiesAreRead();
     void brokenFiles_areToldWithTheirPlace_data();
     void brokenFiles_areToldWithTheirPlace();
@@ -1119,6 +1121,28 @@ void TestForeignScenes::dae_brokenRulesAreTold()
     QTEST(error->fault, "fault");
     QTEST(quint64(error->place.number), "line");
     QCOMPARE(error->token, token.toStdString());
+}
+
+/// The faults of a COLLADA file in a package are told with its name; a damaged package is incomplete.
+void TestForeignScenes::zae_brokenRulesAreTold()
+{
+    const auto package = [this](const QByteArray& text) {
+        core::AtomicFile out(file(QStringLiteral("p.zae")));
+        core::io::ZipWriter zip;
+        zip.add("in/a.dae", std::string_view(text.constData(), static_cast<std::size_t>(text.size())),
+                core::io::ZipWriter::Packing::Deflated);
+        zip.writeTo(out);
+        out.commit();
+        QFile made(m_dir.filePath(QStringLiteral("p.zae")));
+        return made.open(QIODevice::ReadOnly) ? made.readAll() : QByteArray();
+    };
+    const auto error = errorOf(QStringLiteral("a.zae"), package(dae({{"<node id=\"n\">", "<node id=\"n\"><skew/>"}})));
+    QVERIFY(error && error->fault == core::FileFault::NotRead);
+    QCOMPARE(error->place.number, std::uint64_t(13));
+    QCOMPARE(error->path.filename().string(), std::string("a.dae"));
+    const QByteArray whole = package(dae());
+    const auto cut = errorOf(QStringLiteral("a.zae"), whole.chopped(30));
+    QVERIFY(cut && cut->kind == core::FileErrorKind::CutOff);
 }
 
 /// What other programs read in spite of the rules is still read.
