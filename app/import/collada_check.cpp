@@ -142,14 +142,13 @@ private:
         std::uint64_t offset = 0, count = 0, params = 0, line = 0;
         std::uint64_t stride = 0; ///< 0: none is given, which means 1
     };
-    /// A list of triangles or polygons.
+    /// A list of triangles, polygons or lines.
     struct Primitive
     {
-        std::string name; ///< empty: none is open, or one of another kind
-        std::uint64_t count = 0, paths = 0, indices = 0, stride = 1, vertexOffset = 0;
-        bool hasCounts = false;
+        std::string name; ///< empty: none is open
+        std::uint64_t count = 0, sizes = 0, paths = 0, indices = 0, stride = 1, vertexOffset = 0;
     };
-    enum class Words { Ignored, Values, Indices };
+    enum class Words { Ignored, Values, Counts, Indices };
 
     void begin(std::string_view name, const XmlAttributes& attributes)
     {
@@ -160,12 +159,20 @@ private:
             m_nodes.addInstance(attributes.text("url"));
         else if (name == "skew" && m_nodes.isOpen())
             attributes.refuse(FileFault::NotRead, "skew");
-        else if (name == "triangles" || name == "polylist" || name == "polygons")
+        else if (isCounted(name))
             m_primitive = {std::string(name), attributes.whole("count")};
+        else if (name == "tristrips" || name == "trifans" || name == "lines" || name == "linestrips")
+            m_primitive = {std::string(name)};
         else if (!m_primitive.name.empty())
             beginInPrimitive(name, attributes);
         else
             beginInSource(name, attributes);
+    }
+
+    /// Returns whether Assimp takes the number of primitives from the attribute.
+    static bool isCounted(std::string_view name)
+    {
+        return name == "triangles" || name == "polylist" || name == "polygons";
     }
 
     void beginInSource(std::string_view name, const XmlAttributes& attributes)
@@ -196,9 +203,9 @@ private:
             if (attributes.text("semantic") == "VERTEX")
                 m_primitive.vertexOffset = offset;
         } else if (name == "vcount") {
-            m_primitive.hasCounts = true;
+            beginWords(Words::Counts, m_primitive.sizes);
         } else if (name == "p") {
-            if (m_primitive.name == "polylist" && !m_primitive.hasCounts)
+            if (m_primitive.name == "polylist" && m_primitive.sizes == 0)
                 attributes.refuse(FileFault::Missing, "vcount");
             ++m_primitive.paths;
             beginWords(Words::Indices, m_primitive.indices);
@@ -235,12 +242,18 @@ private:
     void endPrimitive()
     {
         const Primitive primitive = std::exchange(m_primitive, {});
-        const bool isByPath = primitive.name == "polygons";
+        if (!isCounted(primitive.name))
+            return;
         if (primitive.count > 0 && primitive.paths == 0)
             throw core::io::malformed(FileFault::Missing, core::io::errorWithToken({}, m_file, "p"));
-        if (isByPath ? primitive.paths != primitive.count : primitive.count == 0 && primitive.indices > 0)
+        const bool areTriangles = primitive.name == "triangles";
+        const std::uint64_t found = areTriangles                   ? primitive.indices / primitive.stride / 3
+                                    : primitive.name == "polygons" ? primitive.paths
+                                                                   : primitive.count;
+        const bool isIgnored = primitive.count == 0 && primitive.indices > 0;
+        if (isIgnored || (areTriangles ? found < primitive.count : found != primitive.count))
             throw core::io::withCounts(core::io::errorWithToken(FileErrorKind::CountMismatch, m_file, {}),
-                                       primitive.count, isByPath ? primitive.paths : 1);
+                                       primitive.count, std::max<std::uint64_t>(found, isIgnored ? 1 : 0));
     }
 
     void beginWords(Words words, std::uint64_t& counter)
@@ -266,6 +279,10 @@ private:
     void beginWord(std::string_view word)
     {
         const std::uint64_t number = (*m_counter)++;
+        const std::size_t sign = word.starts_with('-') || word.starts_with('+') ? 1 : 0;
+        const bool isWhole = word.find_first_not_of("0123456789", sign) == std::string_view::npos;
+        if (m_words != Words::Values && !isWhole) // Assimp never gets past such a word
+            throw core::io::malformed(FileFault::WholeNumber, core::io::errorWithToken({}, m_file, word));
         if (m_words == Words::Indices && word.starts_with('-') &&
             number % m_primitive.stride == m_primitive.vertexOffset)
             throw core::io::malformed(FileFault::VertexIndex, core::io::errorWithToken({}, m_file, word));

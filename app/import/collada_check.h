@@ -5,8 +5,9 @@
 namespace app
 {
 /// Throws core::FileError, with the line, for content of a COLLADA file at which Assimp 5.2 ends its process, reads
-/// beyond values, or silently drops or moves faces: accessors that exceed their values, primitives without their
-/// indices or counts, negative indices, nodes that contain themselves, and skews. Leaves broken XML to Assimp.
+/// beyond values, fills all memory, or silently drops or moves faces: accessors that exceed their values, primitives
+/// without their counts or with too few indices, words or negative numbers among these, nodes that contain themselves,
+/// and skews. Leaves broken XML to Assimp.
 void requireSoundCollada(const core::io::FileBytes& file);
 /// Does so for each COLLADA file in a ZAE package. Throws core::FileError for a damaged package, too.
 void requireSoundZae(const core::io::FileBytes& package);

@@ -1103,6 +1103,17 @@ void TestForeignScenes::dae_brokenRulesAreTold_data()
         "vcount");
     row("fewer polygons than announced", dae({{"triangles", "polygons"}, {indices, "<p>0 2 1</p><p>0 1 3</p>"}}),
         Fault::None, 10, "", Kind::CountMismatch);
+    row("fewer triangles than announced", dae({{"2 0 3</p>", "2 0</p>"}}), Fault::None, 10, "", Kind::CountMismatch);
+    row("far fewer", dae({{"triangles count=\"4\"", "triangles count=\"4294967295\""}}), Fault::None, 10, "",
+        Kind::CountMismatch);
+    row("a huge place of an index", dae({{"offset=\"0\"", "offset=\"4294967295\""}}), Fault::None, 10, "",
+        Kind::CountMismatch);
+    row("no triangles announced", dae({{"triangles count=\"4\"", "triangles count=\"0\""}}), Fault::None, 10, "",
+        Kind::CountMismatch);
+    row("a word among the indices", dae({{"2 0 3</p>", "2 zero 3</p>"}}), Fault::WholeNumber, 10, "zero");
+    row("a fraction among the indices", dae({{"2 0 3</p>", "2 0.5 3</p>"}}), Fault::WholeNumber, 10, "0.5");
+    row("a word among the sizes", dae({{"triangles", "polylist"}, {"<p>", "<vcount>3 3 x 3</vcount><p>"}}),
+        Fault::WholeNumber, 10, "x");
     row("a node in itself", dae({{"<node id=\"n\">", "<node id=\"n\"><instance_node url=\"#n\"/>"}}), Fault::TooDeep,
         13, "nodes below n");
     row("a word among the values", dae({{values, "0 0 0 1 x 0 0 1 0 0 0 1"}}), Fault::None, 5, "x", Kind::NotANumber);
