@@ -237,12 +237,8 @@
         <translation>dünnste erlaubte Wand, mm</translation>
     </message>
     <message>
-        <source>thinnest wall by rays, mm</source>
-        <translation>dünnste Wand (Strahlen), mm</translation>
-    </message>
-    <message>
-        <source>thinnest wall by balls, mm</source>
-        <translation>dünnste Wand (Kugeln), mm</translation>
+        <source>thinnest wall, mm</source>
+        <translation>dünnste Wand, mm</translation>
     </message>
     <message>
         <source>surface that is too thin</source>
@@ -7433,8 +7429,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Zu groß für %1</translation>
     </message>
     <message>
-        <source>Shares are of the surface. The thinnest place: %1 mm by rays, %2 mm by balls that fit inside.</source>
-        <translation>Anteile beziehen sich auf die Oberfläche. Die dünnste Stelle: %1 mm nach Strahlen, %2 mm nach Kugeln, die hineinpassen.</translation>
+        <source>Shares are of the surface. The thinnest place: %1 mm.</source>
+        <translation>Anteile beziehen sich auf die Oberfläche. Die dünnste Stelle: %1 mm.</translation>
     </message>
     <message>
         <source>Walls from %1 mm on</source>

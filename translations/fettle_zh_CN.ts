@@ -236,12 +236,8 @@
         <translation>允许的最薄壁厚，mm</translation>
     </message>
     <message>
-        <source>thinnest wall by rays, mm</source>
-        <translation>射线法最薄壁厚，mm</translation>
-    </message>
-    <message>
-        <source>thinnest wall by balls, mm</source>
-        <translation>球法最薄壁厚，mm</translation>
+        <source>thinnest wall, mm</source>
+        <translation>最薄壁厚，mm</translation>
     </message>
     <message>
         <source>surface that is too thin</source>
@@ -7402,8 +7398,8 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>对 %1 太大</translation>
     </message>
     <message>
-        <source>Shares are of the surface. The thinnest place: %1 mm by rays, %2 mm by balls that fit inside.</source>
-        <translation>比例相对于整个表面。最薄处：射线法 %1 mm，内切球法 %2 mm。</translation>
+        <source>Shares are of the surface. The thinnest place: %1 mm.</source>
+        <translation>比例相对于整个表面。最薄处：%1 mm。</translation>
     </message>
     <message>
         <source>Walls from %1 mm on</source>

@@ -77,9 +77,8 @@ void addPrint(Json& json, const CheckOptions& options, const Checked& checked)
     const core::PrintReport& print = *checked.print;
     const auto share = [&](double area) { return print.area > 0 ? area / print.area : 0; };
     json["wall_limit_mm"] = options.print->minWall;
-    json["min_wall_rays_mm"] = orNull(print.minByRays);
-    json["min_wall_balls_mm"] = orNull(print.minByBalls);
-    json["thin_share"] = print.minByBalls ? Json(share(print.thin.area)) : Json(nullptr);
+    json["min_wall_mm"] = orNull(print.thinnest);
+    json["thin_share"] = print.thinnest ? Json(share(print.thin.area)) : Json(nullptr);
     json["overhang_share"] = share(print.overhangs.area);
     json["base_area_mm2"] = print.baseArea;
     json["fits_bed"] = options.hasBed ? Json(print.fit != core::BedFit::Not) : Json(nullptr);
@@ -251,8 +250,7 @@ QString labelOf(const std::string& key)
         {"strokes", QT_TRANSLATE_NOOP("app::CheckCommand", "strokes")},
         {"time_spent_s", QT_TRANSLATE_NOOP("app::CheckCommand", "working time, s")},
         {"wall_limit_mm", QT_TRANSLATE_NOOP("app::CheckCommand", "thinnest wall allowed, mm")},
-        {"min_wall_rays_mm", QT_TRANSLATE_NOOP("app::CheckCommand", "thinnest wall by rays, mm")},
-        {"min_wall_balls_mm", QT_TRANSLATE_NOOP("app::CheckCommand", "thinnest wall by balls, mm")},
+        {"min_wall_mm", QT_TRANSLATE_NOOP("app::CheckCommand", "thinnest wall, mm")},
         {"thin_share", QT_TRANSLATE_NOOP("app::CheckCommand", "surface that is too thin")},
         {"overhang_share", QT_TRANSLATE_NOOP("app::CheckCommand", "surface that overhangs")},
         {"base_area_mm2", QT_TRANSLATE_NOOP("app::CheckCommand", "base, mm²")},
@@ -307,7 +305,7 @@ QStringList tableFields(const CheckOptions& options, const QString& name, const 
     };
     if (options.print) {
         const Json& share = json["overhang_share"];
-        fields << toDecimals(json["min_wall_balls_mm"], 2)
+        fields << toDecimals(json["min_wall_mm"], 2)
                << (share.is_null() ? QStringLiteral("-") : percent(share.get<double>()))
                << toDecimals(json["base_area_mm2"], 1);
     }

@@ -79,7 +79,7 @@ PrintFault thinPlaces(const PrintMeasures& measures, const Sides& sides, double 
     if (!measures.walls)
         return {};
     const double limit = minWall - wallTolerance(measures.mesh, minWall);
-    const std::vector<float>& thickness = measures.walls->byBalls;
+    const std::vector<float>& thickness = measures.walls->atCentres;
     PrintPlaces places(measures.mesh);
     auto part = measures.walls->parts.begin();
     const auto end = measures.walls->parts.end();
@@ -115,14 +115,16 @@ PrintFault overhangPlaces(const TriangleMesh& mesh, const Sides& sides, double l
     return fault;
 }
 
-/// Returns the least thickness over all faces' centres and all parts; nothing if no face has an opposite face.
-std::optional<double> minOf(const WallThickness& walls, const std::vector<float>& atCentres, float WallPart::*ofPart)
+/// Returns the least thickness over all faces' centres, parts and ridges; nothing if no face has an opposite face.
+std::optional<double> thinnestOf(const WallThickness& walls)
 {
     float min = std::numeric_limits<float>::infinity();
-    for (const float thickness : atCentres)
+    for (const float thickness : walls.atCentres)
         min = std::min(min, thickness);
     for (const WallPart& part : walls.parts)
-        min = std::min(min, part.*ofPart);
+        min = std::min(min, part.least);
+    for (const WallRidge& ridge : walls.ridges)
+        min = std::min(min, ridge.least);
     return std::isfinite(min) ? std::optional(static_cast<double>(min)) : std::nullopt;
 }
 
@@ -157,13 +159,8 @@ PrintReport checkForPrint(const PrintMeasures& measures, const PrintLimits& limi
     PrintReport report;
     const Sides sides(measures.mesh);
     report.area = measures.report.area;
-    if (measures.walls) {
-        report.minByRays = minOf(*measures.walls, measures.walls->byRays, &WallPart::byRays);
-        report.minByBalls = minOf(*measures.walls, measures.walls->byBalls, &WallPart::least);
-        for (const WallRidge& ridge : measures.walls->ridges)
-            if (const auto least = static_cast<double>(ridge.least); least < report.minByBalls.value_or(least + 1))
-                report.minByBalls = least;
-    }
+    if (measures.walls)
+        report.thinnest = thinnestOf(*measures.walls);
     report.thin = thinPlaces(measures, sides, limits.minWall);
     // The strips along thin ridges overlap thin faces, so the sum may exceed the whole area.
     report.thin.area = std::min(report.thin.area, report.area);
@@ -222,7 +219,7 @@ std::vector<float> pictureOf(const PrintMeasures& measures, PrintPicture picture
     for (Slot f = 0; f < measures.mesh.triangles.size(); ++f) {
         if (isThickness && isDivided[f])
             continue;
-        const float value = isThickness ? measures.walls->byBalls[f] : static_cast<float>(leaningOf(sides[f]));
+        const float value = isThickness ? measures.walls->atCentres[f] : static_cast<float>(leaningOf(sides[f]));
         for (const Slot corner : measures.mesh.triangles[f])
             values[corner] = isThickness ? std::min(values[corner], value) : std::max(values[corner], value);
     }

@@ -17,7 +17,7 @@ struct PrintLimits
 {
     static constexpr double defaultNozzle = 0.4, linesPerWall = 2;
     static constexpr double maxWall = 10; ///< largest minimum wall that a user may ask for, mm
-    /// Diameter up to which thickness is measured with balls, mm; thicker walls are measured by rays only.
+    /// Diameter up to which walls are measured in every part of a face, mm.
     static constexpr double largestBall = maxWall;
     /// Height above the lowest point that counts as touching the bed, mm. Smaller than the height of any first layer.
     static constexpr double bedTolerance = 0.01;
@@ -68,8 +68,8 @@ struct PrintReport
 {
     double area = 0; ///< area of the whole surface, mm^2
     /// Least thickness, mm. Missing if thickness was not measured or no face has an opposite face.
-    std::optional<double> minByRays, minByBalls;
-    PrintFault thin;      ///< places thinner than the limit, by rays or by balls
+    std::optional<double> thinnest;
+    PrintFault thin;      ///< places thinner than the limit
     PrintFault overhangs; ///< places that lean out more than the limit, except those on the bed
     double baseArea = 0;  ///< area of the flat surface that touches the bed, mm^2
     BedFit fit = BedFit::AsItStands;

@@ -174,9 +174,9 @@ WallPart WallParts::partOf(Slot position, const Cell& cell) const
     for (std::size_t i = 0; i < 3; ++i)
         part.corners[i] = m_surface.pointOf(position, cell.cell.weights[i]).cast<float>();
     part.share = static_cast<float>(cell.share);
-    const double rays = m_rays.byRays(position, cell.thinnest, m_limits.largestBall);
-    part.byRays = static_cast<float>(rays);
-    part.least = static_cast<float>(std::min(cell.least, rays));
+    const double least =
+        cell.least < noBall ? cell.least : m_rays.byRays(position, cell.thinnest, m_limits.largestBall);
+    part.least = static_cast<float>(least);
     part.most = std::max(part.least, static_cast<float>(cell.most));
     part.thinnest = cell.thinnest.cast<float>();
     return part;

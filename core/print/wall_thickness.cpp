@@ -49,7 +49,7 @@ public:
         const auto parts = joinChunks<std::vector<WallPart>>(
             large.size(), atOnce, [&](std::size_t begin, std::size_t end, std::vector<WallPart>& some) {
                 for (std::size_t i = begin; i < end && !control.isCancelled(); ++i) {
-                    const double centre = static_cast<double>(result.byBalls[m_surface.faceAt(large[i])]);
+                    const double centre = static_cast<double>(result.atCentres[m_surface.faceAt(large[i])]);
                     const std::vector<WallPart> divided = m_parts.divide(large[i], centre, control);
                     some.insert(some.end(), divided.begin(), divided.end());
                 }
@@ -59,7 +59,7 @@ public:
 
     void measureRidges(const TriangleMesh& mesh, const JobControl& control, WallThickness& result) const
     {
-        std::vector<float> least = result.byBalls;
+        std::vector<float> least = result.atCentres;
         for (const WallPart& part : result.parts)
             least[part.face] = std::min(least[part.face], part.least);
         result.ridges = WallRidges(mesh, m_surface.edges(), m_rays, m_largestBall).measure(least, control);
@@ -89,8 +89,7 @@ private:
             ball = std::min(rays, m_balls.byBall(position, centre, std::min(m_largestBall, depth)));
             m_isLarge[position] = m_parts.isLarge(position, ball, depth) ? 1 : 0;
         }
-        result.byRays[m_surface.faceAt(position)] = static_cast<float>(rays);
-        result.byBalls[m_surface.faceAt(position)] = static_cast<float>(ball);
+        result.atCentres[m_surface.faceAt(position)] = static_cast<float>(ball);
     }
 
     WallSurface m_surface;
@@ -122,8 +121,7 @@ WallThickness wallThickness(const TriangleMesh& mesh, double largestBall, const 
 {
     WallThickness result;
     const std::size_t faces = mesh.triangles.size();
-    result.byRays.resize(faces);
-    result.byBalls.resize(faces);
+    result.atCentres.resize(faces);
     Thickness thickness(mesh, largestBall);
     for (std::size_t first = 0; first < faces && !control.isCancelled(); first += facesPerPart) {
         const std::size_t count = std::min(facesPerPart, faces - first);

@@ -16,7 +16,6 @@ struct WallPart
     /// Thickness at the thinnest place, at most 4 % too large, and approximately the largest thickness. `most` is
     /// infinity if somewhere no face is opposite or the opposite face is much farther away.
     float least = 0, most = 0;
-    float byRays = 0; ///< thickness by rays from the thinnest place, never below `least`
     Vec3f thinnest = Vec3f::Zero();
 
     /// Returns the share of the part, 0 to 1, that is thinner than `thickness`. Assumes a linear increase from least to
@@ -53,11 +52,9 @@ struct WallRidge
 /// Infinity where nothing is opposite, and for a face without area.
 struct WallThickness
 {
-    /// Thickness of each face at its centre: the least ball that a cone of five rays finds.
-    std::vector<float> byRays;
     /// Thickness of each face at its centre: the ball that no visible opposite face reaches into, at most 4 % too large
-    /// (7 % for meshes of more than 100,000 faces). Never above byRays.
-    std::vector<float> byBalls;
+    /// (7 % for meshes of more than 100,000 faces).
+    std::vector<float> atCentres;
     /// Parts of faces that are large for their thickness, so that the thickness at the centre is not enough. Sorted by
     /// face; together the parts of a face cover it. A face is divided where it is thinner than the largest ball.
     /// Division ends when the thickness within a part differs by less than a tenth (a fifth for more than 100,000

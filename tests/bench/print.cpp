@@ -40,7 +40,7 @@ void print(benchmark::State& state)
     core::PrintMeasures measures;
     measures.mesh = model(part);
     measures.walls.emplace();
-    measures.walls->byBalls.resize(measures.mesh.triangles.size());
+    measures.walls->atCentres.resize(measures.mesh.triangles.size());
     for ([[maybe_unused]] auto round : state) {
         const auto start = std::chrono::steady_clock::now();
         if (part == Judging)

@@ -89,12 +89,10 @@ PrintFinding walls(const core::PrintReport& print, const core::PrintLimits& limi
         return length ? millimetres(*length) : QStringLiteral("–");
     };
     PrintFinding finding;
-    finding.tip =
-        PrintText::tr("Shares are of the surface. The thinnest place: %1 mm by rays, %2 mm by balls that fit inside.")
-            .arg(mm(print.minByRays), mm(print.minByBalls));
+    finding.tip = PrintText::tr("Shares are of the surface. The thinnest place: %1 mm.").arg(mm(print.thinnest));
     if (print.thin.count == 0) {
-        finding.text = print.minByBalls ? PrintText::tr("Walls from %1 mm on").arg(mm(print.minByBalls))
-                                        : PrintText::tr("No thin walls");
+        finding.text = print.thinnest ? PrintText::tr("Walls from %1 mm on").arg(mm(print.thinnest))
+                                      : PrintText::tr("No thin walls");
         return finding;
     }
     const QString limit = QLocale().toString(limits.minWall, 'g', 4);

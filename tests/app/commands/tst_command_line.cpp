@@ -871,10 +871,9 @@ void TestCommandLine::check_print()
         fettle(asked + QStringList{QStringLiteral("--json"), QStringLiteral("--bed"), QStringLiteral("25,15,10")});
     QCOMPARE(answer.status, 0); // a thin model is still valid
     const QJsonObject json = answer.json();
-    QCOMPARE(json.size(), 23 + 8);
+    QCOMPARE(json.size(), 23 + 7);
     QCOMPARE(json[QStringLiteral("wall_limit_mm")].toDouble(), 0.8);
-    for (const char* key : {"min_wall_rays_mm", "min_wall_balls_mm"})
-        QVERIFY2(std::abs(json[QLatin1String(key)].toDouble() - 0.5) < 1e-6, key);
+    QVERIFY(std::abs(json[QStringLiteral("min_wall_mm")].toDouble() - 0.5) < 1e-6);
     QVERIFY(std::abs(json[QStringLiteral("thin_share")].toDouble() - 800.0 / 840) < 1e-6);
     QCOMPARE(json[QStringLiteral("overhang_share")].toDouble(-1), 0.0);
     QCOMPARE(json[QStringLiteral("base_area_mm2")].toDouble(), 400.0);
@@ -903,14 +902,14 @@ void TestCommandLine::check_print()
                            "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
     const QJsonObject wedge =
         fettle({QStringLiteral("check"), at("wedge.obj"), QStringLiteral("--print"), QStringLiteral("--json")}).json();
-    QVERIFY(std::abs(wedge[QStringLiteral("min_wall_balls_mm")].toDouble() / 0.2 - 1) < 0.05);
+    QVERIFY(std::abs(wedge[QStringLiteral("min_wall_mm")].toDouble() / 0.2 - 1) < 0.05);
     QVERIFY(std::abs(wedge[QStringLiteral("thin_share")].toDouble() - 0.051) < 0.006);
 
     write(at("cube.obj"), cube);
     const Answer csv = fettle(asked + QStringList{at("cube.obj"), QStringLiteral("--csv")});
     QCOMPARE(csv.out.count('\n'), 3);
     QVERIFY(csv.out.split('\n')[0].endsWith(
-        "print_ready,strokes,time_spent_s,wall_limit_mm,min_wall_rays_mm,min_wall_balls_mm,thin_share,overhang_share,"
+        "print_ready,strokes,time_spent_s,wall_limit_mm,min_wall_mm,thin_share,overhang_share,"
         "base_area_mm2,fits_bed,unit_doubt"));
     QVERIFY(csv.out.contains(",inches\n"));
     QCOMPARE(fettle(asked + QStringList{at("cube.obj")}).out.count('\n'), 3);
@@ -920,7 +919,7 @@ void TestCommandLine::check_print()
     const Answer open =
         fettle({QStringLiteral("check"), at("open.obj"), QStringLiteral("--print"), QStringLiteral("--json")});
     QCOMPARE(open.status, 1);
-    for (const char* key : {"min_wall_rays_mm", "min_wall_balls_mm", "thin_share", "unit_doubt"})
+    for (const char* key : {"min_wall_mm", "thin_share", "unit_doubt"})
         QVERIFY2(open.json()[QLatin1String(key)].isNull(), key);
 }
 

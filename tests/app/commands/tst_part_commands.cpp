@@ -197,7 +197,7 @@ void TestPartCommands::check_measuresTheUnion()
         const Answer answer = run(QStringLiteral("check --print --json plate.glb"));
         const QJsonObject json = QJsonDocument::fromJson(answer.out.toUtf8()).object();
         return answer.status == 0 && json[QLatin1StringView("faces")].toInt() == 24
-                   ? json[QLatin1StringView("min_wall_rays_mm")].toDouble(-1)
+                   ? json[QLatin1StringView("min_wall_mm")].toDouble(-1)
                    : -2;
     };
     QVERIFY(thinnest(9.75F, 10.25F, true) > 9);

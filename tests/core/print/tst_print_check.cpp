@@ -145,16 +145,15 @@ void TestPrintCheck::walls_areAsThickAsTheyWereMade()
     constexpr double tolerance = 0.06; // relative; facets cut into the ideal round shape
     const PrintMeasures measures = measured(mesh);
     QVERIFY(measures.walls);
-    for (const std::vector<float>& found : {measures.walls->byRays, measures.walls->byBalls}) {
-        QVERIFY2(std::abs(minOf(found) / thickness - 1) < tolerance, qPrintable(QString::number(minOf(found))));
-        double all = 0, soThick = 0;
-        for (std::size_t f = 0; f < found.size(); ++f) {
-            const double area = normalOf(mesh, f).norm();
-            all += area;
-            soThick += std::abs(static_cast<double>(found[f]) / thickness - 1) < tolerance ? area : 0;
-        }
-        QVERIFY2(soThick / all > share - 1e-9, qPrintable(QString::number(soThick / all)));
+    const std::vector<float>& found = measures.walls->atCentres;
+    QVERIFY2(std::abs(minOf(found) / thickness - 1) < tolerance, qPrintable(QString::number(minOf(found))));
+    double all = 0, soThick = 0;
+    for (std::size_t f = 0; f < found.size(); ++f) {
+        const double area = normalOf(mesh, f).norm();
+        all += area;
+        soThick += std::abs(static_cast<double>(found[f]) / thickness - 1) < tolerance ? area : 0;
     }
+    QVERIFY2(soThick / all > share - 1e-9, qPrintable(QString::number(soThick / all)));
     const PrintReport report = core::checkForPrint(measures, {.minWall = thickness * (1 + tolerance), .bed = {}});
     QVERIFY(report.thin.area > share * report.area * (1 - 1e-6));
     QCOMPARE(core::checkForPrint(measures, {.minWall = thickness * (1 - tolerance), .bed = {}}).thin.count, 0u);
@@ -166,7 +165,7 @@ void TestPrintCheck::edges_ofRightAnglesAreNotThin()
          {shapes::cube(10), turnedAboutZ(shapes::cube(10), 20), shapes::scaled(shapes::tetrahedron(), 10)}) {
         const PrintMeasures measures = measured(mesh);
         QVERIFY(measures.walls);
-        QVERIFY(minOf(measures.walls->byBalls) > 5);
+        QVERIFY(minOf(measures.walls->atCentres) > 5);
     }
 }
 
@@ -174,8 +173,8 @@ void TestPrintCheck::edges_ofKnivesAre()
 {
     const PrintMeasures measures = measured(wedge(30));
     QVERIFY(measures.walls);
-    QVERIFY(minOf(measures.walls->byBalls) < 3);
-    QVERIFY(minOf(measures.walls->byBalls) > 0.5);
+    QVERIFY(minOf(measures.walls->atCentres) < 3);
+    QVERIFY(minOf(measures.walls->atCentres) > 0.5);
 }
 
 void TestPrintCheck::balls_areEmpty_data()
@@ -200,8 +199,7 @@ void TestPrintCheck::balls_areEmpty()
     QVERIFY(measures.walls);
     std::size_t balls = 0;
     for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
-        const auto diameter = static_cast<double>(measures.walls->byBalls[f]);
-        QVERIFY(measures.walls->byBalls[f] <= measures.walls->byRays[f]);
+        const auto diameter = static_cast<double>(measures.walls->atCentres[f]);
         if (!std::isfinite(diameter) || diameter > PrintLimits::largestBall)
             continue;
         ++balls;
@@ -225,8 +223,7 @@ void TestPrintCheck::walls_doNotDependOnThreads()
     core::WorkerPool::shared().setThreads(5);
     const core::WallThickness together = core::wallThickness(mesh, PrintLimits::largestBall);
     core::WorkerPool::shared().setThreads(0);
-    QVERIFY(alone.byRays == together.byRays);
-    QVERIFY(alone.byBalls == together.byBalls);
+    QVERIFY(alone.atCentres == together.atCentres);
 }
 
 void TestPrintCheck::thin_isNeverMoreThanAll_data()
@@ -269,8 +266,8 @@ void TestPrintCheck::thin_placesAreFoundApart()
         QVERIFY(std::abs(std::abs(place.normal.y()) - 1) < 1e-6);
     }
     QVERIFY(std::abs(report.thin.area - 1000) < 0.1);
-    QVERIFY(report.minByBalls);
-    QVERIFY(std::abs(*report.minByBalls - 0.5) < 1e-3);
+    QVERIFY(report.thinnest);
+    QVERIFY(std::abs(*report.thinnest - 0.5) < 1e-3);
 }
 
 void TestPrintCheck::overhangs_areThoseThatLeanOut()
@@ -342,7 +339,7 @@ void TestPrintCheck::broken_modelsHaveNoWalls()
         const PrintMeasures measures = measured(mesh);
         QVERIFY(!measures.walls);
         const PrintReport report = core::checkForPrint(measures, {.bed = {300, 300, 300}});
-        QVERIFY(!report.minByRays && !report.minByBalls);
+        QVERIFY(!report.thinnest);
         QCOMPARE(report.thin.count, 0u);
         QVERIFY(report.fit == core::BedFit::AsItStands);
         QVERIFY(std::ranges::all_of(core::pictureOf(measures, PrintPicture::Thickness),

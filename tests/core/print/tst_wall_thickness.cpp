@@ -875,8 +875,7 @@ void TestWallThickness::wedge_isMeasuredAtItsThinEnd()
 {
     const PrintMeasures measures = core::measureForPrint(wedge(0.2, 10));
     const PrintReport report = core::checkForPrint(measures, {.minWall = 0.8, .bed = {}});
-    QVERIFY(report.minByBalls && std::abs(*report.minByBalls / 0.2 - 1) < 0.05);
-    QVERIFY(report.minByRays && std::abs(*report.minByRays / 0.2 - 1) < 0.1);
+    QVERIFY(report.thinnest && std::abs(*report.thinnest / 0.2 - 1) < 0.05);
     // The wedge is thinner than 0.8 mm up to 6.1 mm from its thin end, on each of its two sides.
     const double expected = 2 * 40 * 100 * 0.6 / 9.8 / report.area;
     QVERIFY2(std::abs(thinShare(report) / expected - 1) < 0.1, qPrintable(QString::number(thinShare(report))));
@@ -901,7 +900,7 @@ void TestWallThickness::groove_isMeasuredAtItsGround()
     QFETCH(const double, halfWidth);
     const TriangleMesh block = grooved(0.5, halfWidth);
     const PrintReport report = core::checkForPrint(core::measureForPrint(block), {.minWall = 0.8, .bed = {}});
-    QVERIFY(report.minByBalls && std::abs(*report.minByBalls / 0.5 - 1) < 0.05);
+    QVERIFY(report.thinnest && std::abs(*report.thinnest / 0.5 - 1) < 0.05);
     // The groove's sides are too steep to be opposite faces. Balls within 30 degrees of the normal touch its bottom
     // edge.
     if (halfWidth > 10)
@@ -925,7 +924,7 @@ void TestWallThickness::edgesOf60Degrees_areNoThinPlaces()
     for (int turn = 0; turn < 12; ++turn) {
         const PrintMeasures measures = core::measureForPrint(turned(bar, random.rotation()));
         const PrintReport report = core::checkForPrint(measures, {.minWall = 0.8, .bed = {}});
-        QVERIFY2(report.minByBalls && *report.minByBalls > 10, qPrintable(QString::number(turn)));
+        QVERIFY2(report.thinnest && *report.thinnest > 10, qPrintable(QString::number(turn)));
         QCOMPARE(report.thin.count, std::size_t(0));
     }
 }
@@ -938,7 +937,7 @@ void TestWallThickness::parts_agreeWithDenseSampling()
         const TriangleMesh part = randomPart(number);
         const PrintMeasures measures = core::measureForPrint(part);
         QVERIFY2(measures.walls, qPrintable(QStringLiteral("seed %1 makes no solid").arg(number)));
-        const double least = core::checkForPrint(measures, {.bed = {}}).minByBalls.value_or(infinity);
+        const double least = core::checkForPrint(measures, {.bed = {}}).thinnest.value_or(infinity);
         const double limit = std::min(PrintLimits::maxWall, (1.1 + 0.1 * (number % 20)) * std::max(least, 0.2));
         const PrintReport report = core::checkForPrint(measures, {.minWall = limit, .bed = {}});
         const Reference::Figures reference = Reference(part).figures(limit * (1 - 1e-3), 4000);
@@ -1014,7 +1013,7 @@ void TestWallThickness::ridges_agreeWithDenseSampling()
         QVERIFY(measures.walls);
         const double limit = std::min(PrintLimits::maxWall, random.between(1.05, 2) * left);
         const PrintReport report = core::checkForPrint(measures, {.minWall = limit, .bed = {}});
-        const double least = report.minByBalls.value_or(infinity);
+        const double least = report.thinnest.value_or(infinity);
         const Reference::Figures reference = Reference(mesh).figures(limit * (1 - 1e-3), 4000);
         const QString figures = QStringLiteral("%1: %2 mm, reference %3; thinner than %4: %5, reference %6")
                                     .arg(number)
@@ -1073,8 +1072,8 @@ void TestWallThickness::ridges_areMeasuredAtTheirGround()
     for (int turn = 0; turn < turns; ++turn) {
         const PrintMeasures measures = core::measureForPrint(turn == 0 ? mesh : turned(mesh, random.rotation()));
         const PrintReport report = core::checkForPrint(measures, {.minWall = 0.8, .bed = {}});
-        QVERIFY2(report.minByBalls && std::abs(*report.minByBalls / left - 1) < 0.02,
-                 qPrintable(QString::number(report.minByBalls.value_or(-1))));
+        QVERIFY2(report.thinnest && std::abs(*report.thinnest / left - 1) < 0.02,
+                 qPrintable(QString::number(report.thinnest.value_or(-1))));
         QVERIFY(report.thin.count > 0 && report.thin.area > 0);
         QVERIFY(std::ranges::any_of(report.thin.places, [&](const core::PrintPlace& place) {
             return std::abs(place.worst / left - 1) < 0.02;
@@ -1115,13 +1114,13 @@ void TestWallThickness::rods_ofThreeSidesAreThin()
     for (int turn = 0; turn < 4; ++turn) {
         const PrintReport report =
             core::checkForPrint(core::measureForPrint(turned(rod, random.rotation())), {.minWall = 0.8, .bed = {}});
-        QVERIFY(report.minByBalls && *report.minByBalls < 0.45);
+        QVERIFY(report.thinnest && *report.thinnest < 0.45);
         QVERIFY2(thinShare(report) > 0.3, qPrintable(QString::number(thinShare(report))));
     }
     for (const int sides : {3, 4, 6}) {
         const PrintReport report = core::checkForPrint(
             core::measureForPrint(turned(spike(sides, 1, 20), random.rotation())), {.minWall = 0.8, .bed = {}});
-        QVERIFY2(report.minByBalls && *report.minByBalls < 0.15, qPrintable(QString::number(sides)));
+        QVERIFY2(report.thinnest && *report.thinnest < 0.15, qPrintable(QString::number(sides)));
         QVERIFY(report.thin.count > 0);
     }
 }
@@ -1133,8 +1132,8 @@ void TestWallThickness::grooves_ofFineModelsAreSeen()
     while (block.triangles.size() <= 100'000)
         block = inQuarters(block);
     const PrintReport report = core::checkForPrint(core::measureForPrint(block), {.minWall = 0.8, .bed = {}});
-    QVERIFY2(report.minByBalls && std::abs(*report.minByBalls / 0.4 - 1) < 0.1,
-             qPrintable(QString::number(report.minByBalls.value_or(-1))));
+    QVERIFY2(report.thinnest && std::abs(*report.thinnest / 0.4 - 1) < 0.1,
+             qPrintable(QString::number(report.thinnest.value_or(-1))));
     QVERIFY(report.thin.count > 0);
 }
 
@@ -1153,7 +1152,7 @@ void TestWallThickness::barsBetweenHoles_areThin()
     for (int turn = 0; turn < 3; ++turn) {
         const PrintReport report =
             core::checkForPrint(core::measureForPrint(turned(plate, random.rotation())), {.minWall = 0.8, .bed = {}});
-        QVERIFY(report.minByBalls && std::abs(*report.minByBalls / bar - 1) < 0.01);
+        QVERIFY(report.thinnest && std::abs(*report.thinnest / bar - 1) < 0.01);
         QVERIFY2(std::abs(report.thin.area / (inHoles + outside) - 1) < 0.03,
                  qPrintable(QStringLiteral("%1 mm2, not %2").arg(report.thin.area).arg(inHoles + outside)));
     }
@@ -1169,7 +1168,7 @@ void TestWallThickness::parts_makeUpTheirFaces()
         const auto corner = [&](std::size_t i) { return Vec3(part.corners[i].cast<double>()); };
         shares[part.face] += double(part.share);
         areas[part.face] += (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm() / 2;
-        QVERIFY(part.least <= part.most && part.least <= part.byRays);
+        QVERIFY(part.least <= part.most);
         const auto corners = core::cornersOf(block, part.face);
         const Vec3 thinnest = part.thinnest.cast<double>();
         QVERIFY((core::nearestInTriangle(thinnest, corners) - thinnest).norm() < 1e-4);
