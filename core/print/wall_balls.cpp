@@ -26,7 +26,7 @@ namespace
 constexpr double shallow = 0.04, shallowOfMany = 0.1;
 constexpr int maxShrinkings = 48;
 /// Least start diameter of a second search, in the model's unit.
-constexpr double minSecondStart = 0.05;
+constexpr double minSecondStart = 0.001;
 /// Largest number of hidden faces that are skipped for one ball.
 constexpr std::size_t maxHidden = 16;
 /// Distance by which lines of sight begin and end inside the faces, as a share of the line's length. On an edge,

@@ -9,10 +9,9 @@ namespace
 {
 /// The thickness at a face's centre holds for the whole face if the face's radius is at most this number of
 /// thicknesses. Where two faces meet at 60 degrees, the extreme for a thin place, the thickness changes by the distance
-/// moved; elsewhere it changes by little.
+/// moved; elsewhere it changes by little. Faces larger than `small` times the largest ball are always searched: under
+/// thick matter the ground of a groove may be near them, but not within 30 degrees of the normal at the centre.
 constexpr double small = 0.05, smallOfMany = 0.35;
-/// Replaces `small` where the matter is thicker than the largest ball, because less accuracy is needed there.
-constexpr double thick = 0.25;
 /// The thickness at the centre holds for a face that is nowhere thinner than the share sameThickness of it. A part is
 /// divided if its least thickness is below the share evenThickness of its largest.
 constexpr double sameThickness = 0.97, evenThickness = 0.9, evenThicknessOfMany = 0.8;
@@ -65,9 +64,8 @@ double WallParts::radiusOf(Slot position) const
 
 bool WallParts::isLarge(Slot position, double centre, double reach) const
 {
-    const double seen = std::min(centre, reach);
-    const double tolerated = seen > m_limits.largestBall ? thick : m_surface.hasMany() ? smallOfMany : small;
-    return m_surface.hasArea(position) && radiusOf(position) > tolerated * seen;
+    const double ofThickness = (m_surface.hasMany() ? smallOfMany : small) * std::min(centre, reach);
+    return m_surface.hasArea(position) && radiusOf(position) > std::min(ofThickness, small * m_limits.largestBall);
 }
 
 std::vector<WallPart> WallParts::divide(Slot position, double centre, const JobControl& control) const

@@ -8,6 +8,7 @@
 #include "core/util/parallel.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace core
 {
@@ -62,7 +63,10 @@ public:
         std::vector<float> least = result.atCentres;
         for (const WallPart& part : result.parts)
             least[part.face] = std::min(least[part.face], part.least);
-        result.ridges = WallRidges(mesh, m_surface.edges(), m_rays, m_largestBall).measure(least, control);
+        const auto thinnest = std::ranges::min_element(least);
+        const bool hasWalls = thinnest != least.end() && std::isfinite(*thinnest);
+        const double thickest = hasWalls ? std::max(m_largestBall, static_cast<double>(*thinnest)) : m_largestBall;
+        result.ridges = WallRidges(mesh, m_surface.edges(), m_rays, thickest).measure(least, control);
     }
 
     std::size_t size() const { return m_surface.size(); }

@@ -60,7 +60,8 @@ struct WallThickness
     /// Division ends when the thickness within a part differs by less than a tenth (a fifth for more than 100,000
     /// faces), or when the face has 200,000 / (number of faces) parts, at least 4 and at most 4096.
     std::vector<WallPart> parts;
-    /// Ridges that are thinner than the faces at them and not thicker than the largest ball, sorted by face.
+    /// Ridges that are thinner than the faces at them, sorted by face. Those thicker than the largest ball are missing
+    /// if any face is thinner.
     std::vector<WallRidge> ridges;
 };
 

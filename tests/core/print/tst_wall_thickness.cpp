@@ -861,6 +861,8 @@ private Q_SLOTS:
     void ridges_arePlacesOfTheirOwn();
     void rods_ofThreeSidesAreThin();
     void grooves_ofFineModelsAreSeen();
+    void walls_ofAnySizeAreMeasured_data();
+    void walls_ofAnySizeAreMeasured();
     void barsBetweenHoles_areThin();
     void parts_makeUpTheirFaces();
     void parts_areBounded();
@@ -1135,6 +1137,36 @@ void TestWallThickness::grooves_ofFineModelsAreSeen()
     QVERIFY2(report.thinnest && std::abs(*report.thinnest / 0.4 - 1) < 0.1,
              qPrintable(QString::number(report.thinnest.value_or(-1))));
     QVERIFY(report.thin.count > 0);
+}
+
+void TestWallThickness::walls_ofAnySizeAreMeasured_data()
+{
+    QTest::addColumn<TriangleMesh>("mesh");
+    QTest::addColumn<double>("thickness");
+    // faces that are small compared with the block are larger than the wall between groove and floor
+    TriangleMesh groove = grooved(0.5, 1), tip = hollowed(spike(4, 0.5, 10), 0.5, false);
+    for (int i = 0; i < 5; ++i) {
+        QTest::addRow("groove, %d times in quarters", i) << groove << 0.5;
+        QTest::addRow("tip, %d times in quarters", i) << tip << 0.5;
+        groove = inQuarters(groove);
+        tip = inQuarters(tip);
+    }
+    TriangleMesh many = shapes::scaled(grooved(0.1, 0.3), 6);
+    while (many.triangles.size() <= 100'000)
+        many = inQuarters(many);
+    QTest::addRow("groove of many faces") << many << 0.6;
+    QTest::addRow("tiny groove") << shapes::scaled(grooved(0.3, 0.3), 0.01F) << 0.003;
+    QTest::addRow("scored, large") << shapes::scaled(scored(3, 0.6, 0.5, false), 30) << 18.0;
+    QTest::addRow("crossing grooves, large") << shapes::scaled(scored(3, 0.6, 0.5, true), 30) << 18.0;
+}
+
+void TestWallThickness::walls_ofAnySizeAreMeasured()
+{
+    QFETCH(const TriangleMesh, mesh);
+    QFETCH(const double, thickness);
+    const PrintReport report = core::checkForPrint(core::measureForPrint(mesh), {.bed = {}});
+    QVERIFY2(report.thinnest && std::abs(*report.thinnest / thickness - 1) < 0.02,
+             qPrintable(QString::number(report.thinnest.value_or(-1))));
 }
 
 /// Tests a plate with many holes, in which most faces are hidden from each other by the bars between holes.
