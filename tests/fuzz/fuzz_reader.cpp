@@ -1,8 +1,10 @@
 // Feeds arbitrary bytes to the reader of the format that FETTLE_FORMAT names (stl, obj, …). The reader must return a
 // mesh as core/io/mesh_io.h promises, or throw a FileError.
 // "brush": the preset reader (core/io/stroke/brush_file.h), which throws StrokeFileError.
-// "x3d", "fbx": the preparation of such files for Assimp (core/io/mesh/x3d_expansion.h, app/import/fbx_models.h).
+// "x3d", "fbx", "dae": the preparation of such files for Assimp (core/io/mesh/x3d_expansion.h, app/import/fbx_models.h,
+// app/import/collada_check.h).
 // Draco streams are not decoded: a substitute decoder derives a mesh from their bytes, as a faulty decoder might.
+#include "app/import/collada_check.h"
 #include "app/import/fbx_file.h"
 #include "app/import/fbx_models.h"
 #include "core/io/draco_stream.h"
@@ -36,6 +38,7 @@ public:
     ~Folder() { std::filesystem::remove_all(m_path); }
 
     bool isOfBrushes() const { return m_name == "model.brush"; }
+    bool isOfCollada() const { return m_name == "model.dae"; }
     bool isOfFbx() const { return m_name == "model.fbx"; }
     bool isOfX3d() const { return m_name == "model.x3d"; }
     std::filesystem::path file() const { return m_path / m_name; }
@@ -86,6 +89,21 @@ void checkX3d(const std::filesystem::path& path, std::string_view text)
         const core::io::X3dExpansion again = core::io::expandX3d({path, expansion.text});
         require(again.text == expansion.text && again.unread == 0, "what is expanded stays as it is");
     } catch (const core::FileError&) {
+    }
+}
+
+/// Checks that the two checks of a COLLADA file throw what they say.
+void checkCollada(const std::filesystem::path& path, std::string_view text)
+{
+    try {
+        app::requireSoundCollada({path, text});
+    } catch (const core::FileError& error) {
+        require(error.fault != core::FileFault::XmlSyntax, "broken XML is left to requireXml()");
+    }
+    try {
+        app::requireXml({path, text});
+    } catch (const core::FileError& error) {
+        require(error.fault == core::FileFault::XmlSyntax, "an error in the XML");
     }
 }
 
@@ -152,6 +170,10 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
     static_cast<void>(hasDecoder);
     if (folder.isOfBrushes()) {
         checkBrush({reinterpret_cast<const char*>(data), size});
+        return 0;
+    }
+    if (folder.isOfCollada()) {
+        checkCollada(folder.file(), {reinterpret_cast<const char*>(data), size});
         return 0;
     }
     if (folder.isOfFbx()) {
