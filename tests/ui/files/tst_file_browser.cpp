@@ -227,7 +227,7 @@ private Q_SLOTS:
         place->setText(models.folder.path());
         QTest::keyClick(place, Qt::Key_Return);
         QTRY_COMPARE(s.names().size(), 4);
-        QVERIFY(s.grid->hasFocus());
+        QTRY_VERIFY(s.grid->hasFocus());
     }
 
     void resettingKeepsTheFolder()
