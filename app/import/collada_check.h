@@ -9,7 +9,8 @@ namespace app
 /// without their counts or with too few indices, words or negative numbers among these, nodes that contain themselves,
 /// and skews. Leaves broken XML to Assimp.
 void requireSoundCollada(const core::io::FileBytes& file);
-/// Does so for each COLLADA file in a ZAE package. Throws core::FileError for a damaged package, too.
+/// Checks each COLLADA file in a ZAE package as requireSoundCollada() does. Throws core::FileError for a damaged
+/// package, too.
 void requireSoundZae(const core::io::FileBytes& package);
 
 /// Throws core::FileError, with the line, if the file is not well-formed XML.

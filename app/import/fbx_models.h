@@ -41,7 +41,7 @@ struct FbxForAssimp
     bool isFollowed = true;             ///< false: the records could not be parsed, so nothing was checked or changed
     std::optional<std::string> changed; ///< the modified file; empty: no change is needed
     std::vector<FbxModel> models;       ///< all models; the first entry is the scene itself
-    /// Why the scene shows nothing, if it has no mesh with faces although the file has one.
+    /// The reason why the scene shows nothing, if it has no mesh with faces although the file has one.
     std::optional<core::FileError> whyEmpty = {};
 };
 

@@ -111,7 +111,7 @@ void refuseStlSize(const io::FileBytes& start, std::uint64_t size)
     const std::uint64_t announced = io::announcedStlTriangles(start.bytes);
     const std::uint64_t room = (size - io::stlHeaderSize) / io::stlTriangleSize;
     const std::uint64_t rest = (size - io::stlHeaderSize) % io::stlTriangleSize;
-    // for a file of whole triangles the reader decides
+    // The reader decides about a file of whole triangles.
     if (announced == room || (room != 0 && rest == 0) || (announced != 0 && announced < room))
         return;
     if (announced > room)

@@ -7,8 +7,8 @@
 
 namespace core::repair
 {
-/// Moves each of these points outwards, so that the planes of its faces move by about `distance` (lattice units;
-/// inwards if it is negative), or by 1.5 or 2 times that, depending on its component. Overlapping sheets of two
+/// Moves each of these points outwards, so that the planes of its faces move by about `distance` (lattice
+/// units), or by 1.5 or 2 times that, depending on its component. Overlapping sheets of two
 /// components thus mostly separate. The displacement has the least squared error in the planes' distances (Garland and
 /// Heckbert 1997). It is at most three times the wanted distance and a quarter of the point's shortest edge. Faces that
 /// coincided within rounding then clearly overlap. Cost: O(faces).

@@ -25,17 +25,15 @@ struct Resolution
 /// Makes a closed surface free of intersections. Cuts it along all of them, keeps the boundary of the solid space,
 /// rounds it to the lattice, and repeats while rounding makes faces meet. Where it does: points and slivers within a
 /// growing tolerance are merged, and the remaining faces are offset outwards by it, so that sheets that coincide within
-/// rounding clearly overlap.
-/// After a few rounds, remaining knots narrower than 1/500 of the size are covered by small solids. Parts that touch at
-/// edges and vertices are then separated or joined. Last, crumbs are dropped: components less than 64 units thick and
-/// with less than 1/10,000 of the area, and those as thin as rounding errors if they
-/// have less than 1/50 of it together. Away from these
-/// places no point moves. Uses all cores. A tangle in which more than 1,000,000 triples of faces meet each other stays
-/// unresolved: it would take more than a minute. A surface also stays unresolved if more than 100,000 pairs of faces
-/// meet after contacts were moved apart. `cavities`: parts that face inwards (winding_solid.h). `tolerance`: accuracy
-/// of the surface's points, lattice units; nearer points of faces that meet are merged. `budget`: number of pairs of
-/// faces that may be cut after the first time, about 5,000 a second. It is reduced by what was cut; when it is spent,
-/// the surface stays unresolved.
+/// rounding clearly overlap. After a few rounds, remaining knots narrower than 1/500 of the size are covered by small
+/// solids. Parts that touch at edges and vertices are then separated or joined. Last, crumbs are dropped: components
+/// less than 64 units thick and with less than 1/10,000 of the area, and those as thin as rounding errors if they have
+/// less than 1/50 of it together. Away from these places no point moves. Uses all cores. A tangle in which more than
+/// 1,000,000 triples of faces meet each other stays unresolved: it would take more than a minute. A surface also stays
+/// unresolved if more than 100,000 pairs of faces meet after contacts were moved apart. `cavities`: parts that face
+/// inwards (winding_solid.h). `tolerance`: accuracy of the surface's points, lattice units; nearer points of faces that
+/// meet are merged. `budget`: number of pairs of faces that may be cut after the first time, about 5,000 a second. It
+/// is reduced by what was cut; when it is spent, the surface stays unresolved.
 Resolution resolveIntersections(TriangleSoup& surface, Inside inside, const TriangleSoup& cavities, double tolerance,
                                 std::uint64_t& budget, const JobControl& control = {});
 

@@ -1121,7 +1121,7 @@ void TestForeignScenes::dae_brokenRulesAreTold_data()
     row("cut off", dae().left(600), Fault::XmlSyntax, 10, "no element found");
 }
 
-/// Assimp's process would end, or the surface would be another one.
+/// Refuses COLLADA at which Assimp's process would end, or whose surface would be another one.
 void TestForeignScenes::dae_brokenRulesAreTold()
 {
     QFETCH(QByteArray, bytes);
@@ -1156,7 +1156,7 @@ void TestForeignScenes::zae_brokenRulesAreTold()
     QVERIFY(cut && cut->kind == core::FileErrorKind::CutOff);
 }
 
-/// What other programs read in spite of the rules is still read.
+/// Reads COLLADA that breaks rules, as other programs do.
 void TestForeignScenes::dae_harmlessOdditiesAreRead()
 {
     const auto triangles = [this](const QByteArray& bytes) {
@@ -1170,7 +1170,7 @@ void TestForeignScenes::dae_harmlessOdditiesAreRead()
     const QByteArray deep = QByteArray("<node>").repeated(200) + "<node id=\"n\">";
     QCOMPARE(triangles(dae({{"<node id=\"n\">", deep}, {"</node>", QByteArray("</node>").repeated(201)}})),
              std::size_t(4));
-    // a scene without meshes is not shown as a skeleton
+    // Assimp shows a scene without meshes as a skeleton, which is no model.
     QCOMPARE(errorOf(QStringLiteral("a.dae"), dae({{"url=\"#g\"", "url=\"#h\""}}))->kind, core::FileErrorKind::NoFaces);
 }
 

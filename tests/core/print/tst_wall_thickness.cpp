@@ -1143,7 +1143,7 @@ void TestWallThickness::walls_ofAnySizeAreMeasured_data()
 {
     QTest::addColumn<TriangleMesh>("mesh");
     QTest::addColumn<double>("thickness");
-    // faces that are small compared with the block are larger than the wall between groove and floor
+    // The faces are small compared with the block, but larger than the wall between groove and floor.
     TriangleMesh groove = grooved(0.5, 1), tip = hollowed(spike(4, 0.5, 10), 0.5, false);
     for (int i = 0; i < 5; ++i) {
         QTest::addRow("groove, %d times in quarters", i) << groove << 0.5;

@@ -730,7 +730,7 @@ void TestRepair::turnedContacts_areRepairedAlike_data()
     TriangleMesh large = shapes::together(foil, shapes::moved(prism(9, 20, 0, 30), {70, 0, 60}));
     QTest::newRow("stud under and over a foil")
         << shapes::together(large, shapes::moved(prism(9, 20, -30.3, -0.3), {-70, 0, 60}));
-    // a body nearer than the offset to a face that another body touches
+    // A body hovers nearer than the offset over a face that another body touches.
     large = shapes::together(large, shapes::moved(prism(9, 20, 0, 30), {-70, 0.005F, -60}));
     QTest::newRow("a stud hovers") << large;
     QTest::newRow("sheet of two sides beside crossing plates")
