@@ -106,6 +106,20 @@ std::vector<WallPart> WallParts::divide(Slot position, double centre, const JobC
     return parts;
 }
 
+bool WallParts::isEven(Slot position, double centre) const
+{
+    return radiusOf(position) <= compact * centre;
+}
+
+std::optional<WallPart> WallParts::thinnerThan(Slot position, double centre, double below) const
+{
+    const ThinnestPlace place = m_balls.thinnestIn(position, {}, below);
+    if (place.diameter >= below)
+        return {};
+    Cell cell{{}, 1, {}, place.diameter, centre, place.point, 0, 0};
+    return partOf(position, cell);
+}
+
 /// Measures a cell at its places and then as a whole, starting from the least diameter found: between the places it may
 /// be thinner.
 WallParts::Cell WallParts::measured(Slot position, const WallCell& cell, double share, const Starts& starts) const

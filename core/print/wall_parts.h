@@ -33,6 +33,11 @@ public:
     bool isLarge(Slot position, double centre, double reach) const;
     /// Returns the parts of a face; none if the thickness at the centre holds for the whole face.
     std::vector<WallPart> divide(Slot position, double centre, const JobControl& control) const;
+    /// Returns whether a face is so small that its thickness is about that at its centre, which is `centre`.
+    bool isEven(Slot position, double centre) const;
+    /// Returns the whole face as one part if a point of it is thinner than `below`. Precondition: the face is not
+    /// divided, and the thickness at its centre is `centre`.
+    std::optional<WallPart> thinnerThan(Slot position, double centre, double below) const;
 
 private:
     struct Cell

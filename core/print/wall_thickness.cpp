@@ -23,6 +23,18 @@ constexpr std::size_t allParts = 200'000, minParts = 4, maxParts = 4096;
 constexpr double beyond = 1.25;
 /// Area that is ignored, as a share of the whole area.
 constexpr double smallShare = 5e-7;
+/// Where there are many faces, the thickness at the centre of a face is at most this factor too large for the face.
+constexpr double centreError = 1.15;
+
+double leastOf(const WallThickness& walls)
+{
+    double least = noBall;
+    for (const float centre : walls.atCentres)
+        least = std::min(least, static_cast<double>(centre));
+    for (const WallPart& part : walls.parts)
+        least = std::min(least, static_cast<double>(part.least));
+    return least;
+}
 
 class Thickness
 {
@@ -58,6 +70,29 @@ public:
         result.parts.insert(result.parts.end(), parts.begin(), parts.end());
     }
 
+    /// Searches the faces that may be thinner than the thinnest place found, of those that are not divided. Begins with
+    /// the thinnest at their centres, and ends with the first slice that has nothing thinner.
+    void measureThinnest(const JobControl& control, WallThickness& result) const
+    {
+        double least = leastOf(result);
+        if (!m_surface.hasMany() || least == noBall)
+            return;
+        const std::vector<Thin> faces = thinFaces(result, centreError * least);
+        for (std::size_t first = 0; first < faces.size() && !control.isCancelled(); first += facesPerPart) {
+            const auto parts = joinChunks<std::vector<WallPart>>(
+                std::min(facesPerPart, faces.size() - first), centresAtOnce,
+                [&](std::size_t begin, std::size_t end, std::vector<WallPart>& some) {
+                    for (std::size_t i = first + begin; i < first + end; ++i)
+                        if (const auto part = m_parts.thinnerThan(faces[i].position, faces[i].centre, least))
+                            some.push_back(*part);
+                });
+            if (parts.empty())
+                return;
+            result.parts.insert(result.parts.end(), parts.begin(), parts.end());
+            least = static_cast<double>(std::ranges::min_element(parts, {}, &WallPart::least)->least);
+        }
+    }
+
     void measureRidges(const TriangleMesh& mesh, const JobControl& control, WallThickness& result) const
     {
         std::vector<float> least = result.atCentres;
@@ -72,6 +107,32 @@ public:
     std::size_t size() const { return m_surface.size(); }
 
 private:
+    struct Thin
+    {
+        double centre; ///< thickness at the centre of the face
+        Slot position;
+
+        auto operator<=>(const Thin&) const = default;
+    };
+
+    /// Returns the faces that are not divided and at most `most` thick at their centres, and not so small
+    /// that this is enough. The thinnest is first.
+    std::vector<Thin> thinFaces(const WallThickness& walls, double most) const
+    {
+        std::vector<std::uint8_t> isDivided(walls.atCentres.size(), 0);
+        for (const WallPart& part : walls.parts)
+            isDivided[part.face] = 1;
+        std::vector<Thin> faces;
+        for (Slot position = 0; position < m_surface.size(); ++position) {
+            const Slot face = m_surface.faceAt(position);
+            const auto centre = static_cast<double>(walls.atCentres[face]);
+            if (isDivided[face] == 0 && centre <= most && !m_parts.isEven(position, centre))
+                faces.push_back({centre, position});
+        }
+        std::ranges::sort(faces);
+        return faces;
+    }
+
     static WallParts::Limits limits(const WallSurface& surface, double largestBall)
     {
         double area = 0;
@@ -132,6 +193,7 @@ WallThickness wallThickness(const TriangleMesh& mesh, double largestBall, const 
         thickness.measure(first, count, control, result);
         control.reportProgress(static_cast<double>(first + count) / static_cast<double>(faces));
     }
+    thickness.measureThinnest(control, result);
     std::ranges::stable_sort(result.parts, {}, &WallPart::face);
     if (!control.isCancelled())
         thickness.measureRidges(mesh, control, result);

@@ -58,7 +58,8 @@ struct WallThickness
     /// Parts of faces that are large for their thickness, so that the thickness at the centre is not enough. Sorted by
     /// face; together the parts of a face cover it. A face is divided where it is thinner than the largest ball.
     /// Division ends when the thickness within a part differs by less than a tenth (a fifth for more than 100,000
-    /// faces), or when the face has 200,000 / (number of faces) parts, at least 4 and at most 4096.
+    /// faces), or when the face has 200,000 / (number of faces) parts, at least 4 and at most 4096. Of more than
+    /// 100,000 faces those at the thinnest place are parts, too, if they are thinner than at their centres.
     std::vector<WallPart> parts;
     /// Ridges that are thinner than the faces at them, sorted by face. Those thicker than the largest ball are missing
     /// if any face is thinner.
