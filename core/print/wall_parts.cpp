@@ -116,8 +116,7 @@ std::optional<WallPart> WallParts::thinnerThan(Slot position, double centre, dou
     const ThinnestPlace place = m_balls.thinnestIn(position, {}, below);
     if (place.diameter >= below)
         return {};
-    Cell cell{{}, 1, {}, place.diameter, centre, place.point, 0, 0};
-    return partOf(position, cell);
+    return partOf(position, {{}, 1, {}, place.diameter, centre, place.point, 0, 0});
 }
 
 /// Measures a cell at its places and then as a whole, starting from the least diameter found: between the places it may

@@ -23,7 +23,7 @@ constexpr std::size_t allParts = 200'000, minParts = 4, maxParts = 4096;
 constexpr double beyond = 1.25;
 /// Area that is ignored, as a share of the whole area.
 constexpr double smallShare = 5e-7;
-/// Where there are many faces, the thickness at the centre of a face is at most this factor too large for the face.
+/// Faces this factor thicker at their centres than the thinnest place are not searched for thinner places.
 constexpr double centreError = 1.15;
 
 double leastOf(const WallThickness& walls)
@@ -115,8 +115,8 @@ private:
         auto operator<=>(const Thin&) const = default;
     };
 
-    /// Returns the faces that are not divided and at most `most` thick at their centres, and not so small
-    /// that this is enough. The thinnest is first.
+    /// Returns the faces that are not divided, at most `most` thick at their centres, and uneven. The thinnest is
+    /// first.
     std::vector<Thin> thinFaces(const WallThickness& walls, double most) const
     {
         std::vector<std::uint8_t> isDivided(walls.atCentres.size(), 0);
