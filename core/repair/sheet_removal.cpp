@@ -3,6 +3,7 @@
 #include "core/repair/edge_faces.h"
 #include "core/repair/hole_filling.h"
 
+#include "core/analysis/surface_distance.h"
 #include "core/analysis/winding_number.h"
 #include "core/geometry/box_tree.h"
 #include "core/geometry/rectangle_around.h"
@@ -13,6 +14,7 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <set>
 
 namespace core::repair
 {
@@ -285,6 +287,125 @@ private:
     std::vector<Faces> m_parts;
     std::optional<WindingNumber> m_rest; ///< of the faces in no open part, which need not be closed
 };
+
+/// Returns whether a part is in one plane within this distance.
+bool isPlane(const TriangleSoup& part, double within)
+{
+    const std::vector<Vec3> points = part.places();
+    Vec3 normal = Vec3::Zero();
+    for (const auto& [a, b, c] : part.triangles)
+        normal += (points[b] - points[a]).cross(points[c] - points[a]);
+    normal.normalize();
+    return std::ranges::all_of(points, [&](const Vec3& p) { return std::abs(normal.dot(p - points[0])) <= within; });
+}
+
+/// Returns about 250 points of a part, spread by area.
+std::vector<Vec3> pointsOf(const TriangleSoup& part)
+{
+    constexpr double count = 250;
+    const std::vector<Vec3> corners = part.places();
+    const double ofArea = count / extentOf(part).area;
+    std::vector<Vec3> points;
+    double due = 0; // points that the faces so far have too few
+    for (const auto& [a, b, c] : part.triangles) {
+        const Vec3 ab = corners[b] - corners[a], ac = corners[c] - corners[a];
+        due += ofArea * ab.cross(ac).norm() / 2;
+        const auto rows = static_cast<int>((std::sqrt(8 * due + 1) - 1) / 2);
+        for (int i = 0; i < rows; ++i)
+            for (int k = 0; i + k < rows; ++k)
+                points.push_back(corners[a] + (i + 1.0 / 3) / rows * ab + (k + 1.0 / 3) / rows * ac);
+        due -= rows * (rows + 1) / 2;
+    }
+    return points;
+}
+
+/// Plane sheets on openings. The filled openings are in the same place, so a solid needs them only once.
+class OpeningSheets
+{
+public:
+    /// Keeps references.
+    OpeningSheets(const TriangleSoup& surface, const WindingNumber& winding, const JobControl& control)
+        : m_surface(surface)
+        , m_winding(winding)
+        , m_control(control)
+    {}
+
+    /// Moves plane sheets to the end that lie on the other faces once their holes are filled, and returns the first of
+    /// them. They may stick out where the winding number of the other faces is nearly a whole number.
+    Candidates::iterator moveToEnd(Candidates& candidates) const
+    {
+        constexpr int attempts = 5; // each leaves out fewer sheets; two or three suffice
+        auto first = std::stable_partition(candidates.begin(), candidates.end(), [&](const Candidate& candidate) {
+            const TriangleSoup sheet = partOf(m_surface, candidate.faces);
+            return !isPlane(sheet, reachOf(sheet));
+        });
+        for (int i = 0; i < attempts && first != candidates.end() && !m_control.isCancelled(); ++i) {
+            const std::set<Slot> onOthers = sheetsOnOthers({first, candidates.end()});
+            const auto next = std::stable_partition(first, candidates.end(), [&](const Candidate& candidate) {
+                return !onOthers.contains(candidate.faces[0]);
+            });
+            if (next == first)
+                return first;
+            first = next;
+        }
+        return candidates.end();
+    }
+
+private:
+    /// Returns the distance within which a sheet is taken for plane, and for lying on others.
+    static double reachOf(const TriangleSoup& sheet)
+    {
+        constexpr double ofWidth = 1e-3;
+        return ofWidth * rectangleAround(sheet.places()).width;
+    }
+
+    /// Returns the first faces of those sheets that lie on the surface without all of them, once its holes are filled.
+    std::set<Slot> sheetsOnOthers(std::span<const Candidate> sheets) const
+    {
+        constexpr double maxBeside = 0.02; // share of a sheet's points
+        std::set<Slot> result;
+        const TriangleMesh others = filledWithout(sheets);
+        if (others.triangles.empty())
+            return result;
+        std::vector<Vec3f> points;
+        std::vector<std::size_t> ends; // of each sheet's points
+        for (const Candidate& sheet : sheets) {
+            for (const Vec3& p : pointsOf(partOf(m_surface, sheet.faces)))
+                points.push_back(p.cast<float>());
+            ends.push_back(points.size());
+        }
+        const std::vector<float> distances = distancesTo(others, points, {m_control.stop, {}});
+        for (std::size_t i = 0, at = 0; i < sheets.size() && !m_control.isCancelled(); ++i) {
+            const std::size_t first = at;
+            const auto reach = static_cast<float>(reachOf(partOf(m_surface, sheets[i].faces)));
+            std::size_t beside = 0;
+            for (; at < ends[i]; ++at)
+                if (distances[at] > reach &&
+                    fromWhole(m_winding.at(points[at].cast<double>(), sheets[i].faces)) > minShare)
+                    ++beside;
+            if (static_cast<double>(beside) <= maxBeside * static_cast<double>(at - first))
+                result.insert(sheets[i].faces[0]);
+        }
+        return result;
+    }
+
+    /// Returns the surface without these parts once its holes are filled, in lattice units.
+    TriangleMesh filledWithout(std::span<const Candidate> parts) const
+    {
+        TriangleSoup others = m_surface;
+        drop(others, parts, {});
+        fillHoles(others, true, Covering::Avoided, m_control);
+        TriangleMesh mesh;
+        for (const LatticePoint& p : others.points)
+            mesh.points.push_back(p.cast<float>());
+        mesh.triangles = std::move(others.triangles);
+        return mesh;
+    }
+
+    const TriangleSoup& m_surface;
+    const WindingNumber& m_winding;
+    const JobControl& m_control;
+};
 } // namespace
 
 SheetRemoval removeSheets(TriangleSoup& surface, const JobControl& control)
@@ -311,6 +432,8 @@ SheetRemoval removeSheets(TriangleSoup& surface, const JobControl& control)
         auto sheets = std::stable_partition(candidates.begin(), candidates.end(), isNeeded);
         if (sheets == candidates.end())
             sheets = OpenParts(surface, points, winding).moveFreeToEnd(candidates, control);
+        if (sheets == candidates.end())
+            sheets = OpeningSheets(surface, winding, control).moveToEnd(candidates);
         if (sheets == candidates.end())
             break;
         for (auto sheet = sheets; sheet != candidates.end(); ++sheet)

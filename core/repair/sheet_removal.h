@@ -29,7 +29,12 @@ struct SheetRemoval
 ///     other parts at it sum to at most a quarter, if the mean winding number of all other open parts together is at
 ///     most a quarter, and if the faces in no open part are closed there. These means are about 0 where sheets cross,
 ///     and a half at a side of a solid.
+///     Where no part is one of these either, plane parts that meet the first two conditions are left out of the surface
+///     together, and its holes are filled. Those are sheets whose points lie on the result within 1/1000 of their
+///     width, or where the winding number of the other faces is within a quarter of a whole number; so that a lid on an
+///     opening does not meet the faces that fill it.
 /// Precondition: the surface is oriented. Cost: that of fillHoles(), and winding numbers at 64 faces per part; each
-/// time that all parts fail, at 64 faces per pair of parts of a group, too.
+/// time that all parts fail, at 64 faces per pair of parts of a group, too. With plane parts: that of fillHoles() and
+/// distancesTo() once more, seldom several times.
 SheetRemoval removeSheets(TriangleSoup& surface, const JobControl& control = {});
 } // namespace core::repair
