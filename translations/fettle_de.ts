@@ -5934,8 +5934,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Die neue Oberfläche ist höchstens %1 mm (im Mittel %2 mm) von der alten entfernt, die alte höchstens %3 mm (im Mittel %4 mm) von der neuen.</translation>
     </message>
     <message>
-        <source>%1 was not repaired: it has holes longer than a quarter of its size (%2).</source>
-        <translation>%1 wurde nicht repariert: Es hat Löcher, die länger als ein Viertel seiner Größe sind (%2).</translation>
+        <source>%1 was not repaired: it has holes longer than a quarter of its size (%2), the largest near %3.</source>
+        <translation>%1 wurde nicht repariert: Es hat Löcher, die länger als ein Viertel seiner Größe sind (%2), das größte bei %3.</translation>
     </message>
     <message>
         <source>%1 cannot be repaired: its faces enclose no space.</source>
@@ -6018,8 +6018,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1 wurde repariert, aber ein Teil der Oberfläche ging verloren: Sie liegt im Mittel %2 mm von der neuen entfernt, %3 % der Größe.</translation>
     </message>
     <message>
-        <source>%1 cannot be repaired as it is: its faces could not be separated near %2, %3, %4.</source>
-        <translation>%1 lässt sich so nicht reparieren: Bei %2, %3, %4 ließen sich die Flächen nicht trennen.</translation>
+        <source>%1 cannot be repaired as it is: its faces could not be separated near %2.</source>
+        <translation>%1 lässt sich so nicht reparieren: Bei %2 ließen sich die Flächen nicht trennen.</translation>
     </message>
     <message>
         <source>%1 cannot be repaired as it is: its faces could not be separated.</source>
@@ -6028,6 +6028,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>%1 cannot be repaired as it is: its faces are too badly connected, and most of it would be lost.</source>
         <translation>%1 lässt sich so nicht reparieren: Die Flächen sind zu schlecht verbunden, das meiste ginge verloren.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be repaired as it is: its faces are too badly connected, and most of it would be lost. Openings: %2, the widest near %3.</source>
+        <translation>%1 lässt sich so nicht reparieren: Die Flächen sind zu schlecht verbunden, das meiste ginge verloren. Öffnungen: %2, die weiteste bei %3.</translation>
     </message>
     <message numerus="yes">
         <source>%n open sheets left out, which enclose no space; the largest is %1 x %2 mm</source>

@@ -5908,8 +5908,8 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>新表面距旧表面最多 %1 mm（平均 %2 mm）；旧表面距新表面最多 %3 mm（平均 %4 mm）。</translation>
     </message>
     <message>
-        <source>%1 was not repaired: it has holes longer than a quarter of its size (%2).</source>
-        <translation>未修复 %1：它有长于自身四分之一的孔洞（%2 个）。</translation>
+        <source>%1 was not repaired: it has holes longer than a quarter of its size (%2), the largest near %3.</source>
+        <translation>未修复 %1：它有长于自身四分之一的孔洞（%2 个），最大的在 %3 附近。</translation>
     </message>
     <message>
         <source>%1 cannot be repaired: its faces enclose no space.</source>
@@ -5992,8 +5992,8 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>%1 已修复，但部分表面已丢失：原表面与新表面平均相距 %2 毫米，为尺寸的 %3 %。</translation>
     </message>
     <message>
-        <source>%1 cannot be repaired as it is: its faces could not be separated near %2, %3, %4.</source>
-        <translation>%1 无法照原样修复：在 %2、%3、%4 附近无法分开各面。</translation>
+        <source>%1 cannot be repaired as it is: its faces could not be separated near %2.</source>
+        <translation>%1 无法照原样修复：在 %2 附近无法分开各面。</translation>
     </message>
     <message>
         <source>%1 cannot be repaired as it is: its faces could not be separated.</source>
@@ -6002,6 +6002,10 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
     <message>
         <source>%1 cannot be repaired as it is: its faces are too badly connected, and most of it would be lost.</source>
         <translation>%1 无法照原样修复：各面连接太差，大部分会丢失。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be repaired as it is: its faces are too badly connected, and most of it would be lost. Openings: %2, the widest near %3.</source>
+        <translation>%1 无法照原样修复：各面连接太差，大部分会丢失。开口：%2 处，最宽的在 %3 附近。</translation>
     </message>
     <message numerus="yes">
         <source>%n open sheets left out, which enclose no space; the largest is %1 x %2 mm</source>

@@ -615,10 +615,16 @@ HoleFillingResult fillHoles(TriangleSoup& surface, bool largeToo, Covering cover
     const double area = doubleAreaOf(surface, surface.triangles);
     OpeningFiller filler(surface, present, rim);
     std::vector<Patch> patches;
+    double largest = 0;
     for (std::vector<Slot>& loop : loops) {
         if (control.isCancelled())
             break;
-        const bool isLarge = extentOf(boxOf(surface, loop)) > largeHole * extent;
+        const LatticeBox box = boxOf(surface, loop);
+        if (extentOf(box) > largest) {
+            largest = extentOf(box);
+            filled.largest = (box.min + box.max).cast<double>() / 2;
+        }
+        const bool isLarge = extentOf(box) > largeHole * extent;
         filled.largeHoles += isLarge;
         if (isLarge && !largeToo)
             continue;

@@ -5,15 +5,17 @@
 #include "core/util/job_control.h"
 
 #include <cstddef>
+#include <optional>
 
 namespace core::repair
 {
 struct HoleFillingResult
 {
     std::size_t holes = 0;
-    std::size_t faces = 0;      ///< number of faces added
-    std::size_t largeHoles = 0; ///< number of large holes: filled if `largeToo` was true, otherwise left open
-    double share = 0;           ///< added area as a share of the area before
+    std::size_t faces = 0;       ///< number of faces added
+    std::size_t largeHoles = 0;  ///< number of large holes: filled if `largeToo` was true, otherwise left open
+    double share = 0;            ///< added area as a share of the area before
+    std::optional<Vec3> largest; ///< middle of the box of the largest hole, lattice units; missing if there is none
 };
 
 /// Whether new faces may lie on the surface.

@@ -107,7 +107,8 @@ struct ClosedSurface
     bool isRefused = false; ///< there is a large hole that must not be filled
     /// The filled area is more than 3/4 of the area before: the triangles are badly connected.
     bool isLoose = false;
-    TriangleSoup unfilled; ///< the surface before holes were filled, without sheets
+    std::optional<Vec3> largestHole; ///< lattice units
+    TriangleSoup unfilled;           ///< the surface before holes were filled, without sheets
     /// The surface as the file has it, including all removed parts except large sheets. Missing if the file is closed.
     std::optional<TriangleSoup> whole;
     /// The closed surface, with parts reversed that may as well be cavities. Missing if there are none.
@@ -264,6 +265,7 @@ ClosedSurface stitchAndFill(TriangleSoup& surface, double unit, const RepairOpti
     report.largeHoles = filled.largeHoles;
     result.isRefused = filled.largeHoles > 0 && !options.fillLargeHoles;
     result.isLoose = filled.share > nearlyAll;
+    result.largestHole = filled.largest;
     repair::cleanUp(surface, repair::Duplicates::Cancel);
     return result;
 }
@@ -451,11 +453,12 @@ public:
         const bool isFar = isOther && report.lost > maxDistance * report.size;
         return report.keptVolume() < half || isFar ? RepairRefusal::TooMuchLost : RepairRefusal::None;
     }
+    /// Returns the place of a failure, in lattice units.
     std::optional<Vec3> unresolvedPlace() const
     {
         if (!m_resolution.unresolved)
             return std::nullopt;
-        return Vec3(m_lattice.toPoint(*m_resolution.unresolved).cast<double>());
+        return Vec3(m_resolution.unresolved->cast<double>());
     }
     Outcome& best() { return *m_best; }
 
@@ -571,6 +574,11 @@ RepairResult repairMesh(const TriangleMesh& mesh, const RepairOptions& options, 
         closeSurface(surface, placement.lattice.unit(), options, report, progress.part(0, afterClosing));
     if (closed.isRefused)
         result.refusal = RepairRefusal::LargeHoles;
+    const auto setPlace = [&](const std::optional<Vec3>& onLattice) {
+        if (onLattice)
+            result.place = placement.lattice.unit() * *onLattice - placement.moved;
+    };
+    setPlace(closed.largestHole);
     if (closed.isRefused || closed.unfilled.triangles.empty() || control.isCancelled())
         return result;
     Originals originals;
@@ -587,10 +595,11 @@ RepairResult repairMesh(const TriangleMesh& mesh, const RepairOptions& options, 
     if (control.isCancelled())
         return result;
     result.refusal = solid.refusal();
-    if (const auto place = solid.unresolvedPlace(); place && result.refusal == RepairRefusal::Unresolved)
-        result.place = *place - placement.moved;
+    if (result.refusal == RepairRefusal::Unresolved)
+        setPlace(solid.unresolvedPlace());
     if (result.refusal != RepairRefusal::None)
         return result;
+    result.place.reset();
     report = std::move(solid.best().report);
     result.mesh = std::move(solid.best().mesh);
     report.unmasked = repair::transferMasks(mesh, placement, *result.mesh);

@@ -97,7 +97,7 @@ enum class RepairRefusal {
     None,
     LargeHoles,
     EnclosesNothing,
-    /// Faces still meet or touch at RepairResult::place: only remeshing would help.
+    /// Faces still meet or touch: only remeshing would help.
     Unresolved,
     TooMuchLost ///< more than half of the volume would be lost: only remeshing would help
 };
@@ -108,7 +108,9 @@ struct RepairResult
     /// The surface with which `mesh` was compared, moved as `mesh` is; set only with `mesh`.
     TriangleMesh old;
     RepairRefusal refusal = RepairRefusal::None;
-    std::optional<Vec3> place; ///< position of the failure if unresolved, in the model's coordinates
+    /// Place of the failure if unresolved, otherwise of the largest hole, in the model's coordinates. Set only if
+    /// refused and if there is such a place.
+    std::optional<Vec3> place;
     RepairReport report;
 };
 

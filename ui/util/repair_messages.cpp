@@ -20,6 +20,11 @@ QString shortMillimetres(double length)
     const int decimals = std::clamp(2 - static_cast<int>(std::floor(std::log10(length))), 0, 6);
     return QLocale().toString(length, 'f', decimals);
 }
+
+QString coordinates(const core::Vec3& p)
+{
+    return QStringLiteral("%1, %2, %3").arg(millimetres(p.x()), millimetres(p.y()), millimetres(p.z()));
+}
 } // namespace
 
 QStringList RepairMessages::steps(const core::RepairReport& report)
@@ -123,16 +128,19 @@ QString RepairMessages::refusal(const QString& file, const core::RepairResult& r
 {
     switch (result.refusal) {
     case core::RepairRefusal::LargeHoles:
-        return tr("%1 was not repaired: it has holes longer than a quarter of its size (%2).")
-            .arg(file, number(result.report.largeHoles));
+        return tr("%1 was not repaired: it has holes longer than a quarter of its size (%2), the largest near %3.")
+            .arg(file, number(result.report.largeHoles), coordinates(*result.place));
     case core::RepairRefusal::Unresolved:
-        return result.place ? tr("%1 cannot be repaired as it is: its faces could not be separated near %2, %3, %4.")
-                                  .arg(file, millimetres(result.place->x()), millimetres(result.place->y()),
-                                       millimetres(result.place->z()))
+        return result.place ? tr("%1 cannot be repaired as it is: its faces could not be separated near %2.")
+                                  .arg(file, coordinates(*result.place))
                             : tr("%1 cannot be repaired as it is: its faces could not be separated.").arg(file);
     case core::RepairRefusal::TooMuchLost:
-        return tr("%1 cannot be repaired as it is: its faces are too badly connected, and most of it would be lost.")
-            .arg(file);
+        return result.place ? tr("%1 cannot be repaired as it is: its faces are too badly connected, and most of it "
+                                 "would be lost. Openings: %2, the widest near %3.")
+                                  .arg(file, number(result.report.holes), coordinates(*result.place))
+                            : tr("%1 cannot be repaired as it is: its faces are too badly connected, and most of it "
+                                 "would be lost.")
+                                  .arg(file);
     default:
         break;
     }

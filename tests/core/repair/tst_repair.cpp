@@ -234,6 +234,11 @@ void TestRepair::largeHoles_areRefusedIfAsked()
     QVERIFY(result.refusal == RepairRefusal::LargeHoles);
     QCOMPARE(result.report.largeHoles, std::size_t(1));
     QVERIFY(repairMesh(badModel(QStringLiteral("holes")).mesh, {.fillLargeHoles = false}).mesh);
+    TriangleMesh open = shapes::moved(shapes::cube(40), {5000, 300, 0});
+    open.triangles.resize(open.triangles.size() - 2); // without the side at x = 4980
+    const RepairResult refused = repairMesh(open, {.fillLargeHoles = false});
+    QVERIFY(refused.place && (*refused.place - Vec3(4980, 300, 0)).norm() < 0.01);
+    QVERIFY(!repairMesh(open).place);
 }
 
 void TestRepair::innerParts_areFilledOrCavities()
