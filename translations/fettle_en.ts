@@ -286,7 +286,7 @@
     <message numerus="yes">
         <source>%1 cannot be repaired: it has %n open sheets that enclose no space, the largest %2 x %3 mm.</source>
         <translation>
-            <numerusform>%1 cannot be repaired: it has but %n open sheet, of %2 x %3 mm, which encloses no space.</numerusform>
+            <numerusform>%1 cannot be repaired: it has only %n open sheet, of %2 x %3 mm, which encloses no space.</numerusform>
             <numerusform>%1 cannot be repaired: it has %n open sheets that enclose no space, the largest %2 x %3 mm.</numerusform>
         </translation>
     </message>
