@@ -6272,6 +6272,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1 ist eine Blender-Datei, die nur Blender richtig liest: Speichern Sie sie dort als GLB.</translation>
     </message>
     <message>
+        <source>%1 is OpenGEX, which is not read: save it as GLB.</source>
+        <translation>%1 ist OpenGEX, das nicht gelesen wird: Speichern Sie es als GLB.</translation>
+    </message>
+    <message>
         <source>%1 is X3D in its binary, packed or VRML encoding, which is not read: save it as XML (.x3d) or GLB.</source>
         <translation>%1 ist X3D in binärer, gepackter oder VRML-Kodierung, die nicht gelesen wird: Speichern Sie die Datei als XML (.x3d) oder GLB.</translation>
     </message>
@@ -6461,10 +6465,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
 </context>
 <context>
     <name>ui::FileFaultMessages</name>
-    <message>
-        <source>y or z as the axis that points up</source>
-        <translation>y oder z als Achse, die nach oben zeigt</translation>
-    </message>
     <message>
         <source>a number above 0</source>
         <translation>eine Zahl über 0</translation>

@@ -6244,6 +6244,10 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>%1 是 Blender 自己的文件，只有 Blender 能正确读取：请在那里另存为 GLB。</translation>
     </message>
     <message>
+        <source>%1 is OpenGEX, which is not read: save it as GLB.</source>
+        <translation>%1 是 OpenGEX 文件，不能读取：请另存为 GLB。</translation>
+    </message>
+    <message>
         <source>%1 is X3D in its binary, packed or VRML encoding, which is not read: save it as XML (.x3d) or GLB.</source>
         <translation>%1 是采用二进制、压缩或 VRML 编码的 X3D，无法读取：请保存为 XML (.x3d) 或 GLB。</translation>
     </message>
@@ -6432,10 +6436,6 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
 </context>
 <context>
     <name>ui::FileFaultMessages</name>
-    <message>
-        <source>y or z as the axis that points up</source>
-        <translation>y 或 z 作为向上的轴</translation>
-    </message>
     <message>
         <source>a number above 0</source>
         <translation>大于 0 的数</translation>

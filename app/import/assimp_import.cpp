@@ -314,7 +314,7 @@ int importForeign(const fs::path& path, const ImportLimits& limits, bool keepsOb
     if (isFbx)
         missing = addFbxScene(*scene, notes.models, mesh);
     else
-        mesh.addAll(placeOf(path, start), lowerEnding(path) == ".x3d" ? core::io::x3dNameIn : givenName);
+        mesh.addAll(unitOf(path), lowerEnding(path) == ".x3d" ? core::io::x3dNameIn : givenName);
     if (mesh.faces() == 0 && !notes.outside.empty())
         return refuse(ImportHeader::Outcome::Outside, notes.outside);
     if (mesh.faces() == 0 && notes.whyEmpty)

@@ -20,12 +20,12 @@ using core::FileErrorKind;
 using core::TriangleMesh;
 
 /// Extensions of formats with surfaces that Assimp 5.2 reads. Ambiguous extensions (raw, scn, xml, mesh) are left out.
-/// Also left out are Blender's files, which differ without their modifiers, and binary X3D, which Assimp reads as
-/// nothing.
-constexpr std::array<std::string_view, 37> endings{
-    "fbx",  "dae",  "3ds", "x3d", "lwo",     "lws", "lxo", "dxf",     "ifc", "ac",  "ac3d", "acc", "ase",
-    "b3d",  "cob",  "hmp", "iqm", "irrmesh", "md2", "md3", "md5mesh", "mdc", "mdl", "ms3d", "ndo", "nff",
-    "enff", "ogex", "pmx", "q3o", "q3s",     "sib", "smd", "x",       "xgl", "zae", "zgl"};
+/// Also left out are Blender's files, which differ without their modifiers, OpenGEX, in which Assimp ignores what is
+/// below another node, and binary X3D, which Assimp reads as nothing.
+constexpr std::array<std::string_view, 36> endings{
+    "fbx", "dae", "3ds",  "x3d", "lwo", "lws",     "lxo", "dxf", "ifc",     "ac",  "ac3d", "acc",
+    "ase", "b3d", "cob",  "hmp", "iqm", "irrmesh", "md2", "md3", "md5mesh", "mdc", "mdl",  "ms3d",
+    "ndo", "nff", "enff", "pmx", "q3o", "q3s",     "sib", "smd", "x",       "xgl", "zae",  "zgl"};
 
 FileError errorOf(FileErrorKind kind, const std::filesystem::path& path, std::uint64_t expected = 0)
 {

@@ -36,9 +36,10 @@ Eigen::Matrix4d matrixOf(const aiNode& node)
     return matrix;
 }
 
-void SceneMesh::addAll(const Eigen::Matrix4d& place, NameInFile nameInFile)
+void SceneMesh::addAll(double unit, NameInFile nameInFile)
 {
-    addTree(*m_scene.mRootNode, place, nameInFile, {});
+    const Eigen::Matrix4d scale = Eigen::Vector4d(unit, unit, unit, 1).asDiagonal();
+    addTree(*m_scene.mRootNode, scale, nameInFile, {});
 }
 
 void SceneMesh::addTree(const aiNode& node, const Eigen::Matrix4d& above, NameInFile nameInFile,

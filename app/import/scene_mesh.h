@@ -34,8 +34,9 @@ public:
     /// Returns the name that a node has in the file, given the name that Assimp has for it.
     using NameInFile = std::string_view (*)(std::string_view name);
     /// Adds all nodes of the scene. A node without a name has that of the nearest node above it, except the root, or
-    /// else that of its first mesh. `place`: transform of the scene. `nameInFile`: null if the names are the file's.
-    void addAll(const Eigen::Matrix4d& place, NameInFile nameInFile = nullptr);
+    /// else that of its first mesh. `unit`: millimetres in one unit of the scene. `nameInFile`: null if the names are
+    /// the file's.
+    void addAll(double unit, NameInFile nameInFile = nullptr);
 
     /// Returns the number of polygons added.
     std::size_t faces() const { return m_polygons.faces(); }

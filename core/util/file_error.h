@@ -65,7 +65,6 @@ enum class FileFault {
     JsonChunk,       ///< a first GLB chunk of type JSON
     Base64,          ///< base64 data within a URI
     LengthUnit,      ///< a unit of length known to 3MF or AMF
-    UpAxis,          ///< y or z
     PositiveNumber,  ///< a number above 0
     Missing,         ///< the token is required or referred to, but does not exist
     Repeated,        ///< the token occurs twice

@@ -285,6 +285,8 @@ QString ErrorMessages::reading(const core::FileError& error)
     case FileErrorKind::UnknownFormat:
         if (error.token == "blend")
             return tr("%1 is Blender's own file, which only Blender reads as it is: save it as GLB there.").arg(path);
+        if (error.token == "ogex")
+            return tr("%1 is OpenGEX, which is not read: save it as GLB.").arg(path);
         if (error.token.starts_with("x3d") || error.token == "wrl")
             return tr("%1 is X3D in its binary, packed or VRML encoding, which is not read: save it as XML (.x3d) or "
                       "GLB.")

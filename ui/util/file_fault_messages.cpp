@@ -45,8 +45,6 @@ QString FileFaultMessages::expected(const core::FileError& error)
         return tr("an element before its first property");
     case FileFault::LengthUnit:
         return tr("one of the units millimeter, micron, centimeter, inch, foot and meter");
-    case FileFault::UpAxis:
-        return tr("y or z as the axis that points up");
     case FileFault::PositiveNumber:
         return tr("a number above 0");
     default:

@@ -121,12 +121,6 @@ QByteArray fbx(const QList<FbxModel>& models, const QByteArray& settings = {}, c
            definitions + "Objects:  {\n" + objects + "}\nConnections:  {\n" + connections + "}\n";
 }
 
-const QByteArray openGexTetrahedron =
-    "GeometryNode $node1 { Name {string {\"Box\"}} ObjectRef {ref {$geometry1}} }\n"
-    "GeometryObject $geometry1 { Mesh (primitive = \"triangles\") {\n"
-    " VertexArray (attrib = \"position\") { float[3] {{0,0,0},{1,0,0},{0,2,0},{0,0,3}} }\n"
-    " IndexArray { unsigned_int32[3] {{0,2,1},{0,1,3},{1,2,3},{2,0,3}} }\n} }\n";
-
 /// Returns a COLLADA tetrahedron with some words replaced by others.
 QByteArray dae(const QList<std::pair<QByteArray, QByteArray>>& changes = {})
 {
@@ -211,9 +205,6 @@ private Q_SLOTS:
     void x3d_badFilesAreRefused();
     void x3d_otherEncodingsAreRefused();
 
-    void ogex_metricsAreHeeded_data();
-    void ogex_metricsAreHeeded();
-    void ogex_otherMetricsAreRefused();
     void dae_brokenRulesAreTold_data();
     void dae_brokenRulesAreTold();
     void zae_brokenRulesAreTold();
@@ -1026,50 +1017,6 @@ void TestForeignScenes::x3d_otherEncodingsAreRefused()
     }
 }
 
-void TestForeignScenes::ogex_metricsAreHeeded_data()
-{
-    QTest::addColumn<QByteArray>("metrics");
-    QTest::addColumn<double>("unit");
-    QTest::addColumn<bool>("isZUp");
-    QTest::newRow("metres, Z up") << QByteArray("Metric (key = \"distance\") {float {1.0}}\n"
-                                                "Metric (key = \"up\") {string {\"z\"}}\n")
-                                  << 1000.0 << true;
-    QTest::newRow("centimetres, Y up") << QByteArray("Metric (key = \"angle\") {float {1}} // Metric\n"
-                                                     "Metric(key=\"up\"){string{\"y\"}}\n"
-                                                     "Metric (key = \"distance\") { float { 0.01 } }\n")
-                                       << 10.0 << false;
-    QTest::newRow("not told") << QByteArray("Metric (key = \"time\") {float {1}}\n") << 1.0 << false;
-}
-
-void TestForeignScenes::ogex_metricsAreHeeded()
-{
-    QFETCH(QByteArray, metrics);
-    QFETCH(double, unit);
-    QFETCH(bool, isZUp);
-    const ReadResult model = read(QStringLiteral("a.ogex"), metrics + openGexTetrahedron);
-    COMPARE_VECTORS(boxOf(model.mesh).size(), unit, (isZUp ? 3 : 2) * unit, (isZUp ? 2 : 3) * unit);
-    QVERIFY(std::abs(volumeOf(model.mesh) - unit * unit * unit) < 1e-6 * unit * unit * unit);
-}
-
-/// A unit or an up axis that is none is refused with its line.
-void TestForeignScenes::ogex_otherMetricsAreRefused()
-{
-    for (const char* const up : {"x", "Z", "-y", "up"}) {
-        const auto error = errorOf(QStringLiteral("a.ogex"), "\nMetric (key = \"up\") {string {\"" + QByteArray(up) +
-                                                                 "\"}}\n" + openGexTetrahedron);
-        QVERIFY2(error && error->fault == core::FileFault::UpAxis && error->token == up, up);
-        QCOMPARE(error->place.number, std::uint64_t(2));
-    }
-    for (const char* const distance : {"0", "-1", "abc", "0.0"}) {
-        const auto error = errorOf(QStringLiteral("a.ogex"), "Metric (key = \"distance\") {float {" +
-                                                                 QByteArray(distance) + "}}\n" + openGexTetrahedron);
-        if (error && error->kind == core::FileErrorKind::ReaderRefused) // Assimp refuses words
-            continue;
-        QVERIFY2(error && error->fault == core::FileFault::PositiveNumber && error->token == distance, distance);
-        QCOMPARE(error->place.number, std::uint64_t(1));
-    }
-}
-
 void TestForeignScenes::dae_brokenRulesAreTold_data()
 {
     QTest::addColumn<QByteArray>("bytes");
@@ -1268,7 +1215,7 @@ void TestForeignScenes::lws_isAsLargeAsItsLwo()
 
 void TestForeignScenes::words_areWholeAndWithoutPath()
 {
-    for (const char* name : {"bad.fbx", "bad.dae", "bad.3ds", "bad.x", "bad.lwo", "bad.ogex", "bad.nff"}) {
+    for (const char* name : {"bad.fbx", "bad.dae", "bad.3ds", "bad.x", "bad.lwo", "bad.nff"}) {
         const auto error = errorOf(QString::fromLatin1(name), "this is nothing of the kind");
         if (!error || error->kind != core::FileErrorKind::ReaderRefused)
             continue;

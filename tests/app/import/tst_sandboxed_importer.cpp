@@ -350,6 +350,9 @@ void TestSandboxedImporter::badFiles_areRefused()
     write(QStringLiteral("own.blend"), "BLENDER-v300");
     const auto blend = errorOf([&] { core::readMesh(file(QStringLiteral("own.blend"))); });
     QVERIFY(blend && blend->kind == Kind::UnknownFormat && blend->token == "blend");
+    write(QStringLiteral("scene.ogex"), "GeometryNode {}");
+    const auto openGex = errorOf([&] { core::readMesh(file(QStringLiteral("scene.ogex"))); });
+    QVERIFY(openGex && openGex->kind == Kind::UnknownFormat && openGex->token == "ogex");
 }
 
 /// A LightWave scene consists of the files that it names.
