@@ -1,5 +1,6 @@
 #include "app/import/collada_check.h"
 
+#include "core/io/mesh/number_parsing.h"
 #include "core/io/mesh/xml_reader.h"
 #include "core/io/mesh/zip_reader.h"
 
@@ -159,6 +160,8 @@ private:
             m_nodes.addInstance(attributes.text("url"));
         else if (name == "skew" && m_nodes.isOpen())
             attributes.refuse(FileFault::NotRead, "skew");
+        else if (name == "unit")
+            requireUnit(attributes);
         else if (isCounted(name))
             m_primitive = {std::string(name), attributes.whole("count")};
         else if (name == "tristrips" || name == "trifans" || name == "lines" || name == "linestrips")
@@ -167,6 +170,14 @@ private:
             beginInPrimitive(name, attributes);
         else
             beginInSource(name, attributes);
+    }
+
+    static void requireUnit(const XmlAttributes& attributes)
+    {
+        std::string metres(attributes.text("meter"));
+        std::ranges::replace(metres, ',', '.'); // some exporters write a decimal comma, which Assimp understands
+        if (!metres.empty() && !(core::io::parseDouble(metres).value_or(0) > 0))
+            attributes.refuse(FileFault::PositiveNumber, attributes.text("meter"));
     }
 
     /// Returns whether Assimp takes the number of primitives from the attribute.

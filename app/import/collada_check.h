@@ -7,7 +7,7 @@ namespace app
 /// Throws core::FileError, with the line, for content of a COLLADA file at which Assimp 5.2 ends its process, reads
 /// beyond values, fills all memory, or silently drops or moves faces: accessors that exceed their values, primitives
 /// without their counts or with too few indices, words or negative numbers among these, nodes that contain themselves,
-/// and skews. Leaves broken XML to Assimp.
+/// skews, and units that are not above 0. Leaves broken XML to Assimp.
 void requireSoundCollada(const core::io::FileBytes& file);
 /// Checks each COLLADA file in a ZAE package as requireSoundCollada() does. Throws core::FileError for a damaged
 /// package, too.

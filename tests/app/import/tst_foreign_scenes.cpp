@@ -207,6 +207,7 @@ private Q_SLOTS:
 
     void dae_brokenRulesAreTold_data();
     void dae_brokenRulesAreTold();
+    void dae_unitsMayHaveACommaOrBeMissing();
     void zae_brokenRulesAreTold();
     void dae_harmlessOdditiesAreRead();
     void brokenFiles_areToldWithTheirPlace_data();
@@ -1032,6 +1033,8 @@ void TestForeignScenes::dae_brokenRulesAreTold_data()
         QTest::newRow(name) << bytes << kind << fault << line << token;
     };
     row("skew", dae({{"<node id=\"n\">", "<node id=\"n\"><skew>45 0 1 0 1 0 0</skew>"}}), Fault::NotRead, 13, "skew");
+    for (const char* metres : {"0", "-1", "nan", "one"})
+        row(metres, dae({{"meter=\"1\"", "meter=\"" + QByteArray(metres) + "\""}}), Fault::PositiveNumber, 3, metres);
     row("no values", dae({{values, ""}}), Fault::BeyondItsData, 6, "float_array a");
     row("a value too few", dae({{values, "0 0 0 1 0 0 0 1 0 0 0"}}), Fault::BeyondItsData, 6, "float_array a");
     row("a huge stride", dae({{"stride=\"3\"", "stride=\"4000000000\""}}), Fault::BeyondItsData, 6, "float_array a");
@@ -1079,6 +1082,13 @@ void TestForeignScenes::dae_brokenRulesAreTold()
     QTEST(error->fault, "fault");
     QTEST(quint64(error->place.number), "line");
     QCOMPARE(error->token, token.toStdString());
+}
+
+void TestForeignScenes::dae_unitsMayHaveACommaOrBeMissing()
+{
+    for (const auto& [unit, side] : {std::pair(" meter=\"0.01\"", 10), {" meter=\"0,01\"", 10}, {"", 1000}})
+        COMPARE_VECTORS(boxOf(read(QStringLiteral("a.dae"), dae({{" meter=\"1\"", unit}})).mesh).size(), side, side,
+                        side);
 }
 
 /// The faults of a COLLADA file in a package are told with its name; a damaged package is incomplete.
