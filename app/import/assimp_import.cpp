@@ -115,7 +115,8 @@ std::string wordsOf(const Assimp::Importer& importer, const fs::path& path)
     return words.ends_with('.') ? words.substr(0, words.size() - 1) : words;
 }
 
-/// Records Assimp's error about the first mesh that it drops because the mesh is broken.
+/// Records Assimp's error about the first mesh that it drops because the mesh is broken, and its warning about the
+/// first corner that it moves.
 class ErrorLog : public Assimp::LogStream
 {
 public:
@@ -125,7 +126,7 @@ public:
     {
         Assimp::DefaultLogger::create("", Assimp::Logger::NORMAL, 0); // 0: log to no file and no console
         auto* const log = new ErrorLog;                               // owned by the logger from now on
-        Assimp::DefaultLogger::get()->attachStream(log, Assimp::Logger::Err);
+        Assimp::DefaultLogger::get()->attachStream(log, Assimp::Logger::Err | Assimp::Logger::Warn);
         return *log;
     }
 
@@ -135,13 +136,20 @@ public:
         constexpr std::string_view behindThread = ": ";
         const std::string_view words(message);
         const std::size_t at = words.find(behindThread);
-        if (m_first.empty() && at != std::string_view::npos && isOfMesh(words))
-            m_first.assign(words, at + behindThread.size(),
-                           words.find_last_not_of(" \r\n") + 1 - at - behindThread.size());
+        const bool isChange = words.find("index is out of range") != std::string_view::npos &&
+                              words.find(" face ") != std::string_view::npos;
+        if (at == std::string_view::npos || !(isChange || (words.starts_with("Error") && isOfMesh(words))))
+            return;
+        std::string& first = isChange ? m_change : m_first;
+        if (first.empty())
+            first.assign(words, at + behindThread.size(),
+                         words.find_last_not_of(" \r\n") + 1 - at - behindThread.size());
     }
 
     /// Returns the text of the first error about a mesh; empty if there was none.
     const std::string& first() const { return m_first; }
+    /// Returns the text of the first warning that Assimp moved a corner; empty if there was none.
+    const std::string& change() const { return m_change; }
 
 private:
     /// Returns whether the error can concern a mesh. Errors that occur only in materials, animations, blend shapes or
@@ -156,7 +164,7 @@ private:
         return false;
     }
 
-    std::string m_first;
+    std::string m_first, m_change;
 };
 
 std::string startOf(const fs::path& path, std::size_t size)
@@ -255,7 +263,7 @@ void addNotes(const aiScene& scene, const ImportFolder::Notes& notes, const fs::
         const bool moves = animation.mNumChannels + animation.mNumMeshChannels + animation.mNumMorphMeshChannels > 0;
         header.animations += moves ? 1 : 0;
     }
-    header.unreadNodes = notes.unread;
+    header.unreadNodes = notes.unread + notes.missing.size();
     if (lowerEnding(path) != ".fbx")
         return;
     const std::string bytes = startOf(path, fs::file_size(path));
@@ -307,6 +315,8 @@ int importForeign(const fs::path& path, const ImportLimits& limits, bool keepsOb
         std::rethrow_exception(notes.problem);
     if (!scene || !scene->mRootNode)
         return refuseUnread(importer, notes, path);
+    if (!log.change().empty())
+        return refuse(ImportHeader::Outcome::Refused, log.change());
     if (!notes.isFollowed) // the unmodified file might be read with wrong rotations
         return refuse(ImportHeader::Outcome::Refused, "the records of its models cannot be followed");
     SceneMesh mesh(*scene, limits, keepsObjects);
@@ -319,6 +329,9 @@ int importForeign(const fs::path& path, const ImportLimits& limits, bool keepsOb
         return refuse(ImportHeader::Outcome::Outside, notes.outside);
     if (mesh.faces() == 0 && notes.whyEmpty)
         throw *notes.whyEmpty;
+    if (mesh.faces() == 0 && !notes.missing.empty())
+        throw core::io::malformed(core::FileFault::Missing,
+                                  core::io::errorWithToken({}, {path, {}}, *notes.missing.begin()));
     if (mesh.faces() == 0 && (missing > 0 || !log.first().empty()))
         return refuse(ImportHeader::Outcome::Refused, log.first().empty() ? "its meshes are broken" : log.first());
     ImportHeader header;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -72,6 +73,14 @@ public:
         for (std::size_t i = 0; i < m_nodes.size(); ++i)
             heightOf(i, 0, file);
     }
+    /// Returns the number of instances of nodes that the file does not have.
+    std::size_t missing() const
+    {
+        std::size_t missing = 0;
+        for (const Node& node : m_nodes)
+            missing += node.below.size() + node.urls.size() - nodesBelow(node).size();
+        return missing;
+    }
 
 private:
     struct Node
@@ -129,10 +138,13 @@ public:
               [this](std::string_view piece) { countWords(piece); }, deepest)
     {}
 
-    void run()
+    /// Returns the number of instances of what the file does not have.
+    std::size_t run()
     {
         parse(m_file, m_xml);
         m_nodes.requireTree(m_file);
+        const auto isMissing = [&](const std::string& url) { return !m_meshes.contains(url); };
+        return m_nodes.missing() + static_cast<std::size_t>(std::ranges::count_if(m_instances, isMissing));
     }
 
 private:
@@ -156,8 +168,10 @@ private:
         m_words = Words::Ignored;
         if (name == "node")
             m_nodes.begin(attributes, m_xml.line());
-        else if (name == "instance_node" && m_nodes.isOpen())
-            m_nodes.addInstance(attributes.text("url"));
+        else if (name.starts_with("instance_") && m_nodes.isOpen())
+            beginInstance(name, attributes);
+        else if (name == "geometry" || name == "controller")
+            m_meshes.emplace(attributes.text("id"));
         else if (name == "skew" && m_nodes.isOpen())
             attributes.refuse(FileFault::NotRead, "skew");
         else if (name == "unit")
@@ -170,6 +184,20 @@ private:
             beginInPrimitive(name, attributes);
         else
             beginInSource(name, attributes);
+    }
+
+    void beginInstance(std::string_view name, const XmlAttributes& attributes)
+    {
+        const bool isNode = name == "instance_node";
+        if (!isNode && name != "instance_geometry" && name != "instance_controller")
+            return;
+        const std::string_view url = attributes.text("url");
+        if (url.find('#', 1) != std::string_view::npos)
+            attributes.refuse(FileFault::NotRead, url);
+        if (isNode)
+            m_nodes.addInstance(url);
+        else
+            m_instances.emplace_back(withoutHash(url));
     }
 
     static void requireUnit(const XmlAttributes& attributes)
@@ -301,6 +329,8 @@ private:
 
     FileBytes m_file;
     NodeGraph m_nodes;
+    std::set<std::string, std::less<>> m_meshes; ///< ids of geometries and controllers
+    std::vector<std::string> m_instances;        ///< ids of the geometries and controllers that nodes show
     std::map<std::string, std::uint64_t, std::less<>> m_arrays; ///< number of values of the source's arrays, by id
     Accessor m_accessor;
     Primitive m_primitive;
@@ -311,20 +341,22 @@ private:
 };
 } // namespace
 
-void requireSoundCollada(const FileBytes& file)
+std::size_t requireSoundCollada(const FileBytes& file)
 {
     try {
-        ColladaCheck(file).run();
+        return ColladaCheck(file).run();
     } catch (const FileError& error) {
         const bool isOfXml = error.fault == FileFault::XmlSyntax || error.fault == FileFault::XmlDocumentType ||
                              error.fault == FileFault::XmlLongTag;
         if (!isOfXml)
             throw;
     }
+    return 0;
 }
 
-void requireSoundZae(const FileBytes& package)
+std::size_t requireSoundZae(const FileBytes& package)
 {
+    std::size_t missing = 0;
     core::io::ZipReader zip(package);
     for (const std::string& name : zip.names()) {
         if (!name.ends_with(".dae"))
@@ -332,12 +364,13 @@ void requireSoundZae(const FileBytes& package)
         std::string text;
         zip.read(name, [&text](std::string_view piece) { text += piece; });
         try {
-            requireSoundCollada({package.path, text});
+            missing += requireSoundCollada({package.path, text});
         } catch (FileError& error) {
             error.path /= std::filesystem::path(name).filename();
             throw;
         }
     }
+    return missing;
 }
 
 void requireXml(const FileBytes& file)

@@ -111,10 +111,10 @@ const std::string* ImportFolder::replacement(const fs::path& path)
             found->second = std::move(fbx.changed);
         } else if (ending == ".zae") {
             const std::string bytes = bytesOf(path);
-            requireSoundZae({path, bytes});
+            m_notes.unread += requireSoundZae({path, bytes});
         } else {
             const std::string bytes = bytesOf(path);
-            requireSoundCollada({path, bytes});
+            m_notes.unread += requireSoundCollada({path, bytes});
             found->second = colladaText(bytes);
         }
     }
@@ -179,8 +179,12 @@ bool ImportFolder::isWithin(const fs::path& file) const
 {
     std::error_code problem;
     const fs::path path = fs::canonical(file, problem);
-    if (problem)
+    if (problem) {
+        if (lowerEnding(file) == ".lwo")
+            m_notes.missing.insert(file.filename().string());
         return false;
+    }
+    m_notes.missing.erase(file.filename().string()); // Assimp tries several folders
     const bool isWithin =
         std::mismatch(m_folder.begin(), m_folder.end(), path.begin(), path.end()).first == m_folder.end();
     if (!isWithin)

@@ -27,7 +27,10 @@ public:
     {
         std::string outside;        ///< name of a requested file that is outside of the folder; empty: none
         std::exception_ptr problem; ///< the exception of a file that could not be provided
-        std::size_t unread = 0; ///< number of X3D surface nodes left out, and of Inline nodes whose files are missing
+        /// Number of X3D surface nodes left out, of Inline nodes whose files are missing, and of COLLADA instances of
+        /// what is missing.
+        std::size_t unread = 0;
+        std::set<std::string> missing; ///< names of LightWave objects that a scene refers to, but that do not exist
         /// false: an FBX file was passed on unmodified, because its records could not be parsed
         bool isFollowed = true;
         std::vector<FbxModel> models;            ///< models of the FBX file

@@ -121,6 +121,26 @@ QByteArray fbx(const QList<FbxModel>& models, const QByteArray& settings = {}, c
            definitions + "Objects:  {\n" + objects + "}\nConnections:  {\n" + connections + "}\n";
 }
 
+/// Returns a triangle of 1 by 2 metres in LightWave's binary chunk format. `last`: index of its third corner.
+QByteArray lwo(char last)
+{
+    const auto chunk = [](const char* name, const QByteArray& content) {
+        QByteArray size(4, '\0');
+        qToBigEndian(quint32(content.size()), size.data());
+        return name + size + content;
+    };
+    QByteArray points;
+    for (const float value : {0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.0F, 2.0F, 0.0F}) {
+        QByteArray number(4, '\0');
+        qToBigEndian(value, number.data());
+        points += number;
+    }
+    const QByteArray polygon = QByteArray("FACE\0\3\0\0\0\1\0", 11) + last;
+    return chunk("FORM", "LWO2" + chunk("TAGS", QByteArray("a\0", 2)) + chunk("LAYR", QByteArray(18, '\0')) +
+                             chunk("PNTS", points) + chunk("POLS", polygon) +
+                             chunk("PTAG", QByteArray("SURF\0\0\0\0", 8)) + chunk("SURF", QByteArray("a\0\0\0", 4)));
+}
+
 /// Returns a COLLADA tetrahedron with some words replaced by others.
 QByteArray dae(const QList<std::pair<QByteArray, QByteArray>>& changes = {})
 {
@@ -208,12 +228,15 @@ private Q_SLOTS:
     void dae_brokenRulesAreTold_data();
     void dae_brokenRulesAreTold();
     void dae_unitsMayHaveACommaOrBeMissing();
+    void dae_missingInstancesAreTold();
     void zae_brokenRulesAreTold();
     void dae_harmlessOdditiesAreRead();
     void brokenFiles_areToldWithTheirPlace_data();
     void brokenFiles_areToldWithTheirPlace();
     void dae_isReadInUtf16AndWithBlanks();
     void lws_isAsLargeAsItsLwo();
+    void lws_missingObjectsAreTold();
+    void lwo_missingCornersAreTold();
     void words_areWholeAndWithoutPath();
 
 private:
@@ -1035,6 +1058,9 @@ void TestForeignScenes::dae_brokenRulesAreTold_data()
     row("skew", dae({{"<node id=\"n\">", "<node id=\"n\"><skew>45 0 1 0 1 0 0</skew>"}}), Fault::NotRead, 13, "skew");
     for (const char* metres : {"0", "-1", "nan", "one"})
         row(metres, dae({{"meter=\"1\"", "meter=\"" + QByteArray(metres) + "\""}}), Fault::PositiveNumber, 3, metres);
+    row("a mesh of another file", dae({{"url=\"#g\"", "url=\"b.dae#g\""}}), Fault::NotRead, 13, "b.dae#g");
+    row("a node of another file", dae({{"<node id=\"n\">", "<node id=\"n\"><instance_node url=\"b.dae#g\"/>"}}),
+        Fault::NotRead, 13, "b.dae#g");
     row("no values", dae({{values, ""}}), Fault::BeyondItsData, 6, "float_array a");
     row("a value too few", dae({{values, "0 0 0 1 0 0 0 1 0 0 0"}}), Fault::BeyondItsData, 6, "float_array a");
     row("a huge stride", dae({{"stride=\"3\"", "stride=\"4000000000\""}}), Fault::BeyondItsData, 6, "float_array a");
@@ -1089,6 +1115,17 @@ void TestForeignScenes::dae_unitsMayHaveACommaOrBeMissing()
     for (const auto& [unit, side] : {std::pair(" meter=\"0.01\"", 10), {" meter=\"0,01\"", 10}, {"", 1000}})
         COMPARE_VECTORS(boxOf(read(QStringLiteral("a.dae"), dae({{" meter=\"1\"", unit}})).mesh).size(), side, side,
                         side);
+}
+
+/// Instances of what is missing are counted.
+void TestForeignScenes::dae_missingInstancesAreTold()
+{
+    QCOMPARE(read(QStringLiteral("a.dae"), dae()).remarks.unreadNodes, std::size_t(0));
+    for (const char* const kind : {"geometry", "controller", "node"}) {
+        const QByteArray gone = "<node><instance_" + QByteArray(kind) + " url=\"#gone\"/></node>";
+        const ReadResult result = read(QStringLiteral("a.dae"), dae({{"</visual_scene>", gone + "</visual_scene>"}}));
+        QVERIFY2(result.remarks.unreadNodes == 1 && result.mesh.triangles.size() == 4, kind);
+    }
 }
 
 /// The faults of a COLLADA file in a package are told with its name; a damaged package is incomplete.
@@ -1200,27 +1237,33 @@ void TestForeignScenes::dae_isReadInUtf16AndWithBlanks()
     }
 }
 
-/// A triangle of 1 by 2 metres in LightWave's binary chunk format.
 void TestForeignScenes::lws_isAsLargeAsItsLwo()
 {
-    const auto chunk = [](const char* name, const QByteArray& content) {
-        QByteArray size(4, '\0');
-        qToBigEndian(quint32(content.size()), size.data());
-        return name + size + content;
-    };
-    QByteArray points;
-    for (const float value : {0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.0F, 2.0F, 0.0F}) {
-        QByteArray number(4, '\0');
-        qToBigEndian(value, number.data());
-        points += number;
-    }
-    const QByteArray content = "LWO2" + chunk("TAGS", QByteArray("a\0", 2)) + chunk("LAYR", QByteArray(18, '\0')) +
-                               chunk("PNTS", points) + chunk("POLS", QByteArray("FACE\0\3\0\0\0\1\0\2", 12)) +
-                               chunk("PTAG", QByteArray("SURF\0\0\0\0", 8)) + chunk("SURF", QByteArray("a\0\0\0", 4));
-    const Box alone = boxOf(read(QStringLiteral("part.lwo"), chunk("FORM", content)).mesh);
+    const Box alone = boxOf(read(QStringLiteral("part.lwo"), lwo(2)).mesh);
     COMPARE_VECTORS(alone.size(), 1000, 2000, 0);
     const ReadResult scene = read(QStringLiteral("a.lws"), "LWSC\n3\n\nLoadObjectLayer 1 part.lwo\n\n");
     COMPARE_VECTORS(boxOf(scene.mesh).size(), 1000, 2000, 0);
+}
+
+/// A scene tells how many of its objects are missing; one without any object is refused.
+void TestForeignScenes::lws_missingObjectsAreTold()
+{
+    write(QStringLiteral("here.lwo"), lwo(2));
+    const QByteArray start = "LWSC\n3\n\n", here = "LoadObjectLayer 1 here.lwo\n\n",
+                     gone = "LoadObjectLayer 1 gone.lwo\n\n";
+    QCOMPARE(read(QStringLiteral("a.lws"), start + here + gone + gone).remarks.unreadNodes, std::size_t(1));
+    QCOMPARE(read(QStringLiteral("a.lws"), start + here + here).remarks.unreadNodes, std::size_t(0));
+    const auto error = errorOf(QStringLiteral("a.lws"), start + gone);
+    QVERIFY(error && error->fault == core::FileFault::Missing);
+    QCOMPARE(error->token, std::string("gone.lwo"));
+}
+
+/// Assimp would put another corner in the place of one that does not exist.
+void TestForeignScenes::lwo_missingCornersAreTold()
+{
+    const auto error = errorOf(QStringLiteral("a.lwo"), lwo(99));
+    QVERIFY(error && error->kind == core::FileErrorKind::ReaderRefused);
+    QVERIFY(error->token.find("out of range") != std::string::npos);
 }
 
 void TestForeignScenes::words_areWholeAndWithoutPath()
