@@ -207,8 +207,11 @@ void AmfDocumentReader::begin(Element element, const XmlAttributes& attributes)
     else if (element == Element::Color)
         m_color = {};
     else if (element == Element::Volume)
-        m_volume = {
-            m_document.nodes.back().mesh.triangles.size(), std::string(attributes.text("materialid")), {}, {}, {}};
+        m_volume = {m_document.nodes.back().mesh.triangles.size(),
+                    std::string(attributes.text("materialid")),
+                    {},
+                    attributes.text("type") == "support" ? Matter::Other : Matter::Model,
+                    {}};
     else if (element == Element::Material)
         m_material = attributes.text("id");
     else if (element == Element::Metadata)

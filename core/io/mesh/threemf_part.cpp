@@ -42,6 +42,10 @@ constexpr std::string_view otherShapes[] = {
     "http://schemas.3mf.io/3dmanufacturing/displacement/2023/10|displacementmesh",
     "http://schemas.3mf.io/3dmanufacturing/volumetric/2022/01|levelset"};
 
+/// Settings of Cura for objects that are no material.
+constexpr std::string_view curaSpace = "http://software.ultimaker.com/xml/cura/3mf/2015/10|",
+                           otherUses[] = {"support_mesh", "anti_overhang_mesh", "infill_mesh", "cutting_mesh"};
+
 /// Returns an extension's name for users: its namespace without the common beginning.
 std::string_view extensionName(std::string_view space)
 {
@@ -184,7 +188,11 @@ ThreeMfPartReader::ThreeMfPartReader(const FileBytes& file)
     , m_colors(std::make_unique<Colors>())
     , m_xml(
           file, [this](std::string_view name, const XmlAttributes& attributes) { begin(name, attributes); },
-          [this](std::string_view name) { end(name); })
+          [this](std::string_view name) { end(name); },
+          [this](std::string_view piece) {
+              if (m_isInOtherUse)
+                  m_otherUse += piece;
+          })
 {}
 
 ThreeMfPartReader::~ThreeMfPartReader() = default;
@@ -194,6 +202,8 @@ void ThreeMfPartReader::begin(std::string_view name, const XmlAttributes& attrib
     m_stopCheck();
     if (const std::string_view ofCore = coreName(name); !ofCore.empty())
         beginCore(ofCore, attributes);
+    else if (name == std::string(curaSpace) + "setting" && m_object)
+        beginSetting(attributes.text("key"));
     if (name == beamName)
         ++m_part.beams;
     if (m_object && std::find(std::begin(otherShapes), std::end(otherShapes), name) != std::end(otherShapes))
@@ -221,6 +231,8 @@ void ThreeMfPartReader::beginCore(std::string_view name, const XmlAttributes& at
         m_part.build.push_back(componentOf(attributes));
     else if (name == "object")
         beginObject(attributes);
+    else if (name == "metadata" && m_object && attributes.text("name").starts_with("cura:"))
+        beginSetting(attributes.text("name").substr(std::string_view("cura:").size()));
     else if (name == "basematerials")
         m_colors->openGroup = &m_colors->groups[attributes.whole("id")];
     else if (name == "base" && m_colors->openGroup)
@@ -247,6 +259,12 @@ void ThreeMfPartReader::beginObject(const XmlAttributes& attributes)
     m_colors->means.clear();
 }
 
+void ThreeMfPartReader::beginSetting(std::string_view name)
+{
+    m_isInOtherUse = std::find(std::begin(otherUses), std::end(otherUses), name) != std::end(otherUses);
+    m_otherUse.clear();
+}
+
 void ThreeMfPartReader::addTriangle(const XmlAttributes& attributes)
 {
     if (!m_object)
@@ -264,6 +282,9 @@ void ThreeMfPartReader::end(std::string_view name)
 {
     if (name.ends_with("|colorgroup") || name.ends_with("|basematerials"))
         m_colors->openGroup = nullptr;
+    if (m_isInOtherUse && m_otherUse == "True")
+        m_object->isSolid = false;
+    m_isInOtherUse = false;
     if (!m_object || coreName(name) != "object")
         return;
     TriangleMesh& mesh = m_object->mesh;

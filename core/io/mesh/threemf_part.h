@@ -23,7 +23,9 @@ struct ThreeMfObject
     TriangleMesh mesh; ///< mesh in the part's unit; indices are in range
     std::string name;  ///< a cleanName()
     std::vector<ThreeMfComponent> components;
-    bool isSolid = true;    ///< false: a support, a solid support, or another object that is not part of the model
+    /// false: a support, a solid support, a mesh that changes settings in Cura, or another object that is not part of
+    /// the model
+    bool isSolid = true;
     std::string otherShape; ///< extension that defines this object's shape in a way that is not supported, or empty
 };
 
@@ -59,6 +61,8 @@ private:
     void beginCore(std::string_view name, const XmlAttributes& attributes);
     void beginModel(const XmlAttributes& attributes);
     void beginObject(const XmlAttributes& attributes);
+    /// Begins a setting of Cura for the object.
+    void beginSetting(std::string_view name);
     void addTriangle(const XmlAttributes& attributes);
     void end(std::string_view name);
     ThreeMfComponent componentOf(const XmlAttributes& attributes) const;
@@ -67,6 +71,8 @@ private:
     StopCheck m_stopCheck;
     ThreeMfPart m_part;
     ThreeMfObject* m_object = nullptr; ///< the object that is being read
+    bool m_isInOtherUse = false;       ///< in a setting that says whether the object is no material
+    std::string m_otherUse;            ///< value of that setting
     std::unique_ptr<Colors> m_colors;
     XmlReader m_xml; ///< declared last, because its callbacks use the other members
 };

@@ -280,11 +280,15 @@ void TestAmf::verticesBehindTheTriangles_areRead()
 void TestAmf::slicersVolumes_areLeftOutAndTold_data()
 {
     QTest::addColumn<QString>("metadata");
+    QTest::addColumn<QString>("attributes");
     QTest::addColumn<bool>("isMatter");
     QTest::addColumn<bool>("isNegative");
-    const auto row = [](const char* name, const std::string& metadata, bool isMatter, bool isNegative = false) {
-        QTest::newRow(name) << QString::fromStdString(metadata) << isMatter << isNegative;
+    const auto row = [](const char* name, const std::string& metadata, bool isMatter, bool isNegative = false,
+                        const char* attributes = "") {
+        QTest::newRow(name) << QString::fromStdString(metadata) << QString(attributes) << isMatter << isNegative;
     };
+    row("of AMF 1.2", "", true, false, " type=\"object\"");
+    row("support of AMF 1.2", "", false, false, " type=\"support\"");
     row("a name", "<metadata type=\"name\">modifier</metadata>", true);
     row("no modifier", volumeMetadata("modifier", "0"), true);
     row("modifier of Slic3r", volumeMetadata("modifier", "1"), false);
@@ -298,12 +302,14 @@ void TestAmf::slicersVolumes_areLeftOutAndTold_data()
 void TestAmf::slicersVolumes_areLeftOutAndTold()
 {
     QFETCH(QString, metadata);
+    QFETCH(QString, attributes);
     QFETCH(bool, isMatter);
     QFETCH(bool, isNegative);
     const AmfTetrahedron t{.ofVertex = {}, .ofTriangle = amfColor("1", "0", "0")}, plain;
     const std::string mesh = "<mesh><vertices>" + t.vertices() + t.vertices(5) + t.vertices(9) + "</vertices><volume>" +
-                             plain.triangles() + "</volume><volume>" + metadata.toStdString() + t.triangles(4) +
-                             "</volume><volume>" + plain.triangles(8) + "</volume></mesh>";
+                             plain.triangles() + "</volume><volume" + attributes.toStdString() + ">" +
+                             metadata.toStdString() + t.triangles(4) + "</volume><volume>" + plain.triangles(8) +
+                             "</volume></mesh>";
     const ReadResult result = readAll(amfOf(amfObject("1", mesh)));
     QCOMPARE(result.mesh.triangles.size(), std::size_t(isMatter ? 12 : 8));
     QCOMPARE(enclosedVolume(result.mesh), isMatter ? 3.0 : 2.0);

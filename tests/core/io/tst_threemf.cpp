@@ -98,6 +98,7 @@ private Q_SLOTS:
     void partsElsewhere_areRead();
     void partsElsewhere_haveTheirUnits();
     void supports_areLeftOut();
+    void meshesOfCura_areLeftOut();
     void pointsBesideOthers_areLeftOut();
     void colors_areRead();
     void sameModel_givesSameBytes();
@@ -235,6 +236,30 @@ void TestThreeMf::supports_areLeftOut()
     QCOMPARE(read.triangles.size(), std::size_t(12));
     QVERIFY(largest(read).x() == 9 * 6 + 1);
     QCOMPARE(core::readModel(file("a.3mf")).remarks.otherParts, std::size_t(3));
+}
+
+/// Cura keeps supports, and meshes that change the settings around them, as objects of the type model.
+void TestThreeMf::meshesOfCura_areLeftOut()
+{
+    const auto set = [](const std::string& name, const std::string& value) {
+        return "<metadatagroup><metadata name=\"cura:" + name + "\" type=\"xs:string\">" + value +
+               "</metadata></metadatagroup>";
+    };
+    const std::string older = "<c:settings xmlns:c=\"http://software.ultimaker.com/xml/cura/3mf/2015/10\"><c:setting "
+                              "key=\"infill_mesh\">True</c:setting></c:settings>";
+    std::string objects, items;
+    int id = 0;
+    for (const std::string& settings :
+         {set("support_mesh", "True"), set("anti_overhang_mesh", "True"), set("infill_mesh", "True"),
+          set("cutting_mesh", "True"), older, set("support_mesh", "False"), set("infill_sparse_density", "True"),
+          std::string()}) {
+        objects += object(++id, settings + mesh());
+        items += item(id, "transform=\"1 0 0 0 1 0 0 0 1 " + std::to_string(9 * id) + " 0 0\"");
+    }
+    read(model(objects, items));
+    const core::ReadResult result = core::readModel(file("a.3mf"));
+    QCOMPARE(result.mesh.triangles.size(), std::size_t(12));
+    QCOMPARE(result.remarks.otherParts, std::size_t(5));
 }
 
 /// Tests that an object scaled to a single point is removed with its faces, while another object is read.
