@@ -9,8 +9,9 @@ namespace
 {
 /// The thickness at a face's centre holds for the whole face if the face's radius is at most this number of
 /// thicknesses. Where two faces meet at 60 degrees, the extreme for a thin place, the thickness changes by the distance
-/// moved; elsewhere it changes by little. Faces larger than `small` times the largest ball are always searched: under
-/// thick matter the ground of a groove may be near them, but not within 30 degrees of the normal at the centre.
+/// moved; elsewhere it changes by little. Faces larger than `small` times the largest ball are always searched, and so
+/// are smaller ones with a ridge opposite, such as the ground of a groove. At the centre the ridge may be more than 30
+/// degrees off the normal, unless it is farther away than radius / `compact`.
 constexpr double small = 0.05, smallOfMany = 0.35;
 /// The thickness at the centre holds for a face that is nowhere thinner than the share sameThickness of it. A part is
 /// divided if its least thickness is below the share evenThickness of its largest.
@@ -64,8 +65,13 @@ double WallParts::radiusOf(Slot position) const
 
 bool WallParts::isLarge(Slot position, double centre, double reach) const
 {
-    const double ofThickness = (m_surface.hasMany() ? smallOfMany : small) * std::min(centre, reach);
-    return m_surface.hasArea(position) && radiusOf(position) > std::min(ofThickness, small * m_limits.largestBall);
+    if (!m_surface.hasArea(position))
+        return false;
+    const double share = m_surface.hasMany() ? smallOfMany : small, radius = radiusOf(position);
+    if (radius > std::min(share * std::min(centre, reach), small * m_limits.largestBall))
+        return true;
+    const double farthest = std::min({centre, radius / std::max(share, compact), m_limits.largestBall});
+    return m_ridges.mayBeOpposite(m_surface.cornersOf(position), m_surface.inwardOf(position), farthest);
 }
 
 std::vector<WallPart> WallParts::divide(Slot position, double centre, const JobControl& control) const

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/print/wall_balls.h"
+#include "core/print/wall_ridges.h"
 #include "core/print/wall_thickness.h"
 
 #include <queue>
@@ -20,11 +21,13 @@ public:
         double area = 0;       ///< doubtful areas below this are ignored
     };
 
-    /// Keeps references to the first three arguments.
-    WallParts(const WallSurface& surface, const WallRays& rays, const WallBalls& balls, const Limits& limits)
+    /// Keeps references to all arguments but the limits.
+    WallParts(const WallSurface& surface, const WallRays& rays, const WallBalls& balls, const WallRidges& ridges,
+              const Limits& limits)
         : m_surface(surface)
         , m_rays(rays)
         , m_balls(balls)
+        , m_ridges(ridges)
         , m_limits(limits)
     {}
 
@@ -72,6 +75,7 @@ private:
     const WallSurface& m_surface;
     const WallRays& m_rays;
     const WallBalls& m_balls;
+    const WallRidges& m_ridges;
     Limits m_limits;
 };
 } // namespace core

@@ -39,6 +39,22 @@ double widened(double cosine)
     const double sum = cosine * minChordCosine - sine * std::sqrt(1 - minChordCosine * minChordCosine);
     return sum >= 0 ? sum : -1;
 }
+
+/// Returns the box of all chords that leave a face within 30 degrees of its normal, up to a length.
+FaceBox boxOfChords(const std::array<Vec3, 3>& face, const Vec3& inward, double length)
+{
+    const double minChordSine = std::sqrt(1 - minChordCosine * minChordCosine);
+    const auto longest = [&](double cosine) { // of a chord along a direction at this cosine from the normal
+        const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
+        return length * (cosine > minChordCosine ? 1 : std::max(0.0, cosine * minChordCosine + sine * minChordSine));
+    };
+    FaceBox box;
+    for (const Vec3& corner : face) {
+        box.extend((corner + inward.unaryExpr(longest)).cast<float>().array());
+        box.extend((corner - (-inward).unaryExpr(longest)).cast<float>().array());
+    }
+    return box;
+}
 } // namespace
 
 Box WallRidges::Segment::box() const
@@ -48,10 +64,9 @@ Box WallRidges::Segment::box() const
     return box;
 }
 
-WallRidges::WallRidges(const TriangleMesh& mesh, const WallEdges& edges, const WallRays& rays, double thickest)
+WallRidges::WallRidges(const TriangleMesh& mesh, const WallEdges& edges, const WallRays& rays)
     : m_edges(edges)
     , m_rays(rays)
-    , m_thickest(thickest)
     , m_tree(addRidges(mesh))
 {}
 
@@ -87,23 +102,45 @@ std::vector<FaceBox> WallRidges::addRidges(const TriangleMesh& mesh)
     return boxes;
 }
 
-std::vector<WallRidge> WallRidges::measure(const std::vector<float>& ofFaces, const JobControl& control) const
+bool WallRidges::mayBeOpposite(const std::array<Vec3, 3>& face, const Vec3& inward, double farthest) const
+{
+    if (m_ridges.empty())
+        return false;
+    const FaceBox chords = boxOfChords(face, inward, farthest);
+    const auto reach = [&](const FaceBox& box) { return box.meets(chords) ? 0 : noBall; };
+    bool isFound = false;
+    m_tree.forEachNear(reach, noBall, [&](Slot position) {
+        const Ridge& ridge = m_ridges[m_tree.at(position)];
+        const auto& [from, to] = ridge.segment;
+        const double ahead = std::max(inward.dot(from - face[0]), inward.dot(to - face[0]));
+        if (ahead > 0 && cosineOf(ridge, -inward) >= -maxOppositeCosine) {
+            const double distance = std::sqrt(nearestOfTriangleAndSegment(face, from, to).squaredDistance);
+            isFound = distance <= std::min(farthest, ahead / minChordCosine);
+        }
+        return isFound ? 0 : noBall;
+    });
+    return isFound;
+}
+
+std::vector<WallRidge> WallRidges::measure(const std::vector<float>& ofFaces, double thickest,
+                                           const JobControl& control) const
 {
     auto found = joinChunks<std::vector<WallRidge>>(
         m_ridges.size(), ridgesAtOnce, [&](std::size_t begin, std::size_t end, std::vector<WallRidge>& some) {
             for (std::size_t i = begin; i < end && !control.isCancelled(); ++i)
-                measure(m_tree.at(static_cast<Slot>(i)), ofFaces, some);
+                measure(m_tree.at(static_cast<Slot>(i)), ofFaces, thickest, some);
         });
     std::ranges::stable_sort(found, {}, &WallRidge::face);
     return found;
 }
 
 /// Halves the ridge until each piece is about evenly thick or short compared with its thickness.
-void WallRidges::measure(Slot number, const std::vector<float>& ofFaces, std::vector<WallRidge>& found) const
+void WallRidges::measure(Slot number, const std::vector<float>& ofFaces, double thickest,
+                         std::vector<WallRidge>& found) const
 {
     const Ridge& ridge = m_ridges[number];
     const auto atFaces = static_cast<double>(std::min(ofFaces[ridge.faces[0]], ofFaces[ridge.faces[1]]));
-    const double thickest = std::min(m_thickest, thinnerThanFaces * atFaces);
+    thickest = std::min(thickest, thinnerThanFaces * atFaces);
     std::vector<std::pair<Segment, int>> pieces{{ridge.segment, 0}};
     while (!pieces.empty()) {
         const auto [piece, halvings] = pieces.back();

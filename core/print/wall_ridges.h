@@ -10,13 +10,17 @@ namespace core
 class WallRidges
 {
 public:
-    /// Keeps references. `thickest`: walls thicker than this are not searched, in the model's unit.
-    WallRidges(const TriangleMesh& mesh, const WallEdges& edges, const WallRays& rays, double thickest);
+    /// Keeps references to the edges and the rays.
+    WallRidges(const TriangleMesh& mesh, const WallEdges& edges, const WallRays& rays);
 
+    /// Returns whether a ridge may be opposite some point of a face, at most `farthest` away from it. Does not test
+    /// whether it is visible. `inward`: unit normal of the face, turned into the matter.
+    bool mayBeOpposite(const std::array<Vec3, 3>& face, const Vec3& inward, double farthest) const;
     /// Returns pieces of ridges, and corners, that are thinner than their faces, sorted by face. `ofFaces`: thickness
-    /// of each face. Uses all cores; the result does not depend on their number. Cost: a few microseconds for each pair
-    /// of ridges that face each other within the thickest wall.
-    std::vector<WallRidge> measure(const std::vector<float>& ofFaces, const JobControl& control) const;
+    /// of each face. `thickest`: walls thicker than this are not searched, in the model's unit. Uses all cores; the
+    /// result does not depend on their number. Cost: a few microseconds for each pair of ridges that face each other
+    /// within the thickest wall.
+    std::vector<WallRidge> measure(const std::vector<float>& ofFaces, double thickest, const JobControl& control) const;
 
 private:
     struct Segment
@@ -44,7 +48,7 @@ private:
     };
 
     std::vector<FaceBox> addRidges(const TriangleMesh& mesh);
-    void measure(Slot ridge, const std::vector<float>& ofFaces, std::vector<WallRidge>& found) const;
+    void measure(Slot ridge, const std::vector<float>& ofFaces, double thickest, std::vector<WallRidge>& found) const;
     Place thinnestOf(const Ridge& ridge, const Segment& piece, double thickest) const;
     void search(const Ridge& ridge, const Segment& piece, const Ridge& other, Place& thinnest) const;
     bool mayLook(const Ridge& ridge, const Segment& from, const Segment& to, double sign, double distance) const;
@@ -52,7 +56,6 @@ private:
 
     const WallEdges& m_edges;
     const WallRays& m_rays;
-    double m_thickest;
     std::vector<Ridge> m_ridges;
     BoxTree m_tree;
 };

@@ -43,8 +43,9 @@ public:
         : m_surface(mesh)
         , m_rays(m_surface)
         , m_balls(mesh, m_surface, m_rays)
+        , m_ridges(mesh, m_surface.edges(), m_rays)
         , m_largestBall(largestBall)
-        , m_parts(m_surface, m_rays, m_balls, limits(m_surface, largestBall))
+        , m_parts(m_surface, m_rays, m_balls, m_ridges, limits(m_surface, largestBall))
         , m_isLarge(m_surface.size(), 0)
     {}
 
@@ -93,7 +94,7 @@ public:
         }
     }
 
-    void measureRidges(const TriangleMesh& mesh, const JobControl& control, WallThickness& result) const
+    void measureRidges(const JobControl& control, WallThickness& result) const
     {
         std::vector<float> least = result.atCentres;
         for (const WallPart& part : result.parts)
@@ -101,7 +102,7 @@ public:
         const auto thinnest = std::ranges::min_element(least);
         const bool hasWalls = thinnest != least.end() && std::isfinite(*thinnest);
         const double thickest = hasWalls ? std::max(m_largestBall, static_cast<double>(*thinnest)) : m_largestBall;
-        result.ridges = WallRidges(mesh, m_surface.edges(), m_rays, thickest).measure(least, control);
+        result.ridges = m_ridges.measure(least, thickest, control);
     }
 
     std::size_t size() const { return m_surface.size(); }
@@ -160,6 +161,7 @@ private:
     WallSurface m_surface;
     WallRays m_rays;
     WallBalls m_balls;
+    WallRidges m_ridges;
     double m_largestBall;
     WallParts m_parts;
     /// Flags by position in the tree; bytes, because threads write neighbouring elements.
@@ -196,7 +198,7 @@ WallThickness wallThickness(const TriangleMesh& mesh, double largestBall, const 
     thickness.measureThinnest(control, result);
     std::ranges::stable_sort(result.parts, {}, &WallPart::face);
     if (!control.isCancelled())
-        thickness.measureRidges(mesh, control, result);
+        thickness.measureRidges(control, result);
     return result;
 }
 } // namespace core

@@ -55,11 +55,11 @@ struct WallThickness
     /// Thickness of each face at its centre: the ball that no visible opposite face reaches into, at most 4 % too large
     /// (7 % for meshes of more than 100,000 faces).
     std::vector<float> atCentres;
-    /// Parts of faces that are large for their thickness, so that the thickness at the centre is not enough. Sorted by
-    /// face; together the parts of a face cover it. A face is divided where it is thinner than the largest ball.
-    /// Division ends when the thickness within a part differs by less than a tenth (a fifth for more than 100,000
-    /// faces), or when the face has 200,000 / (number of faces) parts, at least 4 and at most 4096. Of more than
-    /// 100,000 faces those at the thinnest place are parts, too, if they are thinner than at their centres.
+    /// Parts of faces whose thickness at the centre is not enough, because they are large for it or have a ridge
+    /// opposite. Sorted by face; together the parts of a face cover it. A face is divided where it is thinner than the
+    /// largest ball. Division ends when the thickness within a part differs by less than a tenth (a fifth for more than
+    /// 100,000 faces), or when the face has 200,000 / (number of faces) parts, at least 4 and at most 4096. Of more
+    /// than 100,000 faces those at the thinnest place are parts, too, if they are thinner than at their centres.
     std::vector<WallPart> parts;
     /// Ridges that are thinner than the faces at them, sorted by face. Those thicker than the largest ball are missing
     /// if any face is thinner.

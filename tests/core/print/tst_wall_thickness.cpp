@@ -1150,13 +1150,18 @@ void TestWallThickness::walls_ofAnySizeAreMeasured_data()
     QTest::addColumn<TriangleMesh>("mesh");
     QTest::addColumn<double>("thickness");
     // The faces are small compared with the block, but larger than the wall between groove and floor.
-    TriangleMesh groove = grooved(0.5, 1), tip = hollowed(spike(4, 0.5, 10), 0.5, false);
+    TriangleMesh groove = grooved(0.5, 1), narrow = grooved(0.5, 0.3), tip = hollowed(spike(4, 0.5, 10), 0.5, false);
     for (int i = 0; i < 5; ++i) {
         QTest::addRow("groove, %d times in quarters", i) << groove << 0.5;
         QTest::addRow("tip, %d times in quarters", i) << tip << 0.5;
         groove = inQuarters(groove);
+        narrow = inQuarters(narrow);
         tip = inQuarters(tip);
     }
+    // The faces are less than 1 mm wide, and no face's centre has the bottom of the cut within 30 degrees of its
+    // normal.
+    QTest::addRow("narrow groove over small faces") << shapes::scaled(narrow, 0.5F) << 0.25;
+    QTest::addRow("tip over small faces") << shapes::scaled(tip, 0.5F) << 0.25;
     QTest::addRow("groove of many faces") << inManyFaces(shapes::scaled(grooved(0.1, 0.3), 6)) << 0.6;
     QTest::addRow("narrow groove of many faces") << inManyFaces(grooved(0.5, 0.3)) << 0.5;
     QTest::addRow("tiny groove") << shapes::scaled(grooved(0.3, 0.3), 0.01F) << 0.003;
