@@ -413,7 +413,10 @@ std::optional<WallBalls::Touch> WallBalls::nearestOpposite(Slot position, const 
     };
     std::optional<Touch> nearest;
     double min = (1 - m_shallow) * radius * (1 - m_shallow) * radius;
-    m_surface.tree().forEachNear(WallTree::Point(m_surface.tree(), centre), min, [&](Slot other) {
+    const WallTree::Point point(m_surface.tree(), centre);
+    const WallTree::Opposite opposite(inward, maxOppositeCosine);
+    const auto reach = [&](const WallTree::Node& node) { return opposite(node, point(node)); };
+    m_surface.tree().forEachNear(reach, min, [&](Slot other) {
         if (!m_surface.mayTouch(position, other) || m_surface.reach(other, centre) >= min ||
             std::ranges::find(hidden, other) != hidden.end())
             return min;
@@ -449,7 +452,9 @@ std::optional<WallBalls::Touch> WallBalls::nearestOpposite(Slot position, const 
     };
     std::optional<Touch> nearest;
     double min = (1 - shallow) * radius * (1 - shallow) * radius;
-    m_surface.tree().forEachNear(lifted, min, [&](Slot other) {
+    const WallTree::Opposite opposite(inward, maxOppositeCosine);
+    const auto reach = [&](const WallTree::Node& node) { return opposite(node, lifted(node)); };
+    m_surface.tree().forEachNear(reach, min, [&](Slot other) {
         if (!m_surface.mayTouch(position, other) || std::ranges::find(hidden, other) != hidden.end())
             return min;
         std::array<Vec3, 3> corners = m_surface.cornersOf(other);

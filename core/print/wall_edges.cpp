@@ -176,6 +176,31 @@ void WallEdges::addStars(const TriangleMesh& mesh)
             }
 }
 
+/// All normals of an edge are between those of its two faces. Divided by the cosine of half the angle between them,
+/// these two span a segment beyond the arc of the normals.
+FaceBox WallEdges::normalsAt(Slot face, const Triangle& corners) const
+{
+    constexpr double flat = 0.05;
+    FaceBox box;
+    const auto extendToAll = [&] {
+        box.extend(Eigen::Array3f::Constant(-1));
+        box.extend(Eigen::Array3f::Constant(1));
+    };
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (m_cornerOf[corners[i]] != noSlot)
+            extendToAll();
+        if (m_edgeOf[face][i] == noSlot)
+            continue;
+        const auto& [one, other] = m_edges[m_edgeOf[face][i]].inward;
+        const double half = (one + other).norm() / 2;
+        if (half < flat)
+            extendToAll();
+        for (const Vec3& normal : {one, other})
+            box.extend((normal / std::max(half, flat)).cast<float>().array());
+    }
+    return box;
+}
+
 bool WallEdges::isOpposite(const Corner& corner, const Vec3& inward) const
 {
     return std::ranges::all_of(edgesAt(corner), [&](const Vec3& edge) { return inward.dot(edge) >= 0; });

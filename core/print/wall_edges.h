@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/box_tree.h"
 #include "core/geometry/triangle_mesh.h"
 
 #include <span>
@@ -59,6 +60,10 @@ public:
         const Slot corner = m_cornerOf[vertex];
         return corner != noSlot && isOpposite(m_corners[corner], inward);
     }
+
+    /// Returns a box that bounds the inward normals at the edges and corners of a face; empty unless isAt(). Normals of
+    /// an edge may be bounded by longer vectors of the same direction.
+    FaceBox normalsAt(Slot face, const Triangle& corners) const;
 
     const std::vector<Edge>& edges() const { return m_edges; }
     const std::vector<Corner>& corners() const { return m_corners; }

@@ -17,15 +17,34 @@ WallSurface::WallSurface(const TriangleMesh& mesh) : WallSurface(mesh, BoxTree(f
 
 WallSurface::WallSurface(const TriangleMesh& mesh, const BoxTree& tree)
     : m_edges(mesh)
-    , m_tree(tree)
-    , m_walls(mesh.triangles.size())
+    , m_walls(wallsOf(mesh, tree))
+    , m_tree(tree, normalsOf(mesh))
+{}
+
+std::vector<WallSurface::Wall> WallSurface::wallsOf(const TriangleMesh& mesh, const BoxTree& tree) const
 {
-    forEachChunk(m_walls.size(), facesAtOnce, [&](std::size_t, std::size_t begin, std::size_t end) {
+    std::vector<Wall> walls(mesh.triangles.size());
+    forEachChunk(walls.size(), facesAtOnce, [&](std::size_t, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            m_walls[i] = wallOf(mesh, tree.at(static_cast<Slot>(i)));
-            m_walls[i].isAtEdge = m_edges.isAt(m_walls[i].face);
+            walls[i] = wallOf(mesh, tree.at(static_cast<Slot>(i)));
+            walls[i].isAtEdge = m_edges.isAt(walls[i].face);
         }
     });
+    return walls;
+}
+
+/// Returns bounds of the inward normals of the faces and of their edges and corners, by position.
+std::vector<FaceBox> WallSurface::normalsOf(const TriangleMesh& mesh) const
+{
+    std::vector<FaceBox> normals(m_walls.size());
+    forEachChunk(m_walls.size(), facesAtOnce, [&](std::size_t, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            normals[i].extend(-m_walls[i].normal.array());
+            if (m_walls[i].isAtEdge)
+                normals[i].extend(m_edges.normalsAt(m_walls[i].face, mesh.triangles[m_walls[i].face]));
+        }
+    });
+    return normals;
 }
 
 WallSurface::Wall WallSurface::wallOf(const TriangleMesh& mesh, Slot face)

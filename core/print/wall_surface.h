@@ -58,10 +58,12 @@ private:
 
     WallSurface(const TriangleMesh& mesh, const BoxTree& tree);
     static Wall wallOf(const TriangleMesh& mesh, Slot face);
+    std::vector<Wall> wallsOf(const TriangleMesh& mesh, const BoxTree& tree) const;
+    std::vector<FaceBox> normalsOf(const TriangleMesh& mesh) const;
 
     WallEdges m_edges;
-    WallTree m_tree;
     std::vector<Wall> m_walls; ///< faces by position in the tree
+    WallTree m_tree;
 };
 
 inline bool WallSurface::areOpposite(Slot a, Slot b) const

@@ -68,6 +68,6 @@ struct WallThickness
 
 /// Measures wall thickness. Precondition: the model bounds a solid. Balls at centres are at most `largestBall` in
 /// diameter; where none is found, the result of the rays is used. Uses all cores; the result does not depend on their
-/// number. The result of a cancelled call must not be used. Cost: see fettle_bench; memory: 150 bytes per face.
+/// number. The result of a cancelled call must not be used. Cost: see fettle_bench; memory: 200 bytes per face.
 WallThickness wallThickness(const TriangleMesh& mesh, double largestBall, const JobControl& control = {});
 } // namespace core

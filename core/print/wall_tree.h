@@ -4,8 +4,9 @@
 
 namespace core
 {
-/// A BoxTree whose nodes store the eight boxes below them as float32 arrays, so that they are tested together. Tests
-/// are conservative: they accept every box that a test in doubles would accept.
+/// A BoxTree whose nodes store the eight boxes below them as float32 arrays, so that they are tested together. Each box
+/// has another box that bounds the normals of what is in it. Tests are conservative: they accept every box that a test
+/// in doubles would accept.
 class WallTree
 {
 public:
@@ -14,10 +15,11 @@ public:
     struct Node
     {
         std::array<Floats, 3> min, max;
+        std::array<Floats, 3> minNormal, maxNormal;
     };
 
-    /// Keeps the positions of the boxes.
-    explicit WallTree(const BoxTree& tree);
+    /// Keeps the positions of the boxes. `normals`: bounds of the normals, by position.
+    WallTree(const BoxTree& tree, std::vector<FaceBox> normals);
 
     /// Computes where a ray enters boxes, in multiples of its direction (slab test, Kay and Kajiya 1986).
     class Ray
@@ -38,6 +40,19 @@ public:
 
     private:
         std::array<float, 3> m_after, m_before;
+    };
+
+    /// Tells which boxes have a normal at more than a given angle from a direction, so that it may be opposite.
+    class Opposite
+    {
+    public:
+        Opposite(const Vec3& direction, double maxCosine);
+        /// Returns `distances` with infinity for the boxes without such a normal.
+        Floats operator()(const Node& node, const Floats& distances) const;
+
+    private:
+        std::array<float, 3> m_direction;
+        float m_maxCosine;
     };
 
     /// Visits faces, roughly nearest first. reach(node) returns the distance at which each of the node's boxes begins,
@@ -101,6 +116,15 @@ inline WallTree::Floats WallTree::Ray::operator()(const Node& node) const
         leave = leave.min(isForward ? high : low);
     }
     return (enter <= leave * farther).select(enter * closer, Floats::Constant(infinity));
+}
+
+/// Uses the least scalar product of the direction with a vector in the box of normals.
+inline WallTree::Floats WallTree::Opposite::operator()(const Node& node, const Floats& distances) const
+{
+    Floats least = Floats::Zero();
+    for (std::size_t i = 0; i < 3; ++i)
+        least += m_direction[i] * (m_direction[i] > 0 ? node.minNormal[i] : node.maxNormal[i]);
+    return (least < m_maxCosine).select(distances, Floats::Constant(std::numeric_limits<float>::infinity()));
 }
 
 inline WallTree::Floats WallTree::Point::operator()(const Node& node) const

@@ -10,6 +10,7 @@
 #include "core/geometry/polygon_triangulation.h"
 #include "core/geometry/triangle_distance.h"
 #include "core/print/print_check.h"
+#include "core/print/wall_edges.h"
 #include "core/util/worker_pool.h"
 
 #include <QTest>
@@ -879,6 +880,7 @@ private Q_SLOTS:
     void wallOfTheLimit_isNotThin_data();
     void wallOfTheLimit_isNotThin();
     void parts_doNotDependOnThreads();
+    void normals_ofEdgesAreInTheirBoxes();
 };
 
 void TestWallThickness::wedge_isMeasuredAtItsThinEnd()
@@ -1300,6 +1302,34 @@ void TestWallThickness::parts_doNotDependOnThreads()
     QCOMPARE(alone.parts.size(), together.parts.size());
     for (std::size_t i = 0; i < alone.parts.size(); ++i)
         QVERIFY(alone.parts[i].least == together.parts[i].least && alone.parts[i].corners == together.parts[i].corners);
+}
+
+/// Checks that each direction opposite an edge or a corner is also opposite the box of its face's normals.
+void TestWallThickness::normals_ofEdgesAreInTheirBoxes()
+{
+    Random random(4);
+    int opposite = 0;
+    for (const TriangleMesh& mesh :
+         {scored(3, 0.6, 0.1, true), spike(3, 1, 8), wedge(0.001, 10), hollowed(spike(5, 2, 6), 0.5, true),
+          turned(ringGrooved(9, 0.5, 2), random.rotation()), randomPart(3), randomPart(8)}) {
+        const core::WallEdges edges(mesh);
+        for (Slot face = 0; face < mesh.triangles.size(); ++face) {
+            const core::FaceBox box = edges.normalsAt(face, mesh.triangles[face]);
+            QCOMPARE((box.min <= box.max).all(), edges.isAt(face));
+            for (int i = 0; i < 500 && edges.isAt(face); ++i) {
+                const Vec3 direction = random.rotation() * Vec3::UnitX();
+                bool isOpposite = false;
+                for (std::size_t k = 0; k < 3; ++k)
+                    isOpposite = isOpposite || edges.isOppositeSide(face, k, direction) ||
+                                 edges.isOppositeCorner(mesh.triangles[face][k], direction);
+                const Eigen::Array3d min = box.min.cast<double>() * direction.array();
+                const double least = min.min(box.max.cast<double>() * direction.array()).sum();
+                QVERIFY(!isOpposite || least < core::maxOppositeCosine + 1e-6);
+                opposite += isOpposite ? 1 : 0;
+            }
+        }
+    }
+    QVERIFY2(opposite > 1000, qPrintable(QString::number(opposite)));
 }
 
 FETTLE_TEST(TestWallThickness)

@@ -87,6 +87,7 @@ class TestWallTree : public QObject
 private Q_SLOTS:
     void boxes_areNeverMissed_data();
     void boxes_areNeverMissed();
+    void boxes_oppositeAreVisited();
 };
 
 void TestWallTree::boxes_areNeverMissed_data()
@@ -108,7 +109,7 @@ void TestWallTree::boxes_areNeverMissed()
     RandomBoxes random(static_cast<unsigned>(count));
     const Vec3 place = away * Vec3(0.6, -0.7, 0.4);
     const BoxTree boxes(random.boxes(static_cast<std::size_t>(count), size, place));
-    const WallTree tree(boxes);
+    const WallTree tree(boxes, std::vector<FaceBox>(boxes.size()));
     const double error = 64 * 1.2e-7 * (away + size);
     for (int i = 0; i < 100; ++i) {
         const Vec3 p = place + random.point(size), direction = random.point(1) + Vec3(0, 0, 1e-3);
@@ -126,6 +127,37 @@ void TestWallTree::boxes_areNeverMissed()
         QVERIFY(std::ranges::includes(reached, near));
         for (const Slot position : reached) // few boxes beyond the bound are visited
             QVERIFY(std::sqrt(squaredDistance(boxes.box(position), p)) < std::sqrt(bound * size) * 1.0001 + error);
+    }
+}
+
+/// Checks that boxes are visited if a corner of their box of normals is opposite, and only these.
+void TestWallTree::boxes_oppositeAreVisited()
+{
+    constexpr double maxCosine = -0.5;
+    RandomBoxes random(1);
+    const BoxTree boxes(random.boxes(700, 50, Vec3::Zero()));
+    std::vector<FaceBox> normals(boxes.size());
+    for (Slot position = 0; position < boxes.size(); ++position) {
+        // neighbouring boxes have similar normals, so that whole nodes are skipped
+        const Vec3 normal = Vec3(boxes.box(position).min.cast<double>()) / 50;
+        normals[position].extend(normal.cast<float>().array());
+        normals[position].extend((normal + 0.2 * random.point(1)).cast<float>().array());
+    }
+    const WallTree tree(boxes, normals);
+    for (int i = 0; i < 100; ++i) {
+        const Vec3 direction = (random.point(1) + Vec3(0, 0, 1e-3)).normalized();
+        const auto leastCosine = [&](Slot position) {
+            const Eigen::Array3d min = normals[position].min.cast<double>() * direction.array();
+            return min.min(normals[position].max.cast<double>() * direction.array()).sum();
+        };
+        const WallTree::Opposite opposite(direction, maxCosine);
+        const WallTree::Point point(tree, Vec3::Zero());
+        const std::set<Slot> seen = visited(
+            tree, [&](const WallTree::Node& node) { return opposite(node, point(node)); }, nowhere);
+        for (Slot position = 0; position < boxes.size(); ++position) {
+            const double least = leastCosine(position);
+            QVERIFY(seen.contains(position) ? least < maxCosine + 1e-4 : least >= maxCosine);
+        }
     }
 }
 
