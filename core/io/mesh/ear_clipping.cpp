@@ -4,76 +4,108 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <deque>
-#include <limits>
+#include <numeric>
 
 namespace core::io
 {
 namespace
 {
-/// A grid of a polygon's corners in its projection, with about one corner a cell. A place is an index in the ring of
-/// corners.
-class RingGrid
+/// A tree over the corners of a polygon in its projection. Each node has the corners in a box; its children halve them
+/// along one axis, then the other. A place is an index in the ring of corners.
+class RingTree
 {
 public:
-    RingGrid(const FlatPolygon& polygon, std::span<const Slot> ring) : m_polygon(polygon), m_ring(ring)
+    RingTree(const FlatPolygon& polygon, std::span<const Slot> ring)
+        : m_polygon(polygon)
+        , m_ring(ring)
+        , m_order(ring.size())
+        , m_leafOf(ring.size())
     {
-        for (std::size_t k = 0; k < 2; ++k) {
-            m_min[k] = std::numeric_limits<float>::max();
-            float max = std::numeric_limits<float>::lowest();
-            for (const Slot corner : ring) {
-                m_min[k] = std::min(m_min[k], seen(corner, k));
-                max = std::max(max, seen(corner, k));
-            }
-            m_size[k] = static_cast<double>(max) - static_cast<double>(m_min[k]);
-        }
-        m_side = std::max<std::size_t>(1, static_cast<std::size_t>(std::sqrt(static_cast<double>(ring.size()))));
-        m_cells.resize(m_side * m_side);
-        for (std::size_t i = 0; i < ring.size(); ++i)
-            cellOf(i).push_back(static_cast<Slot>(i));
+        std::iota(m_order.begin(), m_order.end(), Slot(0));
+        m_nodes.resize(1);
+        build(0, 0, static_cast<Slot>(ring.size()), 0);
     }
 
-    void remove(std::size_t place) { std::erase(cellOf(place), static_cast<Slot>(place)); }
-
-    /// Returns whether `holds` is true for any place in the cells that overlap the box of these three corners.
-    template <typename Holds> bool anyIn(const std::array<Slot, 3>& corners, Holds holds) const
+    void remove(Slot place)
     {
-        std::array<std::size_t, 2> first, last;
-        for (std::size_t k = 0; k < 2; ++k) {
-            const auto [min, max] = std::minmax({seen(corners[0], k), seen(corners[1], k), seen(corners[2], k)});
-            first[k] = step(min, k);
-            last[k] = step(max, k);
-        }
-        for (std::size_t y = first[1]; y <= last[1]; ++y)
-            for (std::size_t x = first[0]; x <= last[0]; ++x)
-                if (std::ranges::any_of(m_cells[y * m_side + x], holds))
-                    return true;
-        return false;
+        const auto [first, last] = m_nodes[m_leafOf[place]].places;
+        const auto at = std::find(m_order.begin() + first, m_order.begin() + last, place);
+        std::iter_swap(at, m_order.begin() + --m_nodes[m_leafOf[place]].places.second);
+        for (Slot node = m_leafOf[place]; node != noSlot; node = m_nodes[node].parent)
+            --m_nodes[node].count;
+    }
+
+    /// Returns whether `holds` is true for any place in the anticlockwise triangle of these corners, or near it.
+    template <typename Holds> bool anyIn(const std::array<Slot, 3>& corners, Holds holds, Slot node = 0) const
+    {
+        const Node& n = m_nodes[node];
+        if (n.child == noSlot)
+            return std::any_of(m_order.begin() + n.places.first, m_order.begin() + n.places.second, holds);
+        if (n.count == 0 || isApart(n, corners))
+            return false;
+        return anyIn(corners, holds, n.child) || anyIn(corners, holds, n.child + 1);
     }
 
 private:
-    float seen(Slot corner, std::size_t k) const { return m_polygon.seen(corner, static_cast<int>(k)); }
-
-    /// Returns the row or column of a coordinate. It never decreases as x grows, so that every corner in a box is in
-    /// the box's cells.
-    std::size_t step(float x, std::size_t k) const
+    static constexpr Slot leafSize = 8;
+    struct Node
     {
-        const double part = m_size[k] > 0 ? (static_cast<double>(x) - static_cast<double>(m_min[k])) / m_size[k] : 0;
-        return std::min(static_cast<std::size_t>(part * static_cast<double>(m_side)), m_side - 1);
+        std::array<float, 2> min{}, max{};
+        Slot parent = noSlot, child = noSlot; ///< the second child follows the first; noSlot: a leaf
+        Slot count = 0;                       ///< number of places that are left
+        std::pair<Slot, Slot> places{};       ///< range of a leaf in m_order
+    };
+
+    auto isLess(int axis) const
+    {
+        return [this, axis](Slot a, Slot b) { return seen(a, axis) < seen(b, axis); };
     }
 
-    std::vector<Slot>& cellOf(std::size_t place)
+    void build(Slot node, Slot first, Slot last, int axis)
     {
-        return m_cells[step(seen(m_ring[place], 1), 1) * m_side + step(seen(m_ring[place], 0), 0)];
+        const auto begin = m_order.begin() + first, end = m_order.begin() + last;
+        m_nodes[node].count = last - first;
+        for (const int k : {0, 1}) {
+            const auto [min, max] = std::minmax_element(begin, end, isLess(k));
+            m_nodes[node].min[static_cast<std::size_t>(k)] = seen(*min, k);
+            m_nodes[node].max[static_cast<std::size_t>(k)] = seen(*max, k);
+        }
+        if (last - first <= leafSize) {
+            m_nodes[node].places = {first, last};
+            std::for_each(begin, end, [&](Slot place) { m_leafOf[place] = node; });
+            return;
+        }
+        const Slot middle = first + (last - first) / 2, child = static_cast<Slot>(m_nodes.size());
+        std::nth_element(begin, m_order.begin() + middle, end, isLess(axis));
+        m_nodes[node].child = child;
+        m_nodes.resize(m_nodes.size() + 2);
+        m_nodes[child].parent = m_nodes[child + 1].parent = node;
+        build(child, first, middle, 1 - axis);
+        build(child + 1, middle, last, 1 - axis);
+    }
+
+    float seen(Slot place, int axis) const { return m_polygon.seen(m_ring[place], axis); }
+
+    /// Returns whether the whole box is strictly outside the triangle. Exact, so no corner is missed.
+    bool isApart(const Node& n, const std::array<Slot, 3>& corners) const
+    {
+        for (std::size_t i = 0; i < 3; ++i)
+            if (m_polygon.isRightOf(corners[i], corners[(i + 1) % 3], n.min, n.max))
+                return true;
+        for (std::size_t k = 0; k < 2; ++k) {
+            const auto at = [&](std::size_t i) { return m_polygon.seen(corners[i], static_cast<int>(k)); };
+            if (std::max({at(0), at(1), at(2)}) < n.min[k] || std::min({at(0), at(1), at(2)}) > n.max[k])
+                return true;
+        }
+        return false;
     }
 
     const FlatPolygon& m_polygon;
     std::span<const Slot> m_ring;
-    std::array<float, 2> m_min{};
-    std::array<double, 2> m_size{};
-    std::size_t m_side = 1;
-    std::vector<std::vector<Slot>> m_cells;
+    std::vector<Slot> m_order;  ///< all places; those of a node follow each other
+    std::vector<Slot> m_leafOf; ///< the leaf of each place
+    std::vector<Node> m_nodes;
 };
 
 class EarClipper
@@ -83,7 +115,7 @@ public:
         : m_triangles(triangles)
         , m_ring(ring)
         , m_polygon(points, ring)
-        , m_grid(m_polygon, ring)
+        , m_tree(m_polygon, ring)
         , m_next(ring.size())
         , m_previous(ring.size())
         , m_turns(ring.size(), 0)
@@ -95,14 +127,14 @@ public:
         }
     }
 
-    /// Cuts ears until one triangle is left. A corner is tested again only after one of its neighbours was cut, or when
-    /// no other corner is left to test. A simple polygon always has an ear. A polygon that crosses itself may have
-    /// none; then any corner is cut.
+    /// Cuts ears until nothing is left. A corner is tested again only after one of its neighbours was cut, or when no
+    /// other corner is left to test. A polygon that touches itself only at corners and along edges always has an ear. A
+    /// polygon that crosses itself may have none; then any corner is cut.
     void clip(StopCheck& stopCheck)
     {
         enqueueAll();
         bool hasEars = true, hasCut = false;
-        while (m_left > 3) {
+        while (m_left >= 3) {
             if (m_waiting.empty()) {
                 hasEars = hasCut;
                 hasCut = false;
@@ -113,18 +145,11 @@ public:
             if (turn != m_turns[place])
                 continue;
             stopCheck(16);
-            if (hasEars && !isEar(place))
+            if (hasEars && !isTip(place) && !isEar(place))
                 continue;
             cut(place);
             hasCut = true;
         }
-        Slot place = m_next[m_last];
-        std::array<Slot, 3> rest;
-        for (Slot& corner : rest) {
-            corner = m_ring[place];
-            place = m_next[place];
-        }
-        m_triangles.push_back({rest[0], rest[1], rest[2]});
     }
 
 private:
@@ -135,7 +160,15 @@ private:
         std::uint32_t turn; ///< m_turns[place] when it was enqueued; the entry is void if that has changed
     };
 
-    void enqueue(Slot place) { m_waiting.push_back({place, ++m_turns[place]}); }
+    /// Puts tips to the front, because the sides of a slit look like the inside of the polygon to other corners.
+    void enqueue(Slot place)
+    {
+        const Waiting waiting{place, ++m_turns[place]};
+        if (isTip(place))
+            m_waiting.push_front(waiting);
+        else
+            m_waiting.push_back(waiting);
+    }
     void enqueueAll()
     {
         m_waiting.clear();
@@ -144,39 +177,73 @@ private:
             enqueue(place);
     }
 
-    /// Returns whether the corner is convex and no other corner is in the triangle that it would cut off.
+    Slot before(Slot place) const { return m_ring[m_previous[place]]; }
+    Slot behind(Slot place) const { return m_ring[m_next[place]]; }
+
+    /// Returns whether the corner is the tip of a slit: the ring goes straight back from it.
+    bool isTip(Slot place) const
+    {
+        const Slot a = before(place), b = m_ring[place], c = behind(place);
+        return m_polygon.turn(a, b, c) == 0 && !m_polygon.isBetween(a, b, c);
+    }
+
+    /// Returns whether the corner is convex and nothing is in the triangle that it would cut off.
     bool isEar(Slot place) const
     {
-        const Slot a = m_ring[m_previous[place]], b = m_ring[place], c = m_ring[m_next[place]];
-        if (m_polygon.turn(a, b, c) <= 0)
+        const Slot a = before(place), b = m_ring[place], c = behind(place);
+        return m_polygon.turn(a, b, c) > 0 &&
+               !m_tree.anyIn({a, b, c}, [&](Slot other) { return isIn(other, a, b, c); });
+    }
+
+    /// Returns whether a corner, or a side of the polygon at the corner, is in the triangle abc. A polygon whose holes
+    /// are joined to its outline has several corners at one point; these are in the triangle's corner, but their sides
+    /// may lead through the triangle.
+    bool isIn(Slot place, Slot a, Slot b, Slot c) const
+    {
+        const Slot p = m_ring[place];
+        const int ab = m_polygon.turn(a, b, p);
+        const int bc = ab < 0 ? ab : m_polygon.turn(b, c, p), ca = bc < 0 ? bc : m_polygon.turn(c, a, p);
+        if (ca < 0)
             return false;
-        return !m_grid.anyIn({a, b, c}, [&](Slot other) {
-            const Slot p = m_ring[other];
-            return p != a && p != b && p != c && m_polygon.turn(a, b, p) >= 0 && m_polygon.turn(b, c, p) >= 0 &&
-                   m_polygon.turn(c, a, p) >= 0;
-        });
+        const auto leadsInto = [&](Slot q) {
+            return (ab > 0 || m_polygon.turn(a, b, q) > 0) && (bc > 0 || m_polygon.turn(b, c, q) > 0) &&
+                   (ca > 0 || m_polygon.turn(c, a, q) > 0);
+        };
+        const bool isOnCut = ca == 0 && ab > 0 && bc > 0;
+        return isOnCut || leadsInto(before(place)) || leadsInto(behind(place));
     }
 
     /// Cuts the corner off and moves its neighbours to the end of the queue. Cutting them at once would make a fan of
-    /// slivers.
+    /// slivers. The tip of a slit gives no triangle, unless the slit's sides are divided differently.
     void cut(Slot place)
     {
-        const Slot before = m_previous[place], behind = m_next[place];
-        m_triangles.push_back({m_ring[before], m_ring[place], m_ring[behind]});
-        m_grid.remove(place);
+        Slot previous = m_previous[place], next = m_next[place];
+        if (m_polygon.areSame(m_ring[previous], m_ring[next]))
+            next = remove(next);
+        else
+            m_triangles.push_back({m_ring[previous], m_ring[place], m_ring[next]});
+        remove(place);
+        m_last = next;
+        enqueue(previous);
+        enqueue(next);
+    }
+
+    /// Removes the place from the ring. Returns the next one.
+    Slot remove(Slot place)
+    {
+        const Slot previous = m_previous[place], next = m_next[place];
+        m_tree.remove(place);
         m_turns[place] = gone;
-        m_next[before] = behind;
-        m_previous[behind] = before;
-        m_last = behind;
+        m_next[previous] = next;
+        m_previous[next] = previous;
         --m_left;
-        enqueue(before);
-        enqueue(behind);
+        return next;
     }
 
     std::vector<Triangle>& m_triangles;
     std::span<const Slot> m_ring;
     FlatPolygon m_polygon;
-    RingGrid m_grid;
+    RingTree m_tree;
     std::vector<Slot> m_next, m_previous; ///< neighbours of each place among the remaining places
     std::vector<std::uint32_t> m_turns;   ///< number of times that each place was enqueued; `gone` if it was cut
     std::deque<Waiting> m_waiting;

@@ -9,9 +9,9 @@
 namespace core::io
 {
 /// Triangulates a face with at least four corners by ear clipping, projected along the axis in which its area is
-/// largest. Appends the triangles. The tests are exact: a simple polygon is filled exactly. Cost: about a hundred tests
-/// a corner for any number of corners, thanks to a grid; quadratic in the corners if triangles are about as large as
-/// the face. Throws ReadingCancelled.
+/// largest. Appends the triangles. The tests are exact: a polygon is filled exactly if it is simple, or touches itself
+/// only at corners and along edges, as one whose holes are joined to its outline. Cost: about the square root of the
+/// number of corners for each, thanks to a tree. Throws ReadingCancelled.
 void clipEars(std::vector<Triangle>& triangles, const std::vector<Vec3f>& points, std::span<const Slot> corners,
               StopCheck& stopCheck);
 } // namespace core::io
