@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <set>
 
 namespace core::io
 {
@@ -79,7 +80,7 @@ private:
     {
         const std::string_view name = m_text.word();
         const std::string_view count = m_text.word();
-        if (name.empty() || m_header.find(name))
+        if (name.empty() || !m_names.insert(name).second)
             m_text.fail(name.empty() ? FileFault::Name : FileFault::Repeated, name);
         const std::int64_t number = m_text.toInteger(count);
         if (number < 0)
@@ -117,7 +118,8 @@ private:
     const FileBytes& m_file;
     TextScanner m_text;
     PlyHeader m_header;
-    bool m_linesEndBackwards; ///< line ends are \n\r: the last line's second byte does not belong to the body
+    std::set<std::string_view> m_names; ///< of the elements so far
+    bool m_linesEndBackwards;           ///< line ends are \n\r: the last line's second byte does not belong to the body
 };
 } // namespace
 

@@ -267,6 +267,19 @@ private Q_SLOTS:
         QCOMPARE(read.remarks.facesOfFewer, std::size_t(1));
     }
 
+    /// Takes half a minute if each element's name is compared with all others.
+    void plyOfManyElements()
+    {
+        std::ofstream file(path("elements.ply"), std::ios::binary);
+        file << "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+                "element face 1\nproperty list uchar int vertex_indices\n";
+        for (int i = 0; i < 200'000; ++i)
+            file << "element e" << i << " 0\nproperty int a\n";
+        file << "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+        file.close();
+        QCOMPARE(core::readMesh(path("elements.ply")).triangles.size(), std::size_t(1));
+    }
+
     void stopsWhenAsked()
     {
         core::writeMesh(path("stopped.stl"), largeModel());
