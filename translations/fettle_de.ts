@@ -6140,6 +6140,18 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1: Angekündigt sind %2 Elemente, die Datei hat aber nur Platz für %3.</translation>
     </message>
     <message>
+        <source>%1: the file is incomplete; %2 vertices are announced, but it has room for %3.</source>
+        <translation>%1: Die Datei ist unvollständig; %2 Eckpunkte sind angekündigt, aber sie hat nur Platz für %3.</translation>
+    </message>
+    <message>
+        <source>%1: the file is incomplete; %2 faces are announced, but it has room for %3.</source>
+        <translation>%1: Die Datei ist unvollständig; %2 Flächen sind angekündigt, aber sie hat nur Platz für %3.</translation>
+    </message>
+    <message>
+        <source>%1: %2 faces are announced, but the file has %3.</source>
+        <translation>%1: %2 Flächen sind angekündigt, aber die Datei hat %3.</translation>
+    </message>
+    <message>
         <source>%1: a coordinate is not a finite number.</source>
         <translation>%1: Eine Koordinate ist keine endliche Zahl.</translation>
     </message>

@@ -6112,6 +6112,18 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>%1：声明了 %2 个元素，但文件只能容纳 %3 个。</translation>
     </message>
     <message>
+        <source>%1: the file is incomplete; %2 vertices are announced, but it has room for %3.</source>
+        <translation>%1：文件不完整；声明了 %2 个顶点，但只有 %3 个的空间。</translation>
+    </message>
+    <message>
+        <source>%1: the file is incomplete; %2 faces are announced, but it has room for %3.</source>
+        <translation>%1：文件不完整；声明了 %2 个面，但只有 %3 个的空间。</translation>
+    </message>
+    <message>
+        <source>%1: %2 faces are announced, but the file has %3.</source>
+        <translation>%1：声明了 %2 个面，但文件中有 %3 个。</translation>
+    </message>
+    <message>
         <source>%1: a coordinate is not a finite number.</source>
         <translation>%1：有坐标不是有限数。</translation>
     </message>

@@ -482,6 +482,12 @@ FileError malformed(FileFault fault, FileError error, std::string_view wanted)
     return error;
 }
 
+FileError withElements(FileError error, std::string_view what, std::uint64_t announced, std::uint64_t found)
+{
+    error.token = what;
+    return withCounts(std::move(error), announced, found);
+}
+
 FileError withCounts(FileError error, std::uint64_t expected, std::uint64_t found)
 {
     error.expected = expected;

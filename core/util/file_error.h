@@ -21,9 +21,11 @@ enum class FileErrorKind {
     UnknownFormat,        ///< token: the file name's extension, without dot
     NotWhatItsEndingSays, ///< token: format that the content looks like ("ply", "stl", "obj", "png", ...), or empty
     Utf16,                ///< text in UTF-16; only UTF-8 is read
-    /// place: where data is missing, often the file's end; expected, found: sizes in bytes, if known
+    /// place: where data is missing, often the file's end. token: "vertices" or "faces"; expected: their number as
+    /// announced; found: as the file has room for. Or no token; expected, found: sizes in bytes, if known
     CutOff,
-    CountMismatch,   ///< place, expected: elements announced; found: elements that the file has room for
+    /// place, expected: elements announced; found: elements that the file has room for, or has if the token is "faces"
+    CountMismatch,
     Malformed,       ///< place, fault; token: the text found there or the thing at fault, or empty
     NotANumber,      ///< place; token: the text that is not a finite number, empty in binary files
     IndexOutOfRange, ///< place; token: the index as written; expected: number of vertices

@@ -311,10 +311,19 @@ QString ErrorMessages::content(const core::FileError& error)
     const QString where = nativePath(error.path) + at(error);
     switch (error.kind) {
     case FileErrorKind::CutOff:
+        if (error.token == "vertices")
+            return tr("%1: the file is incomplete; %2 vertices are announced, but it has room for %3.")
+                .arg(where, number(error.expected), number(error.found));
+        if (error.token == "faces")
+            return tr("%1: the file is incomplete; %2 faces are announced, but it has room for %3.")
+                .arg(where, number(error.expected), number(error.found));
         return error.expected == 0 ? tr("%1: the file is incomplete; it ends here.").arg(where)
                                    : tr("%1: the file is incomplete; %2 are expected, but it has %3.")
                                          .arg(where, bytes(error.expected), bytes(error.found));
     case FileErrorKind::CountMismatch:
+        if (error.token == "faces")
+            return tr("%1: %2 faces are announced, but the file has %3.")
+                .arg(where, number(error.expected), number(error.found));
         return tr("%1: %2 elements are announced, but the file has room for %3.")
             .arg(where, number(error.expected), number(error.found));
     case FileErrorKind::Malformed:

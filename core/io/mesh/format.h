@@ -56,6 +56,9 @@ FileError errorAtByte(FileErrorKind kind, const FileBytes& file, const char* at,
 FileError errorWithToken(FileErrorKind kind, const FileBytes& file, std::string_view token);
 FileError tooMany(std::string_view what, std::size_t max, FileError error);
 FileError withCounts(FileError error, std::uint64_t expected, std::uint64_t found = 0);
+/// Returns the error with the number of elements that the file announces, and that it has. `what`: "vertices" or
+/// "faces".
+FileError withElements(FileError error, std::string_view what, std::uint64_t announced, std::uint64_t found);
 /// Returns the error as Malformed, with the fault; `wanted`: see FileError.
 FileError malformed(FileFault fault, FileError error, std::string_view wanted = {});
 

@@ -21,8 +21,7 @@ namespace core::io
 {
 namespace
 {
-/// Smallest sizes in bytes: a vertex takes at least "0 0 0\n", a face "1 0\n".
-constexpr std::size_t minVertex = 6, minFace = 4;
+constexpr std::size_t minVertex = 6; ///< smallest size in bytes: "0 0 0\n"
 
 using RawColor = std::array<float, 3>;
 constexpr RawColor noColor{-1, -1, -1};
@@ -49,6 +48,15 @@ struct Fit
     auto operator<=>(const Fit&) const = default;
 };
 
+/// Returns the next word, on this line or a later one. Throws CutOff at the end of the file.
+std::string_view nextWord(TextScanner& text)
+{
+    const std::string_view word = text.wordAnywhere();
+    if (word.empty())
+        text.fail(FileErrorKind::CutOff, {});
+    return word;
+}
+
 /// Returns the number of further words on the line.
 std::size_t wordsOnLine(TextScanner text)
 {
@@ -61,9 +69,10 @@ std::size_t wordsOnLine(TextScanner text)
 class OffReader
 {
 public:
-    OffReader(const FileBytes& file, const Layout& lines)
+    /// Begins to read at `from`.
+    OffReader(const FileBytes& file, const Layout& lines, const char* from)
         : m_file(file)
-        , m_text(file, file.bytes.data(), '#')
+        , m_text(file, from, '#')
         , m_stopCheck(file.stop)
         , m_lines(lines)
     {}
@@ -71,22 +80,24 @@ public:
     ReadResult read()
     {
         readKeyword();
-        if (isBinaryOff(m_file.bytes.substr(0, startSize)))
-            return readBinary();
-        const std::size_t vertices = readCount("vertices", maxVertices, minVertex);
-        const std::size_t faces = readCount("faces", maxFaces, minFace);
-        m_mesh.points.reserve(vertices);
+        if (isBinaryOff(m_file.bytes.substr(0, startSize))) {
+            m_text.nextLine();
+            return BinaryOff{m_file, m_text.position(), m_coordinates > 3, m_hasColors, m_hasTexture}.read();
+        }
+        m_vertices = readCount("vertices", maxVertices);
+        m_announced = readCount("faces", maxFaces);
+        m_mesh.points.reserve(std::min(m_vertices, m_file.bytes.size() / minVertex));
         skipEdges();
-        while (m_mesh.points.size() < vertices) {
-            begin(m_lines.ofVertices);
-            readVertex();
+        try {
+            readElements();
+        } catch (const FileError& error) {
+            if (error.kind != FileErrorKind::CutOff)
+                throw;
+            const std::size_t vertices = m_mesh.points.size();
+            throw vertices < m_vertices ? withElements(error, "vertices", m_vertices, vertices)
+                                        : withElements(error, "faces", m_announced, faces());
         }
-        if (!m_lines.ofVertices && m_lines.ofFaces && vertices > 0 && !m_text.atLineEnd())
-            m_text.fail(FileErrorKind::CutOff, {}); // the last vertex ends within a line
-        for (std::size_t i = 0; i < faces; ++i) {
-            begin(m_lines.ofFaces || (m_lines.ofVertices && i == 0));
-            readFace(vertices);
-        }
+        refuseFurtherFaces();
         if (m_lines.ofFaces)
             m_text.nextLine();
         if ((!m_lines.ofVertices || !m_lines.ofFaces) && parseDouble(m_text.wordAnywhere()))
@@ -108,7 +119,7 @@ private:
     /// coordinates, which must be three. 4OFF is refused.
     void readKeyword()
     {
-        const std::string_view keyword = nextWord();
+        const std::string_view keyword = nextWord(m_text);
         std::string_view rest = keyword;
         const auto takes = [&rest](std::string_view part) {
             const bool has = rest.starts_with(part);
@@ -118,36 +129,55 @@ private:
         m_hasTexture = takes("ST");
         m_hasColors = takes("C");
         m_coordinates = takes("N") ? 6 : 3;
-        const bool isOfSpace = !takes("n") || nextWord() == "3";
+        const bool isOfSpace = !takes("n") || nextWord(m_text) == "3";
         if (rest != "OFF" || !isOfSpace)
             m_text.fail(FileFault::Keyword, keyword, "OFF");
     }
 
-    ReadResult readBinary()
+    void readElements()
     {
-        m_text.nextLine();
-        return BinaryOff{m_file, m_text.position(), m_coordinates > 3, m_hasColors, m_hasTexture}.read();
+        while (m_mesh.points.size() < m_vertices) {
+            begin(m_lines.ofVertices);
+            readVertex();
+        }
+        if (!m_lines.ofVertices && m_lines.ofFaces && m_vertices > 0 && !m_text.atLineEnd())
+            m_text.fail(FileErrorKind::CutOff, {}); // the last vertex ends within a line
+        while (faces() < m_announced) {
+            begin(m_lines.ofFaces || (m_lines.ofVertices && faces() == 0));
+            readFace();
+        }
     }
 
-    /// Returns the next word, on this line or a later one. Throws CutOff at the end of the file.
-    std::string_view nextWord()
+    std::size_t faces() const { return m_faces.faces() + m_remarks.facesOfFewer; }
+
+    /// Throws CountMismatch if faces follow the last one, which are more than the header announces.
+    void refuseFurtherFaces() const
     {
-        const std::string_view word = m_text.wordAnywhere();
-        if (word.empty())
-            m_text.fail(FileErrorKind::CutOff, {});
-        return word;
+        OffReader ahead(m_file, m_lines, m_text.position());
+        ahead.m_vertices = m_vertices;
+        const char* at = nullptr;
+        try {
+            while (true) {
+                ahead.begin(m_lines.ofFaces);
+                const char* const face = ahead.m_text.position();
+                ahead.readFace();
+                at = at ? at : face;
+            }
+        } catch (const FileError&) { // the end of the faces
+        }
+        if (at)
+            throw withElements(errorAtLine(FileErrorKind::CountMismatch, m_file, at), "faces", m_announced,
+                               m_announced + ahead.faces());
     }
 
-    std::size_t readCount(std::string_view what, std::size_t max, std::size_t minBytes)
+    std::size_t readCount(std::string_view what, std::size_t max)
     {
-        const std::string_view word = nextWord();
+        const std::string_view word = nextWord(m_text);
         const std::int64_t count = m_text.toInteger(word);
         if (count < 0)
             m_text.fail(FileFault::Count, word);
         if (static_cast<std::uint64_t>(count) > max)
             throw tooMany(what, max, errorAtLine({}, m_file, word.data()));
-        if (static_cast<std::uint64_t>(count) > m_file.bytes.size() / minBytes)
-            throw errorAtLine(FileErrorKind::CutOff, m_file, m_file.bytes.data() + m_file.bytes.size());
         return static_cast<std::size_t>(count);
     }
 
@@ -180,13 +210,13 @@ private:
     {
         std::array<float, 3> point;
         for (float& x : point)
-            x = m_text.toNumber(nextWord());
+            x = m_text.toNumber(nextWord(m_text));
         for (std::size_t i = point.size(); i < m_coordinates; ++i)
-            nextWord(); // a coordinate of the normal, ignored
+            nextWord(m_text); // a coordinate of the normal, ignored
         if (m_hasColors && (!m_lines.ofVertices || !m_text.atLineEnd()))
             readColor();
         for (int i = 0; i < 2 && m_hasTexture && !m_lines.ofVertices; ++i)
-            nextWord();
+            nextWord(m_text);
         m_mesh.points.emplace_back(point[0], point[1], point[2]);
         if (m_lines.ofVertices && m_mesh.points.size() == 1)
             m_linesAreShared = wordsOnLine(m_text) >= m_coordinates + (m_hasColors ? 3 : 0) + (m_hasTexture ? 2 : 0);
@@ -197,19 +227,17 @@ private:
     {
         m_colors.resize(m_mesh.points.size(), noColor);
         RawColor& color = m_colors.emplace_back();
+        const auto read = [this] {
+            const std::string_view word = m_lines.ofVertices ? m_text.word() : nextWord(m_text);
+            const float component = m_text.toNumber(word);
+            m_hasFractions = m_hasFractions || word.find('.') != std::string_view::npos;
+            m_largest = std::max(m_largest, component);
+            return component;
+        };
         for (float& c : color)
-            c = readComponent();
+            c = read();
         if (m_lines.ofVertices ? !m_text.atLineEnd() : m_lines.components > color.size())
-            readComponent();
-    }
-
-    float readComponent()
-    {
-        const std::string_view word = m_lines.ofVertices ? m_text.word() : nextWord();
-        const float component = m_text.toNumber(word);
-        m_hasFractions = m_hasFractions || word.find('.') != std::string_view::npos;
-        m_largest = std::max(m_largest, component);
-        return component;
+            read();
     }
 
     void makeColors()
@@ -228,31 +256,31 @@ private:
         }
     }
 
-    void readFace(std::size_t vertices)
+    void readFace()
     {
-        const std::string_view word = nextWord();
+        const std::string_view word = nextWord(m_text);
         const std::int64_t corners = m_text.toInteger(word);
         if (corners < 1)
             m_text.fail(FileFault::Count, word);
         if (corners < 3) { // a point or an edge
             for (std::int64_t i = 0; i < corners; ++i)
-                readCorner(vertices);
+                readCorner();
             ++m_remarks.facesOfFewer;
             return;
         }
         if (corners > static_cast<std::int64_t>(maxCorners))
             throw tooMany("corners", maxCorners, errorAtLine({}, m_file, word.data()));
         for (std::int64_t i = 0; i < corners; ++i)
-            m_faces.addCorner(readCorner(vertices));
+            m_faces.addCorner(readCorner());
         m_faces.endFace();
     }
 
-    Slot readCorner(std::size_t vertices)
+    Slot readCorner()
     {
-        const std::string_view word = nextWord();
+        const std::string_view word = nextWord(m_text);
         const std::int64_t index = m_text.toInteger(word);
-        if (index < 0 || index >= static_cast<std::int64_t>(vertices))
-            throw withCounts(errorAtLine(FileErrorKind::IndexOutOfRange, m_file, word.data(), word), vertices);
+        if (index < 0 || index >= static_cast<std::int64_t>(m_vertices))
+            throw withCounts(errorAtLine(FileErrorKind::IndexOutOfRange, m_file, word.data(), word), m_vertices);
         return static_cast<Slot>(index);
     }
 
@@ -261,8 +289,9 @@ private:
     StopCheck m_stopCheck;
     Layout m_lines;
     bool m_hasColors = false, m_hasTexture = false;
-    bool m_linesAreShared = false; ///< the line of the first vertex contains a further vertex
-    std::size_t m_coordinates = 3; ///< count of numbers before a vertex's colour: 3, or 6 with a normal
+    bool m_linesAreShared = false;               ///< the line of the first vertex contains a further vertex
+    std::size_t m_coordinates = 3;               ///< count of numbers before a vertex's colour: 3, or 6 with a normal
+    std::size_t m_vertices = 0, m_announced = 0; ///< vertices and faces that the header announces
     TriangleMesh m_mesh;
     std::vector<RawColor> m_colors; ///< values as in the file; uncoloured vertices at the end are missing
     bool m_hasFractions = false;
@@ -277,7 +306,7 @@ ReadResult readOff(const FileBytes& file)
     std::optional<FileError> error;
     Fit best;
     for (const Layout& lines : layouts) {
-        OffReader reader(file, lines);
+        OffReader reader(file, lines, file.bytes.data());
         try {
             return reader.read();
         } catch (const FileError& met) {

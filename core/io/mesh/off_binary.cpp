@@ -65,6 +65,9 @@ public:
         return errorAtByte(kind, m_file, m_at - size, token);
     }
 
+    FileError errorAtNext(FileErrorKind kind) const { return errorAtByte(kind, m_file, m_at); }
+    FileError errorAtEnd(FileErrorKind kind) const { return errorAtByte(kind, m_file, m_end); }
+
     std::size_t bytesLeft() const { return static_cast<std::size_t>(m_end - m_at); }
 
 private:
@@ -80,8 +83,8 @@ private:
     void requireBytes(std::uint64_t count) const
     {
         if (count > bytesLeft())
-            throw withCounts(errorAtByte(FileErrorKind::CutOff, m_file, m_end),
-                             m_file.bytes.size() - bytesLeft() + count, m_file.bytes.size());
+            throw withCounts(errorAtEnd(FileErrorKind::CutOff), m_file.bytes.size() - bytesLeft() + count,
+                             m_file.bytes.size());
     }
 
     const FileBytes& m_file;
@@ -102,15 +105,36 @@ public:
 
     void read()
     {
-        const std::size_t vertices = m_input.count("vertices", maxVertices, 4 * numbersEach());
-        const std::size_t faces = m_input.count("faces", maxFaces, 4);
+        m_vertices = m_input.count("vertices", maxVertices, 0);
+        m_announced = m_input.count("faces", maxFaces, 0);
         m_input.skip(1); // the number of edges
-        m_mesh.points.reserve(vertices);
-        for (std::size_t i = 0; i < vertices; ++i)
-            readVertex();
-        for (std::size_t i = 0; i < faces; ++i)
-            readFace(vertices);
+        if (const std::size_t room = m_input.bytesLeft() / (4 * numbersEach()); m_vertices > room)
+            throw withElements(m_input.errorAtEnd(FileErrorKind::CutOff), "vertices", m_vertices, room);
+        m_mesh.points.reserve(m_vertices);
+        try {
+            while (m_mesh.points.size() < m_vertices)
+                readVertex();
+            while (faces() < m_announced)
+                readFace();
+        } catch (const FileError& error) {
+            throw error.kind == FileErrorKind::CutOff ? withElements(error, "faces", m_announced, faces()) : error;
+        }
         m_remarks.bytesBehind = m_input.bytesLeft();
+    }
+
+    /// Throws CountMismatch if faces follow the last one, which are more than the header announces. Precondition:
+    /// read() has returned.
+    void refuseFurtherFaces() const
+    {
+        BodyReader ahead = *this;
+        try {
+            for (;; ++ahead.m_announced)
+                ahead.readFace();
+        } catch (const FileError&) { // the end of the faces
+        }
+        if (ahead.m_announced > m_announced)
+            throw withElements(m_input.errorAtNext(FileErrorKind::CountMismatch), "faces", m_announced,
+                               ahead.m_announced);
     }
 
     /// Returns the mesh. Precondition: read() has returned.
@@ -123,6 +147,8 @@ public:
     std::size_t bytesLeft() const { return m_input.bytesLeft(); }
 
 private:
+    std::size_t faces() const { return m_faces.faces() + m_remarks.facesOfFewer; }
+
     std::size_t numbersEach() const
     {
         return 3 + (m_off.hasNormals ? 3U : 0U) + (m_off.hasColors ? m_dialect.components : 0U) +
@@ -152,7 +178,7 @@ private:
         m_mesh.colors.push_back({color[0], color[1], color[2]});
     }
 
-    void readFace(std::size_t vertices)
+    void readFace()
     {
         m_stopCheck();
         const std::size_t corners = m_input.count("corners", maxCorners, 4);
@@ -160,8 +186,9 @@ private:
             throw malformed(FileFault::Count, m_input.errorAtLast({}, "0"));
         for (std::size_t i = 0; i < corners; ++i) {
             const std::uint32_t index = m_input.whole();
-            if (index >= vertices)
-                throw withCounts(m_input.errorAtLast(FileErrorKind::IndexOutOfRange, std::to_string(index)), vertices);
+            if (index >= m_vertices)
+                throw withCounts(m_input.errorAtLast(FileErrorKind::IndexOutOfRange, std::to_string(index)),
+                                 m_vertices);
             if (corners >= 3)
                 m_faces.addCorner(index);
         }
@@ -179,6 +206,7 @@ private:
     Dialect m_dialect;
     NumberInput m_input;
     StopCheck m_stopCheck;
+    std::size_t m_vertices = 0, m_announced = 0; ///< vertices and faces that the header announces
     TriangleMesh m_mesh;
     Polygons m_faces;
     ReadRemarks m_remarks;
@@ -211,6 +239,7 @@ ReadResult BinaryOff::read() const
             }
     if (!withRest)
         throw FileError(*problem);
+    withRest->refuseFurtherFaces();
     return withRest->result();
 }
 } // namespace core::io

@@ -100,6 +100,20 @@ private:
     std::size_t m_corners = 0;
 };
 
+template <typename Source> std::int64_t lengthOf(Source& source, const PlyProperty& property)
+{
+    const std::int64_t count = source.whole(*property.countType);
+    if (count < 0)
+        source.fail(FileFault::Count);
+    return count;
+}
+
+template <typename Source> void skip(Source& source, const PlyProperty& property)
+{
+    const std::int64_t count = property.isList() ? lengthOf(source, property) : 1;
+    source.skip(property.type, static_cast<std::uint64_t>(count));
+}
+
 template <typename Source> class BodyReader
 {
 public:
@@ -116,16 +130,17 @@ public:
     ReadResult read()
     {
         for (const PlyElement& element : m_header.elements) {
-            requireRoom(element);
-            if (element.name == "vertex")
-                readVertices(element);
-            else if (element.name == "face")
-                readFaces(element);
-            else if (element.name == "tristrips")
-                readStrips(element);
-            else
-                skipAll(element);
+            try {
+                readElement(element);
+            } catch (const FileError& error) {
+                const bool isVertex = element.name == "vertex";
+                if (error.kind == FileErrorKind::CutOff && (isVertex || element.name == "face"))
+                    throw withElements(error, isVertex ? "vertices" : "faces", element.count, m_done);
+                throw;
+            }
         }
+        refuseFurtherFaces();
+        m_remarks.bytesBehind = Source::hasRows ? m_source.bytesLeft() : 0;
         if (m_mesh.triangles.empty())
             m_mesh.triangles = m_faces.triangles(m_mesh.points, m_stopCheck, m_remarks);
         const std::vector<Triangle>& strips = m_strips.triangles();
@@ -135,12 +150,24 @@ public:
     }
 
 private:
+    void readElement(const PlyElement& element)
+    {
+        m_done = 0;
+        if (element.name == "vertex")
+            return readVertices(element);
+        if (element.name == "face")
+            return readFaces(element);
+        requireRoom(element);
+        element.name == "tristrips" ? readStrips(element) : skipAll(element);
+    }
+
     /// Throws CutOff if the file is too short for the declared count, before memory is allocated for it.
-    void requireRoom(const PlyElement& element) const
+    void requireRoom(const PlyElement& element)
     {
         const std::uint64_t min = element.minSize(m_header.encoding), left = m_source.bytesLeft() + 1;
         if (min != 0 && element.count > left / min) { // one byte more, because the last line may have no end
             const bool isCountable = element.count <= ~std::uint64_t(0) / min;
+            m_done = (left - 1) / min;
             throw withCounts(errorAtByte(FileErrorKind::CutOff, m_file, m_file.bytes.data() + m_file.bytes.size()),
                              isCountable ? element.count * min : ~std::uint64_t(0), left - 1);
         }
@@ -148,6 +175,7 @@ private:
 
     void readVertices(const PlyElement& element)
     {
+        requireRoom(element);
         requireFew(m_file, element, "vertices", maxVertices);
         const std::vector<Role> roles = rolesOf(element, true);
         if (!has(roles, {Role::X, Role::Y, Role::Z}))
@@ -156,26 +184,26 @@ private:
         resizeInLargePages(m_mesh.points, element.count);
         if (colored)
             m_mesh.colors.resize(element.count);
-        const auto readAll = [&](Source& source, std::size_t begin, std::size_t end) {
-            StopCheck stopCheck(m_file.stop);
-            for (std::size_t i = begin; i < end; ++i) {
-                stopCheck();
-                readVertex(source, element, roles, colored, i);
-            }
-        };
         if constexpr (Source::hasRows) {
             if (std::ranges::none_of(element.properties, &PlyProperty::isList)) {
                 const std::uint64_t size = element.minSize(m_header.encoding);
                 forEachChunk(element.count, rowsPerChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
                     Source rows = m_source;
                     rows.skip(PlyType::Uint8, begin * size);
-                    readAll(rows, begin, end);
+                    StopCheck stopCheck(m_file.stop);
+                    for (std::size_t i = begin; i < end; ++i) {
+                        stopCheck();
+                        readVertex(rows, element, roles, colored, i);
+                    }
                 });
                 m_source.skip(PlyType::Uint8, element.count * size);
                 return;
             }
         }
-        readAll(m_source, 0, element.count);
+        for (; m_done < element.count; ++m_done) {
+            m_stopCheck();
+            readVertex(m_source, element, roles, colored, m_done);
+        }
     }
 
     void readVertex(Source& source, const PlyElement& element, const std::vector<Role>& roles, bool colored,
@@ -201,7 +229,8 @@ private:
 
     void readFaces(const PlyElement& element)
     {
-        requireFew(m_file, element, "faces", maxFaces);
+        if (element.count <= m_source.bytesLeft()) // else the file's end is met first
+            requireFew(m_file, element, "faces", maxFaces);
         const std::vector<Role> roles = rolesOf(element, false);
         if (!has(roles, {Role::Corners}))
             return skipAll(element);
@@ -211,7 +240,29 @@ private:
         for (std::uint64_t i = 0; i < element.count; ++i) {
             m_stopCheck();
             m_remarks.facesOfFewer += readFace(m_source, element, roles, m_faces) ? 0 : 1;
+            ++m_done;
         }
+    }
+
+    /// Throws CountMismatch if faces follow the last element, which are more than the header declares.
+    void refuseFurtherFaces()
+    {
+        if (m_header.elements.empty() || m_header.elements.back().name != "face")
+            return;
+        const PlyElement& element = m_header.elements.back();
+        const std::vector<Role> roles = rolesOf(element, false);
+        std::uint64_t further = 0;
+        Source source = m_source;
+        try {
+            for (Polygons faces; readFace(source, element, roles, faces); faces.clear()) {
+                m_stopCheck();
+                ++further;
+            }
+        } catch (const FileError&) { // the end of the faces
+        }
+        if (further > 0)
+            throw withElements(m_source.errorAtNext(FileErrorKind::CountMismatch), "faces", element.count,
+                               element.count + further);
     }
 
     /// Reads an element of triangle strips. Each list is a strip; the index -1 ends it and begins another.
@@ -246,14 +297,6 @@ private:
             if (m_strips.triangles().size() > maxFaces)
                 m_source.fail(FileErrorKind::TooManyElements, maxFaces, "faces");
         }
-    }
-
-    static std::int64_t lengthOf(Source& source, const PlyProperty& property)
-    {
-        const std::int64_t count = source.whole(*property.countType);
-        if (count < 0)
-            source.fail(FileFault::Count);
-        return count;
     }
 
     /// Reads faces of fixed size on all cores. Returns false and changes nothing if the faces differ in their number of
@@ -359,15 +402,10 @@ private:
         }
     }
 
-    static void skip(Source& source, const PlyProperty& property)
-    {
-        const std::int64_t count = property.isList() ? lengthOf(source, property) : 1;
-        source.skip(property.type, static_cast<std::uint64_t>(count));
-    }
-
     FileBytes m_file;
     const PlyHeader& m_header;
     std::uint64_t m_vertices = 0; ///< number of vertices that the header declares
+    std::uint64_t m_done = 0;     ///< elements read of the present kind
     Source m_source;
     StopCheck m_stopCheck;
     TriangleMesh m_mesh;

@@ -30,6 +30,14 @@ public:
         for (; !m_text.atLineEnd(); m_text.word())
             m_hasMore = true;
     }
+    /// Returns an error at the next line that has words, or at the end.
+    FileError errorAtNext(FileErrorKind kind) const
+    {
+        TextScanner ahead = m_text;
+        while (ahead.atLineEnd() && ahead.nextLine()) {
+        }
+        return errorAtLine(kind, m_file, ahead.position());
+    }
     /// Returns whether any element so far had more values than the header declares.
     bool hasMore() const { return m_hasMore; }
 
@@ -80,6 +88,7 @@ public:
     {}
 
     std::uint64_t bytesLeft() const { return static_cast<std::uint64_t>(m_end - m_at); }
+    FileError errorAtNext(FileErrorKind kind) const { return errorAtByte(kind, m_file, m_at); }
     void beginElement() {}
     void endElement() {}
     bool hasMore() const { return false; }

@@ -30,6 +30,11 @@ public:
     /// Ends the face that consists of the corners added since the last endFace().
     void endFace() { m_ends.push_back(static_cast<Slot>(m_corners.size())); }
 
+    void clear()
+    {
+        m_corners.clear();
+        m_ends.clear();
+    }
     /// Removes the corners of the open face.
     void dropOpenFace() { m_corners.resize(m_ends.empty() ? 0 : m_ends.back()); }
 

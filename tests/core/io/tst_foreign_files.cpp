@@ -822,6 +822,8 @@ private Q_SLOTS:
     void threeMfExtensions_areRefusedByName_data();
     void threeMfExtensions_areRefusedByName();
     void threeMfBeams_areCounted();
+    void wrongNumbersOfElements_areTold_data();
+    void wrongNumbersOfElements_areTold();
     void faults_areTold_data();
     void faults_areTold();
     void packageFaults_areTold_data();
@@ -1024,7 +1026,7 @@ void TestForeignFiles::off_faultsAreToldInAnyLayout()
     };
     for (OffLayout layout : offLayouts()) {
         const std::string whole = layout.text();
-        QVERIFY2(isTold(whole.substr(0, whole.size() - 30), Kind::CutOff, ""), layout.what().c_str());
+        QVERIFY2(isTold(whole.substr(0, whole.size() - 30), Kind::CutOff, "faces"), layout.what().c_str());
         layout.badCorner = "99999";
         QVERIFY2(isTold(layout.text(), Kind::IndexOutOfRange, "99999"), layout.what().c_str());
         layout.badCorner.clear();
@@ -1522,6 +1524,66 @@ void TestForeignFiles::threeMfBeams_areCounted()
     QVERIFY(error && error->fault == FileFault::NeedsExtension && error->token == "beamlattice");
 }
 
+void TestForeignFiles::wrongNumbersOfElements_areTold_data()
+{
+    QTest::addColumn<std::string>("name");
+    QTest::addColumn<std::string>("bytes");
+    QTest::addColumn<Kind>("kind");
+    QTest::addColumn<std::string>("elements");
+    QTest::addColumn<quint64>("announced");
+    QTest::addColumn<quint64>("found");
+    const auto rows = [](const std::string& name, const auto& bytesOf) {
+        const auto row = [&](const char* what, quint64 vertices, quint64 faces, Kind kind, const char* elements,
+                             quint64 announced, quint64 found) {
+            QTest::addRow("%s, %s", name.c_str(), what) << name.substr(0, name.find(' ')) << bytesOf(vertices, faces)
+                                                        << kind << std::string(elements) << announced << found;
+        };
+        row("a face too many", 8, 7, Kind::CutOff, "faces", 7, 6);
+        row("double the faces", 8, 12, Kind::CutOff, "faces", 12, 6);
+        row("many faces", 8, 200'000'000, Kind::CutOff, "faces", 200'000'000, 6);
+        row("a face too few", 8, 5, Kind::CountMismatch, "faces", 5, 6);
+        row("half the faces", 8, 3, Kind::CountMismatch, "faces", 3, 6);
+        if (name != "a.off binary, little-endian") // its byte order is guessed from such numbers
+            row("many vertices", 100'000'000, 6, Kind::CutOff, "vertices", 100'000'000, 0);
+    };
+    for (const char* const format : {"ascii", "binary_little_endian", "binary_big_endian"})
+        rows("a.ply " + std::string(format), [format](quint64 vertices, quint64 faces) {
+            const std::string bytes = plyFaces(format, quads);
+            return replaced(replaced(bytes, "vertex 8\n", "vertex " + std::to_string(vertices) + "\n"), "face 6\n",
+                            "face " + std::to_string(faces) + "\n");
+        });
+    for (const char* const faceEnd : {"\n", " "})
+        rows("a.off " + std::string(*faceEnd == ' ' ? "on one line" : "on lines"),
+             [faceEnd](quint64 vertices, quint64 faces) {
+                 return offOf("OFF\n", std::to_string(vertices) + " " + std::to_string(faces) + " 0\n", "\n", faceEnd,
+                              faceEnd);
+             });
+    for (const std::endian order : {std::endian::big, std::endian::little})
+        rows(order == std::endian::big ? "a.off binary, big-endian" : "a.off binary, little-endian",
+             [order](quint64 vertices, quint64 faces) {
+                 return BinaryOff{.order = order}.bytes(std::uint32_t(vertices), std::uint32_t(faces));
+             });
+}
+
+/// A header that announces more or fewer elements than the file has is told with both numbers.
+void TestForeignFiles::wrongNumbersOfElements_areTold()
+{
+    QFETCH(std::string, name);
+    QFETCH(std::string, bytes);
+    QFETCH(Kind, kind);
+    QFETCH(std::string, elements);
+    QFETCH(quint64, announced);
+    QFETCH(quint64, found);
+    const auto error = errorOf([&] { core::parseMesh(name, bytes); });
+    QVERIFY(error);
+    QCOMPARE(error->kind, kind);
+    QCOMPARE(error->token, elements);
+    QCOMPARE(error->expected, announced);
+    if (found > 0)
+        QCOMPARE(error->found, found);
+    QVERIFY(error->place.number > 0);
+}
+
 void TestForeignFiles::faults_areTold_data()
 {
     QTest::addColumn<QString>("name");
@@ -1552,14 +1614,16 @@ void TestForeignFiles::faults_areTold_data()
     row("off of four dimensions", "a.off", "nOFF\n4\n8 6 0\n", Kind::Malformed, FileFault::Keyword, "line 1", "nOFF",
         "OFF");
     row("off words on a line that are too few", "a.off", offOf("OFF ", "8 7 0 ", " ", " ", " "), Kind::CutOff,
-        FileFault::None, "line 1");
-    row("off words on a line that are too many", "a.off", offOf("OFF ", "8 5 0 ", " ", " ", " "), Kind::CutOff,
-        FileFault::None, "line 1");
+        FileFault::None, "line 1", "faces");
+    row("off words on a line that are too many", "a.off", offOf("OFF ", "8 5 0 ", " ", " ", " "), Kind::CountMismatch,
+        FileFault::None, "line 1", "faces");
     row("off count below none", "a.off", "OFF\n-8 6 0\n", Kind::Malformed, FileFault::Count, "line 2", "-8");
     row("off vertices that lie", "a.off", offOf("OFF\n", "9 6 0\n", "\n", " ", "\n"), Kind::CutOff, FileFault::None,
-        "line 17");
-    row("binary off cut off", "a.off", BinaryOff().bytes().substr(0, 150), Kind::CutOff, FileFault::None, "byte 150");
-    row("binary off vertices that lie", "a.off", BinaryOff().bytes(0x7fff), Kind::CutOff, FileFault::None, "end");
+        "line 17", "faces");
+    row("binary off cut off", "a.off", BinaryOff().bytes().substr(0, 150), Kind::CutOff, FileFault::None, "byte 150",
+        "faces");
+    row("binary off vertices that lie", "a.off", BinaryOff().bytes(0x7fff), Kind::CutOff, FileFault::None, "end",
+        "vertices");
     row("binary off with an index too large", "a.off",
         replaced(BinaryOff().bytes(), binary(7, std::endian::big), binary(9, std::endian::big)), Kind::IndexOutOfRange,
         FileFault::None, "byte 155", "9");

@@ -779,13 +779,13 @@ void TestMeshIo::badInput_data()
     row("obj as off", "a.off", smallObj, Kind::NotWhatItsEndingSays, "byte 0", "obj");
     row("off in four dimensions", "a.off", "4OFF\n1 1 0\n0 0 0 0\n", Kind::Malformed, "line 1", "4OFF");
     row("binary off", "a.off", "OFF BINARY\n0000", Kind::TooManyElements, "byte 11", "vertices");
-    row("off lying", "a.off", "OFF\n4000 1 0\n0 0 0\n", Kind::CutOff, "line 4");
+    row("off lying", "a.off", "OFF\n4000 1 0\n0 0 0\n", Kind::CutOff, "line 4", "vertices");
     row("off with too many", "a.off", "OFF\n4000000000 1 0\n0 0 0\n", Kind::TooManyElements, "line 2", "vertices");
     row("off with nan", "a.off", "OFF\n3 1 0\n0 0 0\n0 nan 0\n1 1 1\n3 0 1 2\n", Kind::NotANumber, "line 4", "nan");
     row("off index too large", "a.off", "OFF\n3 1 0\n0 0 0\n0 1 0\n1 1 1\n3 0 1 3 \n", Kind::IndexOutOfRange, "line 6",
         "3");
     row("off face of none", "a.off", "OFF\n3 1 0\n0 0 0\n0 1 0\n1 1 1\n0 0 1 3\n", Kind::Malformed, "line 6", "0");
-    row("off cut off", "a.off", "OFF\n3 1 0\n0 0 0\n0 1 0\n1 1 1\n3 0 1", Kind::CutOff, "line 6");
+    row("off cut off", "a.off", "OFF\n3 1 0\n0 0 0\n0 1 0\n1 1 1\n3 0 1", Kind::CutOff, "line 6", "faces");
     row("off without faces", "a.off", "OFF\n3 0 0\n0 0 0\n0 1 0\n1 1 1\n", Kind::NoFaces, "");
 
     const QByteArray glb = QByteArray::fromStdString(smallGlb());
@@ -816,16 +816,16 @@ void TestMeshIo::badInput_data()
     row("ply without z", "a.ply",
         "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nend_header\n0 0\n",
         Kind::Malformed, "line 3", "vertex");
-    row("ply lying", "a.ply", QByteArray(ply).replace("vertex 3", "vertex 4000000000") + "0 0 0\n", Kind::CutOff,
-        "end");
+    row("ply lying", "a.ply", QByteArray(ply).replace("vertex 3", "vertex 4000000000") + "0 0 0\n", Kind::CutOff, "end",
+        "vertices");
     row("ply lying beyond 64 bits", "a.ply", QByteArray(ply).replace("vertex 3", "vertex 99999999999999999999"),
         Kind::NotANumber, "line 3", "99999999999999999999");
     row("ply binary lying", "a.ply",
         QByteArray(ply).replace("ascii", "binary_little_endian").replace("face 1", "face 1000000000") +
             QByteArray(100, '\0'),
-        Kind::CutOff, "end");
-    row("ply cut off", "a.ply", ply + "0 0 0\n1 0 0\n1 1", Kind::CutOff, "end");
-    row("ply one line short", "a.ply", ply + "0 0 0\n1 0 0\n1 1 0\n", Kind::CutOff, "line 13");
+        Kind::CutOff, "end", "faces");
+    row("ply cut off", "a.ply", ply + "0 0 0\n1 0 0\n1 1", Kind::CutOff, "end", "vertices");
+    row("ply one line short", "a.ply", ply + "0 0 0\n1 0 0\n1 1 0\n", Kind::CutOff, "line 13", "faces");
     row("ply with nan", "a.ply", ply + "0 0 0\n1 0 NaN\n1 1 0\n3 0 1 2\n", Kind::NotANumber, "line 11", "NaN");
     row("ply index too large", "a.ply", ply + "0 0 0\n1 0 0\n1 1 0\n3 0 1 3\n", Kind::IndexOutOfRange, "line 13", "3");
     row("ply index negative", "a.ply", ply + "0 0 0\n1 0 0\n1 1 0\n3 0 -1 2\n", Kind::IndexOutOfRange, "line 13", "-1");
@@ -834,7 +834,7 @@ void TestMeshIo::badInput_data()
         "-3");
     row("ply face too large", "a.ply", ply + "0 0 0\n1 0 0\n1 1 0\n100000000 0 1\n", Kind::TooManyElements, "line 13",
         "corners");
-    row("ply face lying", "a.ply", ply + "0 0 0\n1 0 0\n1 1 0\n100000 0 1\n", Kind::CutOff, "line 14");
+    row("ply face lying", "a.ply", ply + "0 0 0\n1 0 0\n1 1 0\n100000 0 1\n", Kind::CutOff, "line 14", "faces");
     row("ply without faces", "a.ply", QByteArray(ply).replace("face 1", "face 0") + "0 0 0\n1 0 0\n1 1 0\n",
         Kind::NoFaces, "");
 }

@@ -133,6 +133,21 @@ private Q_SLOTS:
         QVERIFY(ui::ErrorMessages::sentence(none).contains(QStringLiteral("slicer parts that are not printed (3)")));
     }
 
+    void announcedElementsAreTold()
+    {
+        for (const auto& [kind, elements, words] :
+             {std::tuple{FileErrorKind::CutOff, "faces", "incomplete; 24 faces are announced, but it has room for 12."},
+              {FileErrorKind::CutOff, "vertices", "incomplete; 24 vertices are announced, but it has room for 12."},
+              {FileErrorKind::CountMismatch, "faces", "24 faces are announced, but the file has 12."},
+              {FileErrorKind::CountMismatch, "", "24 elements are announced, but the file has room for 12."}}) {
+            FileError e(kind, path);
+            e.token = elements;
+            e.expected = 24;
+            e.found = 12;
+            QVERIFY2(ui::ErrorMessages::sentence(e).endsWith(QLatin1StringView(words)), words);
+        }
+    }
+
     void theSystemsReasonIsGiven()
     {
         FileError e = error(FileErrorKind::NotWritable);
