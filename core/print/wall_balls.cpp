@@ -168,6 +168,8 @@ public:
     }
     Vec3 toFrame(const Vec3& p) const { return m_axes * (p - m_origin); }
     Vec3 toSpace(const Vec3& p) const { return m_axes.transpose() * p + m_origin; }
+    /// Returns the lifted corners in space.
+    std::array<Vec3, 3> corners() const { return {toSpace(m_cell[0]), toSpace(m_cell[1]), toSpace(m_cell[2])}; }
 
     /// Returns lower bounds of the squared distances from the lifted cell to eight boxes; infinity for boxes behind the
     /// face.
@@ -198,20 +200,20 @@ public:
     }
     /// Returns the nearest pair of the lifted cell and a segment, in the frame, if it is steep: the ball that touches
     /// the face reaches the segment within 30 degrees of the face's normal. Otherwise returns approximately the nearest
-    /// steep pair, or none.
-    NearestPair nearestSteepPair(const Vec3& from, const Vec3& to) const
+    /// steep pair, or none. From the squared distance `bound` on any pair is good enough.
+    NearestPair nearestSteepPair(const Vec3& from, const Vec3& to, double bound) const
     {
         const NearestPair pair = nearestOfTriangleAndSegment(m_cell, from, to);
-        if (isSteepFromBelow(pair))
+        if (pair.squaredDistance >= bound || isSteepFromBelow(pair))
             return pair;
         const Vec3 p = nearestOfTriangleAndSegment(below(), from, to).a;
         return toPoint(p, steepPoint(p, Vec3::UnitZ(), from, to));
     }
     /// Returns the nearest steep pair of the lifted cell and an opposite triangle, in the frame.
-    NearestPair nearestSteepPair(const std::array<Vec3, 3>& triangle) const
+    NearestPair nearestSteepPair(const std::array<Vec3, 3>& triangle, double bound) const
     {
         const NearestPair pair = nearestOfTriangles(m_cell, triangle);
-        if (isSteepFromBelow(pair))
+        if (pair.squaredDistance >= bound || isSteepFromBelow(pair))
             return pair;
         const Vec3 p = pair.a - Vec3(0, 0, pair.a.z());
         if (const auto q = steepPoint(p, Vec3::UnitZ(), triangle))
@@ -417,7 +419,7 @@ std::optional<WallBalls::Touch> WallBalls::nearestOpposite(Slot position, const 
     const WallTree::Opposite opposite(inward, maxOppositeCosine);
     const auto reach = [&](const WallTree::Node& node) { return opposite(node, point(node)); };
     m_surface.tree().forEachNear(reach, min, [&](Slot other) {
-        if (!m_surface.mayTouch(position, other) || m_surface.reach(other, centre) >= min ||
+        if (!m_surface.mayTouch(position, other) || m_surface.reach(other, std::array{centre}) >= min ||
             std::ranges::find(hidden, other) != hidden.end())
             return min;
         const std::array<Vec3, 3> corners = m_surface.cornersOf(other);
@@ -425,7 +427,8 @@ std::optional<WallBalls::Touch> WallBalls::nearestOpposite(Slot position, const 
             position, inward, other,
             [&] {
                 const Vec3 q = nearestInTriangle(centre, corners);
-                return isSteep(q - p, inward) ? pairWith(q) : pairWith(steepPoint(p, inward, corners));
+                const bool isNear = (q - centre).squaredNorm() < min;
+                return !isNear || isSteep(q - p, inward) ? pairWith(q) : pairWith(steepPoint(p, inward, corners));
             },
             [&](std::size_t from, std::size_t to) {
                 return pairWith(steepPoint(p, inward, corners[from], corners[to]));
@@ -454,8 +457,10 @@ std::optional<WallBalls::Touch> WallBalls::nearestOpposite(Slot position, const 
     double min = (1 - shallow) * radius * (1 - shallow) * radius;
     const WallTree::Opposite opposite(inward, maxOppositeCosine);
     const auto reach = [&](const WallTree::Node& node) { return opposite(node, lifted(node)); };
+    const std::array<Vec3, 3> ownCorners = lifted.corners();
     m_surface.tree().forEachNear(reach, min, [&](Slot other) {
-        if (!m_surface.mayTouch(position, other) || std::ranges::find(hidden, other) != hidden.end())
+        if (!m_surface.mayTouch(position, other) || m_surface.reach(other, ownCorners) >= min ||
+            std::ranges::find(hidden, other) != hidden.end())
             return min;
         std::array<Vec3, 3> corners = m_surface.cornersOf(other);
         for (Vec3& corner : corners)
@@ -463,9 +468,9 @@ std::optional<WallBalls::Touch> WallBalls::nearestOpposite(Slot position, const 
         if (lifted.gapTo(corners) >= min || doTouch(position, cell, other))
             return min;
         const NearestPair pair = nearestOf(
-            position, inward, other, [&] { return inSpace(lifted.nearestSteepPair(corners)); },
+            position, inward, other, [&] { return inSpace(lifted.nearestSteepPair(corners, min)); },
             [&](std::size_t from, std::size_t to) {
-                return inSpace(lifted.nearestSteepPair(corners[from], corners[to]));
+                return inSpace(lifted.nearestSteepPair(corners[from], corners[to], min));
             });
         if (pair.squaredDistance < min) {
             min = pair.squaredDistance;

@@ -34,8 +34,8 @@ public:
     bool areOpposite(Slot a, Slot b) const;
     /// Returns whether a ball at one face may touch the other face, or an edge or corner of it.
     bool mayTouch(Slot position, Slot other) const;
-    /// Returns a lower bound of the squared distance from a point to a face.
-    double reach(Slot position, const Vec3& p) const;
+    /// Returns a lower bound of the squared distance from the face to the point, or to any point between the points.
+    template <std::size_t Count> double reach(Slot position, const std::array<Vec3, Count>& points) const;
     /// Returns whether a ray may leave the matter through a face before the parameter `farthest`, in multiples of the
     /// direction. `length`: length of the direction. Quickly rejects faces that the ray misses although it meets
     /// their boxes, such as long thin faces.
@@ -77,16 +77,25 @@ inline bool WallSurface::mayTouch(Slot position, Slot other) const
 }
 
 /// Bounds the distance by the face's plane and by its extent across its longest side.
-inline double WallSurface::reach(Slot position, const Vec3& p) const
+template <std::size_t Count> double WallSurface::reach(Slot position, const std::array<Vec3, Count>& points) const
 {
-    constexpr double error = 1e-6;
+    constexpr double error = 1e-6, infinity = std::numeric_limits<double>::infinity();
     const Wall& wall = m_walls[position];
-    const Vec3 way = p - wall.corners[0].cast<double>();
-    const double off = error * way.lpNorm<1>();
-    const double height = std::abs(way.dot(wall.normal.cast<double>())), aside = way.dot(wall.across.cast<double>());
-    const double up = std::max(0.0, height - off);
+    const Vec3 corner = wall.corners[0].cast<double>(), normal = wall.normal.cast<double>(),
+               across = wall.across.cast<double>();
+    double lowest = infinity, highest = -infinity, first = infinity, last = -infinity, off = 0;
+    for (const Vec3& p : points) {
+        const Vec3 way = p - corner;
+        const double height = way.dot(normal), aside = way.dot(across);
+        off = std::max(off, error * way.lpNorm<1>());
+        lowest = std::min(lowest, height);
+        highest = std::max(highest, height);
+        first = std::min(first, aside);
+        last = std::max(last, aside);
+    }
+    const double up = std::max({0.0, lowest - off, -highest - off});
     const double beside =
-        std::max({0.0, static_cast<double>(wall.least) - aside - off, aside - static_cast<double>(wall.most) - off});
+        std::max({0.0, static_cast<double>(wall.least) - last - off, first - static_cast<double>(wall.most) - off});
     return up * up + beside * beside;
 }
 

@@ -11,6 +11,7 @@
 #include "core/geometry/triangle_distance.h"
 #include "core/print/print_check.h"
 #include "core/print/wall_edges.h"
+#include "core/print/wall_surface.h"
 #include "core/util/worker_pool.h"
 
 #include <QTest>
@@ -881,6 +882,7 @@ private Q_SLOTS:
     void wallOfTheLimit_isNotThin();
     void parts_doNotDependOnThreads();
     void normals_ofEdgesAreInTheirBoxes();
+    void bounds_areBelowTheDistances();
 };
 
 void TestWallThickness::wedge_isMeasuredAtItsThinEnd()
@@ -1330,6 +1332,26 @@ void TestWallThickness::normals_ofEdgesAreInTheirBoxes()
         }
     }
     QVERIFY2(opposite > 1000, qPrintable(QString::number(opposite)));
+}
+
+/// Checks the quick bounds of the distance from a face to a point and to a triangle.
+void TestWallThickness::bounds_areBelowTheDistances()
+{
+    Random random(5);
+    const core::WallSurface surface(turned(spike(40, 3, 10), random.rotation()));
+    const auto point = [&] { return Vec3(random.between(-12, 12), random.between(-12, 12), random.between(-12, 12)); };
+    int beyond = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const auto position = static_cast<Slot>(random.below(static_cast<int>(surface.size())));
+        const Vec3 p = point(), q = point();
+        const std::array<Vec3, 3> triangle = {p, p + 0.2 * (q - p), p + 0.2 * point()};
+        const double ofPoint = (core::nearestInTriangle(p, surface.cornersOf(position)) - p).squaredNorm();
+        QVERIFY(surface.reach(position, std::array{p}) <= ofPoint);
+        const core::NearestPair pair = core::nearestOfTriangles(triangle, surface.cornersOf(position));
+        QVERIFY(surface.reach(position, triangle) <= pair.squaredDistance);
+        beyond += surface.reach(position, triangle) > pair.squaredDistance / 4 ? 1 : 0;
+    }
+    QVERIFY2(beyond > 1000, qPrintable(QString::number(beyond)));
 }
 
 FETTLE_TEST(TestWallThickness)
