@@ -6611,8 +6611,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1 braucht die Erweiterung %2, die Fettle nicht lesen kann: Speichern Sie die Datei ohne sie, in dem Programm, das sie erstellt hat.</translation>
     </message>
     <message>
-        <source>%1 is glTF of version %2; version 2 is read: save it as that.</source>
-        <translation>%1 ist glTF der Version %2; gelesen wird Version 2: Speichern Sie die Datei als solche.</translation>
+        <source>%1 is glTF of version %2; version 2.0 is read: save it as that.</source>
+        <translation>%1 ist glTF der Version %2; gelesen wird Version 2.0: Speichern Sie die Datei als solche.</translation>
     </message>
     <message>
         <source>%1: the compressed data of &quot;%2&quot; ends too early.</source>

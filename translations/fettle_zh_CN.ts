@@ -6582,8 +6582,8 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <translation>%1 需要 Fettle 无法读取的扩展 %2：请在创建它的程序中不用该扩展另行保存。</translation>
     </message>
     <message>
-        <source>%1 is glTF of version %2; version 2 is read: save it as that.</source>
-        <translation>%1 是 glTF %2 版；可读取的是第 2 版：请保存为该版本。</translation>
+        <source>%1 is glTF of version %2; version 2.0 is read: save it as that.</source>
+        <translation>%1 是 glTF %2 版；可读取的是 2.0 版：请保存为该版本。</translation>
     </message>
     <message>
         <source>%1: the compressed data of &quot;%2&quot; ends too early.</source>

@@ -100,7 +100,7 @@ QString FileFaultMessages::ofGltf(const core::FileError& error, const QString& w
         return tr("%1 needs the extension %2, which Fettle cannot read: save it without, in the program that made it.")
             .arg(where, token);
     case FileFault::OldGltf:
-        return tr("%1 is glTF of version %2; version 2 is read: save it as that.").arg(where, token);
+        return tr("%1 is glTF of version %2; version 2.0 is read: save it as that.").arg(where, token);
     case FileFault::CompressedCut:
         return tr("%1: the compressed data of \"%2\" ends too early.").arg(where, token);
     case FileFault::CompressedWrong:

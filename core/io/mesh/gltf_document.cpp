@@ -125,6 +125,12 @@ template <typename Number> void convert(const GltfLayout& layout, std::size_t be
     }
 }
 
+/// Returns the number before the dot of a version such as "2.0"; 2 if it begins with no number.
+std::int64_t majorOf(std::string_view version)
+{
+    return parseInteger(version.substr(0, version.find('.'))).value_or(2);
+}
+
 /// Returns whether a binary chunk begins at `at` and ends within the file. Some programs do not pad the chunk before
 /// it.
 bool isChunkAt(std::string_view bytes, std::size_t at)
@@ -155,7 +161,7 @@ GltfDocument::GltfDocument(const FileBytes& file, bool isBinary) : m_file(file),
     if (!m_document.is_object())
         throw malformed(isBinary ? FileFault::JsonChunk : FileFault::Json,
                         errorAtByte({}, m_file, file.bytes.data() + (isBinary ? glbHeadSize : 0)));
-    refuseOldVersion();
+    refuseOtherVersions();
     refuseExtensions();
     loadBuffers();
     if (isRequired(dracoExtension) && !dracoDecoder())
@@ -214,7 +220,9 @@ void GltfDocument::parse(std::string_view text)
     }
 }
 
-void GltfDocument::refuseOldVersion() const
+/// Throws OldGltf for files of version 1, and for those that need a later version than 2.0. The specification (3.2)
+/// says that files of a later version 2 without minVersion are valid for a reader of 2.0.
+void GltfDocument::refuseOtherVersions() const
 {
     const auto asset = m_document.find("asset");
     const auto version = asset != m_document.end() && asset->is_object() ? asset->find("version") : m_document.end();
@@ -224,9 +232,14 @@ void GltfDocument::refuseOldVersion() const
             refuse(FileFault::OldGltf, "1.0"); // version 2 has a list of meshes
         return;
     }
-    const std::string& text = version->get_ref<const std::string&>();
-    if (text.starts_with("0.") || text.starts_with("1."))
+    const auto minVersion = asset->find("minVersion");
+    const bool hasMin = minVersion != asset->end() && minVersion->is_string();
+    const std::string &text = version->get_ref<const std::string&>(),
+                      &min = hasMin ? minVersion->get_ref<const std::string&>() : text;
+    if (majorOf(text) < 2)
         refuse(FileFault::OldGltf, text);
+    if (majorOf(min) > 2 || (hasMin && majorOf(min) == 2 && min != "2.0"))
+        refuse(FileFault::OldGltf, min);
 }
 
 bool GltfDocument::isRequired(std::string_view extension) const

@@ -77,7 +77,7 @@ public:
 private:
     void readChunks();
     void parse(std::string_view text);
-    void refuseOldVersion() const;
+    void refuseOtherVersions() const;
     void refuseExtensions() const;
     void loadBuffers();
     [[noreturn]] void refuseCutOff() const;

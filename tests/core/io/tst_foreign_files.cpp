@@ -1653,6 +1653,14 @@ void TestForeignFiles::faults_areTold_data()
         FileFault::Missing, "", "scenes/3");
     row("glb of version 1", "a.glb", glbBox("", "", R"("asset":{"version":"1.0"},)"), Kind::Malformed,
         FileFault::OldGltf, "", "1.0");
+    for (const char* const version : {"3.0", "10.1"})
+        row("glb of a later version", "a.glb",
+            glbBox("", "", R"("asset":{"version":")" + std::string(version) + "\"},"), Kind::Malformed,
+            FileFault::OldGltf, "", version);
+    for (const char* const version : {"2.1", "3.0"})
+        row("glb that needs a later version", "a.glb",
+            glbBox("", "", R"("asset":{"version":"3.1","minVersion":")" + std::string(version) + "\"},"),
+            Kind::Malformed, FileFault::OldGltf, "", version);
     row("glb of version 1 that does not say so", "a.glb", glbOf(R"({"meshes":{},"buffers":{}})", "", true),
         Kind::Malformed, FileFault::OldGltf, "", "1.0");
     row("glb without points", "a.glb", replaced(glbBox(), "\"count\":8", "\"count\":9"), Kind::Malformed,
