@@ -6474,6 +6474,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>unsupported surfaces (%1)</source>
         <translation>Flächen, die nicht gelesen werden (%1)</translation>
     </message>
+    <message>
+        <source>objects that are hidden or not in the scene (%1)</source>
+        <translation>Objekte, die ausgeblendet sind oder nicht zur Szene gehören (%1)</translation>
+    </message>
 </context>
 <context>
     <name>ui::FileFaultMessages</name>

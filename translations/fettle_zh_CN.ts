@@ -6445,6 +6445,10 @@ Sculpt a model with mouse, pen or VR controllers, and export it ready to print.<
         <source>unsupported surfaces (%1)</source>
         <translation>未读取的曲面（%1）</translation>
     </message>
+    <message>
+        <source>objects that are hidden or not in the scene (%1)</source>
+        <translation>隐藏或不在场景中的对象（%1）</translation>
+    </message>
 </context>
 <context>
     <name>ui::FileFaultMessages</name>

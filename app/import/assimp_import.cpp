@@ -263,6 +263,7 @@ void addNotes(const aiScene& scene, const ImportFolder::Notes& notes, const fs::
         const bool moves = animation.mNumChannels + animation.mNumMeshChannels + animation.mNumMorphMeshChannels > 0;
         header.animations += moves ? 1 : 0;
     }
+    header.hiddenObjects = notes.hidden;
     header.unreadNodes = notes.unread + notes.missing.size();
     if (lowerEnding(path) != ".fbx")
         return;
@@ -294,6 +295,7 @@ int importOwn(const fs::path& path, const ImportLimits& limits, bool keepsObject
     header.materials = result.remarks.materials;
     header.textures = result.remarks.textures;
     header.poses = result.remarks.poses;
+    header.hiddenObjects = result.remarks.hiddenObjects;
     return sendResult(header, result.mesh, result.parts);
 }
 
@@ -320,9 +322,9 @@ int importForeign(const fs::path& path, const ImportLimits& limits, bool keepsOb
     if (!notes.isFollowed) // the unmodified file might be read with wrong rotations
         return refuse(ImportHeader::Outcome::Refused, "the records of its models cannot be followed");
     SceneMesh mesh(*scene, limits, keepsObjects);
-    std::size_t missing = 0;
+    FbxLeftOut left;
     if (isFbx)
-        missing = addFbxScene(*scene, notes.models, mesh);
+        left = addFbxScene(*scene, notes.models, mesh);
     else
         mesh.addAll(unitOf(path), lowerEnding(path) == ".x3d" ? core::io::x3dNameIn : givenName);
     if (mesh.faces() == 0 && !notes.outside.empty())
@@ -332,13 +334,14 @@ int importForeign(const fs::path& path, const ImportLimits& limits, bool keepsOb
     if (mesh.faces() == 0 && !notes.missing.empty())
         throw core::io::malformed(core::FileFault::Missing,
                                   core::io::errorWithToken({}, {path, {}}, *notes.missing.begin()));
-    if (mesh.faces() == 0 && (missing > 0 || !log.first().empty()))
+    if (mesh.faces() == 0 && (left.missing > 0 || !log.first().empty()))
         return refuse(ImportHeader::Outcome::Refused, log.first().empty() ? "its meshes are broken" : log.first());
     ImportHeader header;
     header.outcome = ImportHeader::Outcome::Read;
     const core::TriangleMesh result = mesh.take(header);
     addNotes(*scene, notes, path, header);
-    header.unreadNodes += missing;
+    header.unreadNodes += left.missing;
+    header.hiddenObjects += left.hidden;
     return sendResult(header, result, mesh.parts());
 }
 } // namespace

@@ -134,8 +134,7 @@ public:
         }
     }
 
-    /// Returns the number of meshes that models should have but lack.
-    std::size_t missing() const { return m_missing; }
+    const FbxLeftOut& leftOut() const { return m_left; }
 
 private:
     /// Returns whether the node's name begins with the first 800 bytes of `name`; Assimp appends numbers to equal
@@ -154,7 +153,9 @@ private:
         const aiNode* above = &endOf(first);
         if (place.isVisible && model.isShown) {
             m_mesh.addMeshesOf(*above, place.world * transforms.ofMeshes, model.name, model.meshes > 0);
-            m_missing += std::max<std::size_t>(model.meshes, above->mNumMeshes) - above->mNumMeshes;
+            m_left.missing += std::max<std::size_t>(model.meshes, above->mNumMeshes) - above->mNumMeshes;
+        } else {
+            m_left.hidden += model.meshes > 0 ? 1 : 0;
         }
         while (above->mNumChildren == 1 && isGeometricInverse(factorOf(*above->mChildren[0])))
             above = above->mChildren[0];
@@ -163,8 +164,26 @@ private:
 
     const std::vector<FbxModel>& m_models;
     SceneMesh& m_mesh;
-    std::size_t m_missing = 0;
+    FbxLeftOut m_left;
 };
+
+/// Returns the number of models with meshes that are not connected to the first model, the scene.
+std::size_t unconnected(const std::vector<FbxModel>& models)
+{
+    std::vector<bool> isConnected(models.size(), false);
+    std::vector<std::size_t> way{0};
+    while (!way.empty()) {
+        const std::size_t at = way.back();
+        way.pop_back();
+        if (!isConnected[at])
+            way.insert(way.end(), models[at].below.begin(), models[at].below.end());
+        isConnected[at] = true;
+    }
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < models.size(); ++i)
+        count += !isConnected[i] && models[i].meshes > 0 ? 1 : 0;
+    return count;
+}
 
 /// Returns the rotation or mirroring that maps the file's right, up and front axes to X, Y and Z. If the file's axes
 /// are invalid, only its up axis is used.
@@ -187,7 +206,7 @@ Eigen::Matrix3d axesOf(const aiMetadata* data)
 }
 } // namespace
 
-std::size_t addFbxScene(const aiScene& scene, const std::vector<FbxModel>& models, SceneMesh& mesh)
+FbxLeftOut addFbxScene(const aiScene& scene, const std::vector<FbxModel>& models, SceneMesh& mesh)
 {
     constexpr double millimetresInCentimetre = 10;
     const auto factor = static_cast<double>(valueOf<float>(scene.mMetaData, "UnitScaleFactor").value_or(1));
@@ -202,6 +221,8 @@ std::size_t addFbxScene(const aiScene& scene, const std::vector<FbxModel>& model
     mesh.addMeshesOf(top, root.world, {});
     SceneWalk walk(models, mesh);
     walk.addBelow(top, models.front(), root);
-    return walk.missing();
+    FbxLeftOut left = walk.leftOut();
+    left.hidden += unconnected(models);
+    return left;
 }
 } // namespace app

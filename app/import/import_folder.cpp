@@ -134,6 +134,7 @@ std::string ImportFolder::expanded(const fs::path& path)
     const std::string bytes = bytesOf(path);
     core::io::X3dExpansion expansion =
         core::io::expandX3d({path, bytes}, {.find = find, .fileNumber = m_replacements.size()});
+    m_notes.hidden += expansion.hidden;
     m_notes.unread += expansion.unread;
     refuseCycleOf(path);
     return std::move(expansion.text);

@@ -27,6 +27,7 @@ public:
     {
         std::string outside;        ///< name of a requested file that is outside of the folder; empty: none
         std::exception_ptr problem; ///< the exception of a file that could not be provided
+        std::size_t hidden = 0;     ///< number of X3D nodes with surfaces that are not visible
         /// Number of X3D surface nodes left out, of Inline nodes whose files are missing, and of COLLADA instances of
         /// what is missing.
         std::size_t unread = 0;

@@ -17,7 +17,8 @@ struct ImportHeader
     std::uint32_t magic = magicNumber;
     Outcome outcome = Outcome::Refused;
     std::uint64_t points = 0, colors = 0, masks = 0, labels = 0, triangles = 0, partBytes = 0, objects = 1;
-    std::uint64_t repeatedCorners = 0, facesOfFewer = 0, animations = 0, subdivisions = 0, unreadNodes = 0;
+    std::uint64_t repeatedCorners = 0, facesOfFewer = 0, animations = 0, subdivisions = 0, unreadNodes = 0,
+                  hiddenObjects = 0;
     std::uint64_t place = 0, expected = 0, found = 0; ///< fields of a core::FileError
     std::uint32_t kind = 0, fault = 0, unit = 0;      ///< fields of a core::FileError, as numbers
     std::uint8_t materials = 0, textures = 0, poses = 0;

@@ -173,6 +173,7 @@ core::ReadResult resultOf(std::string_view bytes, const std::filesystem::path& p
                       .facesOfFewer = header.facesOfFewer,
                       .animations = header.animations,
                       .subdivisions = header.subdivisions,
+                      .hiddenObjects = header.hiddenObjects,
                       .unreadNodes = header.unreadNodes};
     return result;
 }

@@ -66,12 +66,13 @@ struct ReadRemarks
     std::size_t otherParts = 0;    ///< parts skipped that are not solid: a slicer's modifiers and supports
     /// Names of the first of these parts, as leaveOutPart() keeps them.
     std::vector<std::string> negativeNames = {}, otherNames = {};
-    std::size_t otherModels = 0;  ///< other models in the same package, skipped
-    bool curves = false;          ///< the file has curved edges or triangles; they were read as straight and flat
-    std::size_t beams = 0;        ///< beams of a 3MF beam lattice, skipped
-    std::size_t animations = 0;   ///< animations, skipped: the mesh has its unanimated shape
-    std::size_t subdivisions = 0; ///< subdivision surfaces, read as their control meshes without subdividing
-    std::size_t unreadNodes = 0;  ///< nodes, links and objects skipped because their surfaces cannot be read
+    std::size_t otherModels = 0;   ///< other models in the same package, skipped
+    bool curves = false;           ///< the file has curved edges or triangles; they were read as straight and flat
+    std::size_t beams = 0;         ///< beams of a 3MF beam lattice, skipped
+    std::size_t animations = 0;    ///< animations, skipped: the mesh has its unanimated shape
+    std::size_t subdivisions = 0;  ///< subdivision surfaces, read as their control meshes without subdividing
+    std::size_t hiddenObjects = 0; ///< objects with meshes skipped because they are hidden, or in no scene or build
+    std::size_t unreadNodes = 0;   ///< nodes, links and objects skipped because their surfaces cannot be read
 
     friend bool operator==(const ReadRemarks&, const ReadRemarks&) = default;
 };

@@ -71,6 +71,9 @@ QStringList leftOut(const core::ReadRemarks& remarks)
         left << ErrorMessages::tr("animations (%1)").arg(number(remarks.animations));
     if (remarks.subdivisions > 0)
         left << ErrorMessages::tr("the subdivision of surfaces (%1)").arg(number(remarks.subdivisions));
+    if (remarks.hiddenObjects > 0)
+        left
+            << ErrorMessages::tr("objects that are hidden or not in the scene (%1)").arg(number(remarks.hiddenObjects));
     if (remarks.unreadNodes > 0)
         left << ErrorMessages::tr("unsupported surfaces (%1)").arg(number(remarks.unreadNodes));
     return left;

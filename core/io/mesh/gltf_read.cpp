@@ -41,7 +41,9 @@ public:
     {
         const auto add = [&](std::size_t mesh, const GltfPlace& place) { addMesh(mesh, place); };
         const Eigen::Matrix4d root = Eigen::Vector4d(millimetres, millimetres, millimetres, 1).asDiagonal();
-        GltfScene(m_file, m_gltf, m_stopCheck).forEachMesh(root, add);
+        GltfScene scene(m_file, m_gltf, m_stopCheck);
+        scene.forEachMesh(root, add);
+        m_hidden = scene.hiddenObjects();
         if (m_hasColors)
             m_mesh.colors.resize(m_mesh.points.size(), Rgb());
         if (m_hasMasks)
@@ -62,7 +64,8 @@ private:
         const Json& document = m_gltf.document();
         return {.objects = std::max<std::size_t>(m_objects, 1),
                 .textures = !m_gltf.arrayIn(document, "textures").empty(),
-                .poses = m_hasTargets || !m_gltf.arrayIn(document, "skins").empty()};
+                .poses = m_hasTargets || !m_gltf.arrayIn(document, "skins").empty(),
+                .hiddenObjects = m_hidden};
     }
 
     void addMesh(std::size_t index, const GltfPlace& place)
@@ -201,7 +204,7 @@ private:
     ObjectLabels m_labels;
     TriangleMesh m_mesh;
     bool m_hasColors = false, m_hasMasks = false, m_hasTargets = false;
-    std::size_t m_objects = 0;
+    std::size_t m_objects = 0, m_hidden = 0;
 };
 } // namespace
 

@@ -27,12 +27,36 @@ std::string_view nameOf(const GltfDocument::Json& node)
 void GltfScene::forEachMesh(const Eigen::Matrix4d& root, const Visit& visit)
 {
     m_root = root;
+    m_isVisited.resize(m_gltf.arrayIn(m_gltf.document(), "nodes").size(), false);
     for (const std::size_t node : rootNodes())
         visitNode(node, root, 0, visit);
     if (!m_gltf.arrayIn(m_gltf.document(), "nodes").empty() || hasScene())
         return;
     for (std::size_t i = 0; i < m_gltf.arrayIn(m_gltf.document(), "meshes").size(); ++i)
         visit(i, {root, {}});
+}
+
+std::size_t GltfScene::hiddenObjects() const
+{
+    const Json &nodes = m_gltf.arrayIn(m_gltf.document(), "nodes"),
+               &meshes = m_gltf.arrayIn(m_gltf.document(), "meshes");
+    std::vector<bool> isLevel(nodes.size(), false), isUsed(meshes.size(), nodes.empty());
+    const auto mark = [](std::vector<bool>& marks, const Json& index) {
+        if (index.is_number_unsigned() && index.get<std::uint64_t>() < marks.size())
+            marks[index.get<std::size_t>()] = true;
+    };
+    for (const Json& node : nodes) {
+        if (!node.is_object())
+            continue;
+        mark(isUsed, node.value("mesh", Json()));
+        const Json* const levels = gltfExtension(node, "MSFT_lod");
+        for (const Json& level : levels && levels->is_object() ? levels->value("ids", Json::array()) : Json::array())
+            mark(isLevel, level);
+    }
+    std::size_t hidden = static_cast<std::size_t>(std::ranges::count(isUsed, false));
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        hidden += nodes[i].is_object() && nodes[i].contains("mesh") && !m_isVisited[i] && !isLevel[i] ? 1 : 0;
+    return hidden;
 }
 
 bool GltfScene::hasScene() const
@@ -77,6 +101,7 @@ void GltfScene::visitNode(std::size_t index, const Eigen::Matrix4d& above, int d
     const Json& node = m_gltf.element("nodes", index);
     if (!isGltfVisible(m_gltf, node))
         return;
+    m_isVisited[index] = true;
     const Eigen::Matrix4d transform = above * transformOf(node);
     visitInstances(node, transform, visit);
     for (const Json& child : m_gltf.arrayIn(node, "children"))

@@ -38,6 +38,9 @@ public:
     /// have the transforms of their nodes. Throws FileError and ReadingCancelled.
     using Visit = std::function<void(std::size_t mesh, const GltfPlace& place)>;
     void forEachMesh(const Eigen::Matrix4d& root, const Visit& visit);
+    /// Returns the number of nodes with meshes that forEachMesh() did not visit, and of meshes without any node. Levels
+    /// of detail (MSFT_lod) do not count.
+    std::size_t hiddenObjects() const;
 
 private:
     using Json = GltfDocument::Json;
@@ -58,6 +61,7 @@ private:
     StopCheck& m_stopCheck;
     std::size_t m_nodes = 0, m_instances = 0, m_joints = 0; ///< counts so far; the joints of a skin are counted once
     Eigen::Matrix4d m_root = Eigen::Matrix4d::Identity();
+    std::vector<bool> m_isVisited;                     ///< whether each node was visited and is visible
     std::vector<std::optional<std::size_t>> m_parents; ///< parent of each node; filled when a joint first needs it
     std::map<std::size_t, Eigen::Matrix4d> m_worlds;   ///< transforms of joints and their ancestors, cached
     std::map<std::size_t, std::vector<Eigen::Matrix4d>> m_skins; ///< joint transforms of each skin, cached

@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <set>
 
 namespace core::io
 {
@@ -76,6 +77,10 @@ public:
             add(path, item, {unit, 0, item.object});
         }
         m_remarks.objects = std::max<std::size_t>(m_remarks.objects, 1);
+        for (const auto& [name, part] : m_parts)
+            for (const auto& [id, object] : part.objects)
+                m_remarks.hiddenObjects +=
+                    object.isSolid && !object.mesh.triangles.empty() && !m_built.contains({name, id}) ? 1 : 0;
         core::TriangleMesh mesh = m_assembly.take();
         if (root.build.empty() && !objects.empty())
             throw malformed(FileFault::Missing, errorWithToken({}, m_file, "build item"));
@@ -147,6 +152,7 @@ private:
         if (object == objects.end())
             throw malformed(FileFault::Missing,
                             errorWithToken({}, m_file, "objectid " + std::to_string(component.object)));
+        m_built.emplace(path, component.object);
         const auto slicers = m_slicerParts.objects.find({place.built, component.object});
         const bool isSlicers = place.depth > 0 && slicers != m_slicerParts.objects.end();
         if (isSlicers || !object->second.isSolid) {
@@ -197,6 +203,7 @@ private:
     StopCheck m_stopCheck;
     std::map<std::string, ThreeMfPart> m_parts;
     ThreeMfSlicerParts m_slicerParts;
+    std::set<std::pair<std::string, std::uint32_t>> m_built; ///< parts and ids of the objects that the build places
     MeshAssembly m_assembly;
     std::string m_otherShape; ///< extension of a shape that was left out
     std::size_t m_instances = 0;

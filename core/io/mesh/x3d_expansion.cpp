@@ -305,7 +305,7 @@ public:
         else if (!isInMetres)
             m_to.add("</Transform>");
         m_to.add("</Scene></X3D>\n");
-        return {m_to.take(), m_unread};
+        return {m_to.take(), m_hidden, m_unread};
     }
 
 private:
@@ -320,6 +320,8 @@ private:
             const std::size_t at = isCounted ? number++ : visible.size();
             if (at >= visible.size() || !isX3dFalse(visible[at]))
                 add(*child);
+            else
+                m_hidden += m_withShapes.contains(child->meant()) ? 1 : 0;
         }
     }
 
@@ -328,8 +330,10 @@ private:
         const X3dNode& meant = node.meant();
         if (node.text("containerField") == "proxy") // a Collision's shape for collisions, which is not visible
             return;
-        if (meant.isFalse("visible") && !hidesEach(m_document, meant))
+        if (meant.isFalse("visible") && !hidesEach(m_document, meant)) {
+            m_hidden += m_withShapes.contains(meant) ? 1 : 0;
             return;
+        }
         if (meant.name == "Shape")
             addShape(meant);
         else if (isIn(groups, meant.name) || isIn(transforms, meant.name) || meant.name == "Switch" ||
@@ -535,7 +539,7 @@ private:
     const X3dSurroundings& m_around;
     X3dText m_to;
     X3dLists m_lists{m_file};
-    std::size_t m_unread = 0;
+    std::size_t m_hidden = 0, m_unread = 0;
     NodesWithShapes m_withShapes{m_document.scene()};
     std::unordered_set<const X3dNode*> m_open; ///< groups that are being written, to find cycles
 };

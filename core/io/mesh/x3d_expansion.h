@@ -12,6 +12,7 @@ namespace core::io
 struct X3dExpansion
 {
     std::string text;       ///< a complete X3D file in UTF-8
+    std::size_t hidden = 0; ///< number of nodes with surfaces left out because they are not visible
     std::size_t unread = 0; ///< number of surface nodes left out, and of Inline nodes whose files are missing
 };
 

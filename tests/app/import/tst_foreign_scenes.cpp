@@ -422,6 +422,7 @@ void TestForeignScenes::fbx_whatIsNotInTheSceneIsTold()
     beside.replace("C: \"OO\",2001,0\n", "C: \"OO\",2001,2002\n")
         .replace("C: \"OO\",2002,0\n", "C: \"OO\",2002,2001\n");
     QCOMPARE(readFbx(beside).mesh.triangles.size(), std::size_t(12));
+    QCOMPARE(readFbx(beside).remarks.hiddenObjects, std::size_t(2));
 }
 
 void TestForeignScenes::fbx_scalesAreInherited_data()
@@ -549,6 +550,9 @@ void TestForeignScenes::fbx_hiddenModelsAreLeftOut()
     QByteArray bytes = fbx({{}, {unseen}}); // unreadable meshes of hidden models are not reported
     bytes.replace(bytes.lastIndexOf("3,2,1,-1,4"), 10, "3,2,99,-1,4");
     QCOMPARE(readFbx(bytes).remarks.unreadNodes, std::size_t(0));
+    QCOMPARE(readFbx(bytes).remarks.hiddenObjects, std::size_t(1));
+    QCOMPARE(readFbx(fbx({{}, {}})).remarks.hiddenObjects, std::size_t(0));
+    QCOMPARE(readFbx(fbx({{}, {invisible}, {{}, 1}})).remarks.hiddenObjects, std::size_t(2));
 }
 
 /// Only the first model below a group of levels of detail is read, which is the finest one.
@@ -558,6 +562,7 @@ void TestForeignScenes::fbx_finestLevelsAlone()
     QByteArray bytes = fbx({{at(100)}, {at(0), 0}, {at(5), 1}, {at(2), 0}, {at(3), 0}});
     bytes.replace("\"Model::m0\", \"Mesh\"", "\"Model::m0\", \"LodGroup\"");
     const core::ReadResult finest = readFbx(bytes);
+    QCOMPARE(finest.remarks.hiddenObjects, std::size_t(0));
     QCOMPARE(finest.remarks.objects, std::size_t(3)); // the group's own mesh, the finest level, and its child
     COMPARE_VECTORS(boxOf(finest.mesh).min, 100, 0, 0);
     COMPARE_VECTORS(boxOf(finest.mesh).max, 115, 10, 10);

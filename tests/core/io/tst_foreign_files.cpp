@@ -818,6 +818,8 @@ private Q_SLOTS:
     void slicersParts_areNamed();
     void slicersNumbers_areOfTheirObject();
     void slicersParts_areCountedWhereTheyAreAll();
+    void hiddenObjects_areCounted_data();
+    void hiddenObjects_areCounted();
     void threeMfOtherShapes_areCounted();
     void threeMfExtensions_areRefusedByName_data();
     void threeMfExtensions_areRefusedByName();
@@ -1444,6 +1446,52 @@ void TestForeignFiles::slicersParts_areCountedWhereTheyAreAll()
         QVERIFY(error && error->kind == Kind::NoFaces);
         QCOMPARE(error->expected, std::uint64_t(count));
     }
+}
+
+void TestForeignFiles::hiddenObjects_areCounted_data()
+{
+    QTest::addColumn<std::string>("name");
+    QTest::addColumn<std::string>("bytes");
+    QTest::addColumn<quint64>("hidden");
+    const std::string scene = R"("scenes":[{"nodes":[0]}],)";
+    const auto glb = [&scene](const char* what, const std::string& nodes, quint64 hidden) {
+        QTest::addRow("glb %s", what) << std::string("a.glb") << glbBox(scene, "\"nodes\":[" + nodes + "],") << hidden;
+    };
+    glb("all shown", R"({"mesh":0})", 0);
+    glb("beside the scene", R"({"mesh":0},{"mesh":0},{"children":[3]},{"mesh":0},{"name":"camera"})", 2);
+    glb("not visible",
+        R"({"mesh":0,"children":[1]},{"extensions":{"KHR_node_visibility":{"visible":false}},)"
+        R"("children":[2]},{"mesh":0})",
+        1);
+    glb("level of detail", R"({"mesh":0,"extensions":{"MSFT_lod":{"ids":[1]}}},{"mesh":0})", 0);
+    const std::string room = "a mesh needs room ", two = R"("indices":1}]},{"primitives":[]}])"; // of equal length
+    const std::string padded = glbBox(scene, R"("nodes":[{"mesh":0}],)", R"("extras":")" + room + "\",");
+    QTest::newRow("glb mesh without node")
+        << std::string("a.glb") << replaced(replaced(padded, room, ""), R"("indices":1}]}])", two) << quint64(1);
+    const auto threeMf = [this](const char* what, const std::string& model, quint64 hidden) {
+        QTest::addRow("3mf %s", what) << std::string("a.3mf")
+                                      << packageOf(file("hidden.3mf"), {{"_rels/.rels", relationships("/3D/a.model")},
+                                                                        {"3D/a.model", model}})
+                                      << hidden;
+    };
+    const std::string mesh = "<mesh><vertices><vertex x=\"0\" y=\"0\" z=\"0\"/><vertex x=\"1\" y=\"0\" z=\"0\"/>"
+                             "<vertex x=\"0\" y=\"1\" z=\"0\"/></vertices><triangles><triangle v1=\"0\" v2=\"1\" "
+                             "v3=\"2\"/></triangles></mesh></object>";
+    threeMf("all built", modelOf(), 0);
+    threeMf("not built", replaced(modelOf(), "</object>", "</object><object id=\"2\">" + mesh), 1);
+    threeMf("a support not built",
+            replaced(modelOf(), "</object>", "</object><object type=\"support\" id=\"2\">" + mesh), 0);
+}
+
+/// Objects that are hidden, in no scene, or not in the build are counted.
+void TestForeignFiles::hiddenObjects_areCounted()
+{
+    QFETCH(std::string, name);
+    QFETCH(std::string, bytes);
+    QFETCH(quint64, hidden);
+    const core::ReadResult result = read(name, bytes);
+    QCOMPARE(result.remarks.hiddenObjects, hidden);
+    QCOMPARE(result.mesh.triangles.size(), std::size_t(12));
 }
 
 /// Objects whose shape an extension defines are counted as unread. If there is nothing else, the error names the

@@ -270,6 +270,9 @@ void TestX3dExpansion::invisibleNodes_areLeftOut()
         QCOMPARE(boxes(" FALSE "), 1);
     }
     QCOMPARE(sceneOf("<Shape visible='false'><Sphere/></Shape>" + box).count("Sphere"), 0);
+    QCOMPARE(expanded("<Shape visible='false'><Sphere/></Shape>" + box).hidden, std::size_t(1));
+    QCOMPARE(expanded("<Group visible='false'>" + box + box + "</Group>" + box).hidden, std::size_t(1));
+    QCOMPARE(expanded("<Group visible='false'><Viewpoint/></Group>" + box).hidden, std::size_t(0));
     QCOMPARE(sceneOf("<Inline visible='false' url='a.x3d'/>"), QString());
     QCOMPARE(expanded("<Group visible='false'><ProtoInstance name='x'/></Group>").unread, std::size_t(0));
     // A hidden level of detail does not count as a level.
