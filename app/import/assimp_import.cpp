@@ -136,8 +136,7 @@ public:
         constexpr std::string_view behindThread = ": ";
         const std::string_view words(message);
         const std::size_t at = words.find(behindThread);
-        const bool isChange = words.find("index is out of range") != std::string_view::npos &&
-                              words.find(" face ") != std::string_view::npos;
+        const bool isChange = isOfCorner(words);
         if (at == std::string_view::npos || !(isChange || (words.starts_with("Error") && isOfMesh(words))))
             return;
         std::string& first = isChange ? m_change : m_first;
@@ -152,6 +151,19 @@ public:
     const std::string& change() const { return m_change; }
 
 private:
+    /// Returns whether the warning is about a corner that does not exist, in whose place Assimp puts another.
+    static bool isOfCorner(std::string_view words)
+    {
+        for (const std::string_view part :
+             {"LWOB: face index is out of range", "face record, index is out of range", "3DS: Vertex index overflow",
+              "NFF2: Vertex index overflow", "IRRMESH: Index out of range", "MD2: Vertex index is outside",
+              "MDC vertex index is out of range", "Q1-MDL vertex list", "MDLn vertex list", "MDL7 vertex list",
+              "Face has an invalid index"})
+            if (words.find(part) != std::string_view::npos)
+                return true;
+        return false;
+    }
+
     /// Returns whether the error can concern a mesh. Errors that occur only in materials, animations, blend shapes or
     /// meshes without faces do not count.
     static bool isOfMesh(std::string_view words)

@@ -237,6 +237,7 @@ private Q_SLOTS:
     void lws_isAsLargeAsItsLwo();
     void lws_missingObjectsAreTold();
     void lwo_missingCornersAreTold();
+    void threeDs_missingCornersAreTold();
     void words_areWholeAndWithoutPath();
 
 private:
@@ -1269,6 +1270,31 @@ void TestForeignScenes::lwo_missingCornersAreTold()
     const auto error = errorOf(QStringLiteral("a.lwo"), lwo(99));
     QVERIFY(error && error->kind == core::FileErrorKind::ReaderRefused);
     QVERIFY(error->token.find("out of range") != std::string::npos);
+}
+
+void TestForeignScenes::threeDs_missingCornersAreTold()
+{
+    const auto fileOf = [](quint16 last) {
+        const auto number = [](auto value) {
+            QByteArray bytes(sizeof value, '\0');
+            qToLittleEndian(value, bytes.data());
+            return bytes;
+        };
+        const auto chunk = [&number](quint16 id, const QByteArray& content) {
+            return number(id) + number(quint32(6 + content.size())) + content;
+        };
+        QByteArray points = number(quint16(3)), faces = number(quint16(1));
+        for (const float value : {0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.0F, 2.0F, 0.0F})
+            points += number(value);
+        for (const quint16 value : {quint16(0), quint16(1), last, quint16(0)})
+            faces += number(value);
+        const QByteArray mesh = chunk(0x4100, chunk(0x4110, points) + chunk(0x4120, faces));
+        return chunk(0x4d4d, chunk(0x3d3d, chunk(0x4000, QByteArray("box\0", 4) + mesh)));
+    };
+    QCOMPARE(read(QStringLiteral("a.3ds"), fileOf(2)).mesh.triangles.size(), std::size_t(1));
+    const auto error = errorOf(QStringLiteral("a.3ds"), fileOf(99));
+    QVERIFY(error && error->kind == core::FileErrorKind::ReaderRefused);
+    QVERIFY(error->token.find("Vertex index overflow") != std::string::npos);
 }
 
 void TestForeignScenes::words_areWholeAndWithoutPath()
