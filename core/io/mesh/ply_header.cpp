@@ -61,7 +61,7 @@ private:
     bool nextLine()
     {
         if (!m_text.nextLine())
-            m_text.fail(FileErrorKind::CutOff, {});
+            throw malformed(FileFault::Keyword, errorAtLine({}, m_file, m_text.position()), "end_header");
         return true;
     }
 

@@ -98,8 +98,10 @@ std::int64_t TextScanner::toInteger(std::string_view word) const
     if (word.empty())
         fail(FileFault::WholeNumber, {});
     const auto value = parseInteger(word);
-    if (!value)
+    if (!value && parseDouble(word))
         fail(FileErrorKind::NotANumber, word);
+    if (!value)
+        fail(FileFault::WholeNumber, word);
     return *value;
 }
 

@@ -770,6 +770,8 @@ void TestMeshIo::badInput_data()
     row("obj index 0", "a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 1\nf 0 1 2\n", Kind::IndexOutOfRange, "line 4", "0");
     row("obj index too far back", "a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 1\nf -4 1 2\n", Kind::IndexOutOfRange, "line 4",
         "-4");
+    row("obj index of a word", "a.obj", "v 0 0 0\nf a 1 1\n", Kind::Malformed, "line 2", "a");
+    row("off counts with commas", "a.off", "OFF\n8,12,0\n0 0 0\n", Kind::Malformed, "line 2", "8,12,0");
     row("obj index beyond 64 bits", "a.obj", "v 0 0 0\nf 99999999999999999999 1 1\n", Kind::NotANumber, "line 2",
         "99999999999999999999");
     row("obj face of two", "a.obj", "v 0 0 0\nv 1 0 0\nf 1 2\nv 0 0 1\n", Kind::NoFaces, "");
@@ -809,7 +811,7 @@ void TestMeshIo::badInput_data()
         QByteArray::fromStdString(glbOf(R"({"extensionsRequired":["KHR_draco_mesh_compression"]})", "")),
         Kind::Malformed, "", "KHR_draco_mesh_compression");
 
-    row("ply without end of header", "a.ply", "ply\nformat ascii 1.0\nelement vertex 3\n", Kind::CutOff, "line 4");
+    row("ply without end of header", "a.ply", "ply\nformat ascii 1.0\nelement vertex 3\n", Kind::Malformed, "line 4");
     row("ply of unknown encoding", "a.ply", "ply\nformat utf8 1.0\nend_header\n", Kind::Malformed, "line 2", "utf8");
     row("ply of unknown type", "a.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty half x\nend_header\n",
         Kind::Malformed, "line 4", "half");
